@@ -61,6 +61,8 @@ public:
 
     bool ok() const { return ok_; }
     std::size_t left() const { return bytes_.size() - at_; }
+    /// Makes the read fail, because a value that was read is impossible.
+    void reject() { ok_ = false; }
     std::size_t position() const { return at_; }
 
     template <class T>

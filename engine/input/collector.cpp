@@ -217,8 +217,8 @@ void HandsCollector::publish() {
 // Simulation thread -------------------------------------------------------------------------------
 
 /// The wand whose key was pressed last. If that key is up, no other key that is still down takes its place.
-std::uint32_t HandsCollector::newest_wand(std::uint32_t down) {
-    for (std::uint32_t wand = 1; wand <= most_wands; ++wand) {
+std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
+    for (std::uint8_t wand = 1; wand <= most_wands; ++wand) {
         if ((down & ~wands_before_ & wand_bit(wand)) != 0) wand_ = wand;
     }
     if (wand_ != 0 && (down & wand_bit(wand_)) == 0) wand_ = 0;

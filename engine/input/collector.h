@@ -45,7 +45,7 @@ public:
     DeviceSample take();
 
 private:
-    std::uint32_t newest_wand(std::uint32_t down);
+    std::uint8_t newest_wand(std::uint32_t down);
 
     struct Bound {
         Action action;
@@ -69,7 +69,7 @@ private:
     std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, before toggles apply
     std::uint32_t on_ = 0;               ///< buttons that a toggle holds
     std::uint32_t wands_before_ = 0;     ///< bits of the wands whose keys were down at the last take
-    std::uint32_t wand_ = 0;             ///< wand of the last sample
+    std::uint8_t wand_ = 0;              ///< wand of the last sample
     std::uint32_t held_before_ = 0;
 
     // Shared. Motion is a sum since the start, so that `take` needs no reset during which an event could be lost.

@@ -27,12 +27,12 @@ namespace hand {
 /// Indices into `counts` of a hand. The first three are sums over the tick, the others are levels at its end.
 enum Count : std::size_t {
     look_right,  ///< mouse counts to the right; times DeviceSpec::look_rad_per_count
-    look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::flags may invert it
+    look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::invert_y turns it round
     wheel,       ///< wheel steps; away from the user is positive
     strafe,      ///< -127..127, to the right
     forward,     ///< -127..127, forwards
     turn_right,  ///< -127..127 of DeviceSpec::turn_rad_per_s
-    turn_up,     ///< -127..127 of DeviceSpec::turn_rad_per_s; DeviceSpec::flags may invert it
+    turn_up,     ///< -127..127 of DeviceSpec::turn_rad_per_s; DeviceSpec::invert_y turns it round
     trigger,     ///< 0..255, position of the `fire` trigger; 255 for a key or button that is held
 };
 }  // namespace hand
@@ -55,7 +55,7 @@ enum Count : std::size_t {
 inline constexpr std::uint32_t most_wands = 9;
 
 /// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11 to 15
-/// and 19 to 22 are never set here: in a log they hold DeviceSample::wand.
+/// and 19 to 22 stay unused: in format 1 of the log they hold DeviceSample::wand.
 enum class Button : std::uint32_t {
     fire = 1U << 0U,
     jump = 1U << 1U,
@@ -81,7 +81,9 @@ struct DeviceSample {
     /// Button bits that were down at the end of the tick or were pressed during it.
     std::uint32_t buttons{};
     /// Wand whose key was pressed last and is still down, 1 to most_wands; 0: none.
-    std::uint32_t wand{};
+    std::uint8_t wand{};
+    /// The device is unplugged or lost. It joins or leaves the match at a tick by a change of this value.
+    bool away{};
     /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in
     /// a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};
@@ -105,24 +107,18 @@ struct InputFrame {
 /// settings does not change a replay.
 struct DeviceSpec {
     static constexpr std::uint32_t most_box_um = 10'000'000;
-    static constexpr std::uint32_t invert_y = 1U << 0U;   ///< flag: look_up and turn_up act downwards
-    static constexpr std::uint32_t no_forces = 1U << 1U;  ///< flag: the player wants no forces
-    /// Flags, 7 bits from here: limit of the force (% of the device's force, at most 100); 0: as the rules say.
-    static constexpr std::uint32_t force_shift = 8;
-    static constexpr std::uint32_t force_bits = 0x7FU << force_shift;
-    /// Flags, 7 bits from here: reduction of the felt weight of a carried thing (%, at most 100).
-    static constexpr std::uint32_t weight_shift = 15;
-    static constexpr std::uint32_t weight_bits = 0x7FU << weight_shift;
-    /// Flags, 7 bits from here: reduction of the felt blows on it.
-    static constexpr std::uint32_t blow_shift = 22;
-    static constexpr std::uint32_t blow_bits = 0x7FU << blow_shift;
 
     std::uint32_t player{};  ///< index into LogHeader::players
     DeviceKind kind{};
     std::string name;                    ///< for display: "mouse and keyboard", "pad 1"
     double look_rad_per_count{0.00087};  ///< turn of the view per mouse count (rad), about 0.05 degrees
     double turn_rad_per_s{3.5};          ///< turn rate of the view at full stick (rad/s)
-    std::uint32_t flags{};
+    bool invert_y{};                     ///< look_up and turn_up act downwards
+    bool no_forces{};                    ///< the player wants no forces
+    /// Largest force (% of the device's force, at most 100); 0: as the rules say.
+    std::uint8_t force_percent{};
+    std::uint8_t weight_reduction{};  ///< reduction of the felt weight of a carried thing (%, at most 100)
+    std::uint8_t blow_reduction{};    ///< reduction of the felt blows on a carried thing (%, at most 100)
     /// For an arm: edges of the box that it says it reaches (um), at most most_box_um; zero: unknown.
     std::array<std::uint32_t, 3> box_um{};
     /// Reduction of the felt force of each source in a fluid (%, at most 100).
@@ -131,21 +127,15 @@ struct DeviceSpec {
 
     /// Sets the largest force that the player wants, 0 to 100 % of the device's force. 0 means no forces.
     void set_force_percent(std::uint32_t percent) {
-        flags &= ~(no_forces | force_bits);
-        flags |= percent == 0 ? no_forces : std::min(percent, 100U) << force_shift;
+        no_forces = percent == 0;
+        force_percent = static_cast<std::uint8_t>(std::min(percent, 100U));
     }
-    /// Largest force (% of the device's force); 0: the limit is that of the rules.
-    std::uint32_t force_percent() const { return (flags & force_bits) >> force_shift; }
 
     /// Sets how much of the weight and of the blows the player feels, 0 to 100 % of the data files' values.
     void set_carried_percent(std::uint32_t weight_percent, std::uint32_t blow_percent) {
-        flags &= ~(weight_bits | blow_bits);
-        flags |= (100 - std::min(weight_percent, 100U)) << weight_shift;
-        flags |= (100 - std::min(blow_percent, 100U)) << blow_shift;
+        weight_reduction = static_cast<std::uint8_t>(100 - std::min(weight_percent, 100U));
+        blow_reduction = static_cast<std::uint8_t>(100 - std::min(blow_percent, 100U));
     }
-    /// Reduction of the felt weight and blows (%).
-    std::uint32_t weight_reduction() const { return (flags & weight_bits) >> weight_shift; }
-    std::uint32_t blow_reduction() const { return (flags & blow_bits) >> blow_shift; }
 
     /// Sets how much of a fluid source the player feels, 0 to 100 % of the data files' value.
     void set_fluid_percent(std::size_t source, std::uint32_t percent) {

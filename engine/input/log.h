@@ -27,6 +27,30 @@ struct DataFile {
     bool operator==(const DataFile&) const = default;
 };
 
+/// A kind of thing and its number in saved states and samples.
+struct Kind {
+    std::uint16_t number{};
+    std::string name;
+    bool operator==(const Kind&) const = default;
+};
+
+/// Numbers of all kinds of one group.
+struct KindTable {
+    std::string group;        ///< "event", "cause", "wand"
+    std::vector<Kind> kinds;  ///< by rising number; at most 1,000
+    bool operator==(const KindTable&) const = default;
+};
+
+/// Data of a player's profile on which the match depends, such as recorded gestures. The log holds the data
+/// itself, because a profile changes between matches.
+struct ProfileData {
+    std::string kind;        ///< kind of the data, which decides the meaning of `bytes`
+    std::string name;        ///< name within the kind and the player
+    std::uint32_t player{};  ///< index into LogHeader::players
+    std::vector<std::byte> bytes;
+    bool operator==(const ProfileData&) const = default;
+};
+
 /// Everything that decides a match, except the frames.
 struct LogHeader {
     std::string program;            ///< version of the recording program, for display
@@ -35,12 +59,16 @@ struct LogHeader {
     std::string arena;              ///< name of the arena; its content is among `files`
     std::uint64_t seed{};
     std::uint64_t maths_probe{};         ///< hash of the results of elementary functions
+    std::string physics_library;         ///< "Bullet 3.24"; empty in format 1
+    std::string physics_precision;       ///< "double"; empty in format 1
     std::vector<std::string> players;    ///< names such as "human", "bot 1"; at most 16
     std::vector<DeviceSpec> devices;     ///< at most max_devices; each has its columns of samples
     std::vector<DataFile> files;         ///< at most 1,000
     std::vector<std::string> overrides;  ///< values of --set, "key=value", in order; at most 1,000
     /// Parameters of the match, "key=value": kills to win, seconds; at most 1,000.
     std::vector<std::string> parameters;
+    std::vector<KindTable> kinds;      ///< at most 16, with rising groups; none in format 1
+    std::vector<ProfileData> profile;  ///< at most 1,000
     bool operator==(const LogHeader&) const = default;
 };
 
@@ -123,7 +151,7 @@ enum class LogEnding {
     damaged,  ///< bytes differ from those written; `replay --verify` fails
 };
 
-/// Reads a log. It uses less than 64 MiB of memory for any file.
+/// Reads a log. It uses less than 80 MiB of memory for any file.
 class LogReader {
 public:
     /// Opens a log and checks the whole file, so that all values below are known. The error is one line with
@@ -136,6 +164,8 @@ public:
     ~LogReader();
 
     const LogHeader& header() const;
+    /// Version of the log's format.
+    std::uint32_t format() const;
     /// Number of ticks that can be read.
     Tick ticks() const;
     LogEnding ending() const;

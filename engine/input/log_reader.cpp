@@ -74,7 +74,7 @@ Expected<File> open_file(const std::string& path) {
 struct OpenedLog {
     File file;
     LogHeader header;
-    std::uint64_t salt;
+    detail::Preamble preamble;
     std::size_t header_size;
 };
 
@@ -93,7 +93,7 @@ Expected<OpenedLog> open_log(const std::string& path) {
     if (!file->read_at(0, bytes)) return bad("cannot read");
     auto header = detail::decode_header(bytes, *preamble);
     if (!header) return bad(header.error().message);
-    return OpenedLog{std::move(*file), std::move(*header), preamble->salt, header_size};
+    return OpenedLog{std::move(*file), std::move(*header), *preamble, header_size};
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ struct LogReader::State {
     State(std::string name, OpenedLog opened)
         : path(std::move(name)),
           log(std::move(opened)),
-          unpacker(log.header.devices.size(), log.salt),
+          unpacker(log.header.devices.size(), log.preamble),
           payload(detail::packed_limit),
           at(log.header_size) {}
 
@@ -150,7 +150,7 @@ struct LogReader::State {
         if (left == 0) return cut_off("no end block");
         if (left < head.size()) return cut_off("part of a block");
         if (!log.file.read_at(at, head)) return damaged("cannot read");
-        const auto found = detail::decode_block_header(head, log.salt);
+        const auto found = detail::decode_block_header(head, log.preamble);
         if (!found) return damaged_or_unwritten(at + head.size(), "block header");
         header = *found;
         if (header.first != ticks) return damaged("blocks missing");
@@ -253,6 +253,7 @@ Expected<LogReader> LogReader::open(const std::filesystem::path& path) {
 }
 
 const LogHeader& LogReader::header() const { return state_->log.header; }
+std::uint32_t LogReader::format() const { return state_->log.preamble.format; }
 Tick LogReader::ticks() const { return state_->ticks; }
 LogEnding LogReader::ending() const { return state_->ending; }
 const std::string& LogReader::ending_reason() const { return state_->reason; }

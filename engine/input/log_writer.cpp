@@ -31,7 +31,7 @@ namespace thaum::input {
 namespace {
 
 constexpr std::size_t usual_blocks = 8;   // enough for a disk that stalls for 4 s
-constexpr std::size_t most_blocks = 256;  // 2 minutes, 21 MiB; then recording ends
+constexpr std::size_t most_blocks = 256;  // 2 minutes, 22 MiB; then recording ends
 
 using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);

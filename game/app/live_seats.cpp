@@ -83,7 +83,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.name = device_name(seat);
     spec.look_rad_per_count *= settings.sensitivity;
     spec.turn_rad_per_s = settings.turn_deg_per_s * radians_per_degree;
-    if (settings.invert_y) spec.flags |= input::DeviceSpec::invert_y;
+    spec.invert_y = settings.invert_y;
     if (const auto percent = force_choices[settings.force[player]].percent) spec.set_force_percent(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
     spec.set_carried_percent(percent_of(settings.carried_weight), percent_of(settings.carried_blows));

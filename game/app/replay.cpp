@@ -320,7 +320,7 @@ int run_replay(const std::vector<std::string>& words) {
     if (!playback) return refuse(playback.error());
     const auto pass = read_pass(*arguments, playback->log().ticks());
     if (!pass) return refuse(pass.error());
-    warn(game::probe_warning(playback->log().header()));
+    warn(game::build_warning(playback->log().header()));
     if (!playback->log().ended_cleanly()) warn(playback->log().ending_reason());
     if (pass->any()) return run_pass(*pass, *playback);
     if (arguments->has("--dump") && arguments->has("--feel"))

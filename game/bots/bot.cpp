@@ -393,7 +393,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
             sample.counts[hand::strafe] = mind.move_strafe;
             sample.counts[hand::forward] = mind.move_forward;
             sample.buttons = mind.buttons;
-            sample.wand = mind.wand_key;
+            sample.wand = static_cast<std::uint8_t>(mind.wand_key);
             if (sample.down(Button::fire)) sample.counts[hand::trigger] = mind.trigger;
         });
 }

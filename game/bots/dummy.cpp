@@ -95,7 +95,7 @@ input::DeviceSample Dummy::sample(const Simulation& match) {
     turn_hand(mind_, gameplay_period - phase, sample);
     sample.counts[input::hand::strafe] = mind_.move_strafe;
     sample.buttons = mind_.buttons;
-    sample.wand = mind_.wand_key;
+    sample.wand = static_cast<std::uint8_t>(mind_.wand_key);
     if (sample.down(input::Button::fire)) sample.counts[input::hand::trigger] = mind_.trigger;
     return sample;
 }

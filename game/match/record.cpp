@@ -1,6 +1,9 @@
 #include "game/match/record.h"
 
+#include "core/one_line.h"
 #include "core/text.h"
+#include "game/match/kind_tables.h"
+#include "physics/bullet_build.h"
 #include "physics/bullet_maths.h"
 
 namespace thaum::game {
@@ -37,11 +40,15 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.arena = data.choice.arena;
     header.seed = setup.seed;
     header.maths_probe = physics::maths_probe();
+    auto bullet = physics::bullet_build();
+    header.physics_library = std::move(bullet.library);
+    header.physics_precision = std::move(bullet.precision);
     header.players = std::move(players);
     header.devices = setup.devices;
     header.files = data.files;
     header.overrides = data.choice.overrides;
     header.parameters = {text(match_parameter, data.choice.match)};
+    header.kinds = kind_tables(data);
     return header;
 }
 
@@ -99,13 +106,24 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
     auto data = load_match_data(assets, choice);
     if (!data) return tl::unexpected(data.error());
     if (const auto changed = changed_file(header.files, data->files); !changed.empty()) return fail(changed);
+    // Logs of format 1 have no tables. Their kinds were registered in the same way, so the data files suffice.
+    if (!header.kinds.empty()) {
+        if (const auto other = kind_difference(header.kinds, kind_tables(*data)); !other.empty())
+            return fail(other);
+    }
     return std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
                                         MatchSetup{header.seed, header.devices});
 }
 
-std::string probe_warning(const input::LogHeader& header) {
-    if (header.maths_probe == physics::maths_probe()) return {};
-    return "recorded by a program whose elementary functions compute other bits: the replay may differ";
+std::string build_warning(const input::LogHeader& header) {
+    if (header.maths_probe != physics::maths_probe())
+        return "recorded by a program whose elementary functions compute other bits: the replay may differ";
+    const auto here = physics::bullet_build();
+    const bool same = header.physics_library == here.library && header.physics_precision == here.precision;
+    if (same || header.physics_library.empty()) return {};
+    return text("recorded with ", in_one_line(header.physics_library), " (",
+                in_one_line(header.physics_precision), "), this program has ", here.library, " (",
+                here.precision, "): the replay may differ");
 }
 
 }  // namespace thaum::game

@@ -24,12 +24,12 @@ Expected<void> close_log(input::LogWriter& log, const Simulation& match);
 std::string result_line(const Simulation& match);
 
 /// Creates the match that a log's header describes. The error is one line: another rules version, the name of
-/// a missing or changed data file, or impossible values.
+/// a missing or changed data file, a kind with another number, or impossible values.
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
                                                    const std::filesystem::path& assets);
 
-/// One line of warning if the log was recorded with elementary functions whose results differ in some bits;
-/// else empty.
-std::string probe_warning(const input::LogHeader& header);
+/// One line of warning if the log was recorded with elementary functions whose results differ in some bits, or
+/// with another version of Bullet; else empty.
+std::string build_warning(const input::LogHeader& header);
 
 }  // namespace thaum::game

@@ -69,12 +69,12 @@ HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::Devi
     for (std::uint32_t p = 0; p < players; ++p) set_box(data, p, data.device.workspace, setup);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
-        if ((device.flags & input::DeviceSpec::no_forces) != 0) setup.on[device.player] = false;
-        const auto percent = device.force_percent();
-        if (percent != 0) setup.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
+        if (device.no_forces) setup.on[device.player] = false;
+        if (device.force_percent != 0)
+            setup.servos[device.player] = haptics::servo_of(data.device, device.force_percent / 100.0);
         if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, setup);
-        setup.weight[device.player] *= 1 - device.weight_reduction() / 100.0;
-        setup.blows[device.player] *= 1 - device.blow_reduction() / 100.0;
+        setup.weight[device.player] *= 1 - device.weight_reduction / 100.0;
+        setup.blows[device.player] *= 1 - device.blow_reduction / 100.0;
         reduce_modes(device, setup.brew[device.player]);
     }
     return setup;

@@ -27,7 +27,7 @@ void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, doub
     const double right =
         spec.look_rad_per_count * counts[hand::look_right] + step * stick_curve(counts[hand::turn_right]);
     double up = spec.look_rad_per_count * counts[hand::look_up] + step * stick_curve(counts[hand::turn_up]);
-    if ((spec.flags & input::DeviceSpec::invert_y) != 0) up = -up;
+    if (spec.invert_y) up = -up;
     gaze.yaw = wrapped(gaze.yaw - std::clamp(right, -pi, pi));
     gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
 }

@@ -23,7 +23,7 @@ struct Hand {
     std::int32_t look_right{}, look_up{};  ///< mouse counts still to be sent
     std::int32_t strafe{}, forward{};      ///< movement axes, -127 to 127
     std::uint32_t buttons{};
-    std::uint32_t wand{};       ///< wand whose key is down, 1 to input::most_wands; 0: none
+    std::uint8_t wand{};        ///< wand whose key is down, 1 to input::most_wands; 0: none
     std::int32_t trigger{255};  ///< pull of the trigger while fire is held, 0 to 255
 };
 

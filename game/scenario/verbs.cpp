@@ -187,10 +187,10 @@ Hand& hand_of(Play& play, lua_State* lua) {
 }
 
 /// Number of the wand that a button "wand_1" to "wand_9" selects; 0 for other buttons.
-std::uint32_t wand_of_button(std::string_view name) {
+std::uint8_t wand_of_button(std::string_view name) {
     constexpr std::string_view start = "wand_";
     if (!name.starts_with(start) || name.size() != start.size() + 1) return 0;
-    const auto number = static_cast<std::uint32_t>(name.back() - '0');
+    const auto number = static_cast<std::uint8_t>(name.back() - '0');
     return number <= input::most_wands ? number : 0;
 }
 
@@ -199,7 +199,7 @@ int verb_button(lua_State* lua, void* context) {
     const auto name = arg::string(lua, 2, "a button");
     if (const auto wand = wand_of_button(name); wand != 0) {
         const bool down = lua_toboolean(lua, 3) != 0;
-        if (down || hand.wand == wand) hand.wand = down ? wand : 0;
+        if (down || hand.wand == wand) hand.wand = down ? wand : std::uint8_t{0};
         return 0;
     }
     const auto found = std::find_if(std::begin(button_names), std::end(button_names),

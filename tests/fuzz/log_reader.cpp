@@ -2,6 +2,8 @@
 // zstd, the decoder, and the match that the header describes.
 #include <zstd.h>
 
+#include <cstring>
+
 #include "core/text.h"
 #include "fuzz/fuzz.h"
 #include "game/bots/duel.h"
@@ -80,17 +82,17 @@ std::string mutated_columns(const Bytes& log, Random& random) {
         samples::with_block(log, place, samples::signed_block(log, place.begin, packed, changed.size())));
 }
 
-/// Corrects size and checksum of the header. The blocks then belong to another salt, so their checksums are
-/// corrected too.
-std::string mutated_header(const Bytes& log, Random& random) {
-    const auto body_end = detail::preamble_size + samples::u32_at(log, 12);
-    const auto body =
-        string_of(std::span(log).subspan(detail::preamble_size, body_end - detail::preamble_size));
-    const auto changed = mutate_bytes({body}, random);
+std::string body_of(const Bytes& log) {
+    return string_of(std::span(log).subspan(detail::preamble_size, samples::u32_at(log, 12)));
+}
+
+/// The log with another body, whose size and checksum are correct. The blocks then belong to another salt, so their
+/// checksums are corrected too.
+std::string with_body(const Bytes& log, const std::string& body) {
     Bytes out(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(detail::preamble_size));
-    const auto bytes = std::as_bytes(std::span(changed));
+    const auto bytes = std::as_bytes(std::span(body));
     out.insert(out.end(), bytes.begin(), bytes.end());
-    samples::put_at(out, 12, static_cast<std::uint32_t>(changed.size()));
+    samples::put_at(out, 12, static_cast<std::uint32_t>(body.size()));
     samples::put_at(out, 16, hash_bytes(bytes, hash_bytes(std::span(out).first(16))));
     Bytes signing = out;  // signed_block reads the salt from it
     for (const auto& place : samples::blocks_of(log)) {
@@ -104,13 +106,38 @@ std::string mutated_header(const Bytes& log, Random& random) {
     return string_of(signing);
 }
 
+std::string mutated_header(const Bytes& log, Random& random) {
+    return with_body(log, mutate_bytes({body_of(log)}, random));
+}
+
+/// Changes the content of one section and corrects the section's size. In format 1 the body has no sections.
+std::string mutated_section(const Bytes& log, Random& random) {
+    constexpr std::size_t record_size = 8, size_offset = 4;
+    const auto body = body_of(log);
+    const auto size_at = [&](std::size_t begin) {
+        return ByteReader(std::as_bytes(std::span(body)).subspan(begin + size_offset)).get<std::uint32_t>();
+    };
+    std::vector<std::size_t> begins;
+    for (std::size_t at = 0; at + record_size <= body.size(); at += record_size + size_at(at))
+        begins.push_back(at);
+    if (samples::preamble_of(log).format == 1 || begins.empty()) return mutated_header(log, random);
+    const auto begin = begins[random.below(begins.size())];
+    auto content = mutate_bytes({body.substr(begin + record_size, size_at(begin))}, random);
+    auto head = body.substr(begin, record_size);
+    const auto size = static_cast<std::uint32_t>(content.size());
+    std::memcpy(head.data() + size_offset, &size, sizeof size);
+    const auto end = std::min(body.size(), begin + record_size + size_at(begin));
+    return with_body(log, body.substr(0, begin) + head + content + body.substr(end));
+}
+
 std::string mutate(const std::vector<std::string>& seeds, Random& random) {
     const auto& seed = seeds[random.below(seeds.size())];
-    const auto how = has_blocks(seed) ? random.below(4) : 0;
+    const auto how = has_blocks(seed) ? random.below(5) : 0;
     const auto log = bytes_of(seed);
     if (how == 1) return mutated_payload(log, random);
     if (how == 2) return mutated_columns(log, random);
     if (how == 3) return mutated_header(log, random);
+    if (how == 4) return mutated_section(log, random);
     return mutate_bytes(seeds, random);
 }
 

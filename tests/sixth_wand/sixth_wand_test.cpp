@@ -200,7 +200,7 @@ TEST(SixthWand, ItsKeyIsListedInTheMenu) {
 }
 
 TEST(SixthWand, ItsKeyComesThroughARecordedLog) {
-    for (std::uint32_t wand = 0; wand <= input::most_wands; ++wand) {
+    for (std::uint8_t wand = 0; wand <= input::most_wands; ++wand) {
         input::InputFrame frame;
         frame.devices[0].wand = wand;
         Simulation match(data_of(), {1, {{.player = 0, .kind = input::DeviceKind::script, .name = "one"}}});
@@ -257,6 +257,11 @@ TEST(SixthWand, NoEventIsLostWhenAHundredHitInOneTick) {
     ASSERT_GE(recorded, 300U);
     auto playback = Playback::open(file.path, assets());
     ASSERT_TRUE(playback) << playback.error().message;
+    const auto& kinds = playback->log().header().kinds;
+    ASSERT_EQ(kinds.size(), 5U);
+    EXPECT_EQ(kinds[0].kinds.back(), (input::Kind{7, "hail"})) << "the last cause";
+    EXPECT_EQ(kinds[1].kinds.back(), (input::Kind{20, "hail_hit"})) << "the last event";
+    EXPECT_EQ(kinds[4].kinds.back(), (input::Kind{6, "hail"})) << "the last wand";
     EventTable table;
     std::string csv;
     while (playback->step()) table.follow(*playback, csv);

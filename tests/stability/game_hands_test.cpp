@@ -147,7 +147,7 @@ struct HandsRig {
         release(p, button);
         run(8);
     }
-    void choose(std::uint32_t p, std::uint32_t wand) {
+    void choose(std::uint32_t p, std::uint8_t wand) {
         frame.devices[p].wand = wand;
         run(20);
         frame.devices[p].wand = 0;

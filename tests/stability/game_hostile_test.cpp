@@ -23,7 +23,7 @@ input::InputFrame wild_frame(Random& random) {
         auto& sample = frame.devices[d];
         for (auto& count : sample.counts) count = wild(random);
         sample.buttons = static_cast<std::uint32_t>(random.next());
-        sample.wand = static_cast<std::uint32_t>(random.next());
+        sample.wand = static_cast<std::uint8_t>(random.next());
         // A match that is paused most of the time would test little.
         if (random.below(50) != 0) sample.buttons &= ~input::bit(input::Button::pause);
     }
@@ -118,10 +118,60 @@ TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference
     other = header;
     other.overrides = {"bolt.shot.damage=nan"};
     EXPECT_NE(refusal(other).find("damage"), std::string::npos) << refusal(other);
-    other = header;
-    ++other.maths_probe;
-    EXPECT_NE(probe_warning(other), "");
-    EXPECT_EQ(probe_warning(header), "");
+}
+
+TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesTheKind) {
+    const auto header =
+        log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    const auto refusal = [&](auto change) {
+        auto other = header;
+        change(other.kinds);
+        const auto match = match_of_log(other, assets());
+        return match ? std::string("accepted") : match.error().message;
+    };
+    using Tables = std::vector<input::KindTable>;
+    constexpr std::string_view advice = ": replay the log with the program that recorded it";
+    EXPECT_EQ(refusal([](Tables&) {}), "accepted");
+    EXPECT_EQ(refusal([](Tables& t) { t.clear(); }), "accepted") << "format 1 has no tables";
+    EXPECT_EQ(refusal([](Tables& t) { t[1].kinds[2].name = "arrow_hit"; }),
+              text("event 2 is 'arrow_hit' in the log and 'bolt_hit' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) {
+                  t[4].kinds.push_back({6, "hail\x1b[2J\n"});
+              }),
+              text("wand 6 is 'hail [2J ' in the log and nothing in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }),
+              text("cause 0 is nothing in the log and 'bolt' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { std::swap(t[2].kinds[0].name, t[2].kinds[1].name); }),
+              text("ingredient 0 is '", header.kinds[2].kinds[1].name, "' in the log and '",
+                   header.kinds[2].kinds[0].name, "' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t[3].kinds.pop_back(); }),
+              text("power_up 2 is nothing in the log and 'spark' in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) {
+                  t.push_back({"wounds", {{0, "cut"}}});
+              }),
+              text("wounds 0 is 'cut' in the log and nothing in this program", advice));
+    EXPECT_EQ(refusal([](Tables& t) { t.pop_back(); }),
+              text("wand 1 is nothing in the log and 'bolt' in this program", advice));
+}
+
+TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
+    const auto header =
+        log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    EXPECT_EQ(build_warning(header), "");
+    EXPECT_TRUE(header.physics_library.starts_with("Bullet ")) << header.physics_library;
+    EXPECT_EQ(header.physics_precision, "double");
+    const auto warning = [&](auto change) {
+        auto other = header;
+        change(other);
+        return build_warning(other);
+    };
+    EXPECT_NE(warning([](input::LogHeader& h) { ++h.maths_probe; }), "");
+    EXPECT_EQ(warning([](input::LogHeader& h) { h.physics_library = "Bullet 2.0"; }),
+              text("recorded with Bullet 2.0 (double), this program has ", header.physics_library,
+                   " (double): the replay may differ"));
+    EXPECT_NE(warning([](input::LogHeader& h) { h.physics_precision = "single"; }), "");
+    EXPECT_EQ(warning([](input::LogHeader& h) { h.physics_library = h.physics_precision = ""; }), "")
+        << "format 1 does not say";
 }
 
 /// tests/scenario.cmake selects logs by the rules version in their names.

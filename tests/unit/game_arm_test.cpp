@@ -38,7 +38,8 @@ struct ArmMatch {
     std::int32_t arm_ticks = 0;
     std::int64_t now_ns = 0;
     int ahead = 0;
-    std::uint32_t arm_buttons = 0, hand_buttons = 0, wand_key = 0;
+    std::uint32_t arm_buttons = 0, hand_buttons = 0;
+    std::uint8_t wand_key = 0;
     std::uint32_t epoch = 0, samples = 0;
     bool still = false;        ///< true: the arm sends no samples
     bool resting = false;      ///< true: the arm stands still
@@ -326,10 +327,11 @@ void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);
     for (const auto& wand : m.data->wands) {
-        if (wand.kind->name == name) m.wand_key = wand.stats.slot + 1;
+        if (wand.kind->name == name) m.wand_key = static_cast<std::uint8_t>(wand.stats.slot + 1);
     }
     m.run(20);
-    m.hand_buttons = m.wand_key = 0;
+    m.hand_buttons = 0;
+    m.wand_key = 0;
     m.run(20);
 }
 

@@ -49,7 +49,7 @@ struct WandRig {
     void wait(Tick count) {
         hold(count, 0, [] {});
     }
-    void take(std::uint32_t wand) {
+    void take(std::uint8_t wand) {
         wand_key = wand;
         wait(2 * gameplay_period);
         wand_key = 0;
@@ -76,7 +76,7 @@ struct WandRig {
     }
 
     Simulation match;
-    std::uint32_t wand_key = 0;  ///< wand whose key is down
+    std::uint8_t wand_key = 0;  ///< wand whose key is down
 };
 
 TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
@@ -138,7 +138,7 @@ TEST(Blast, TheWholeRecoilIsFeltOnEveryDevice) {
 }
 
 TEST(Wands, DyingOrChangingTheWandEndsADrawWithoutAShot) {
-    for (const std::uint32_t wand : {2U, 3U}) {
+    for (const std::uint8_t wand : {std::uint8_t{2}, std::uint8_t{3}}) {
         for (const bool dies : {false, true}) {
             WandRig w;
             w.take(wand);
@@ -213,7 +213,7 @@ TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheArena) {
 }
 
 TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
-    for (const std::uint32_t wand : {2U, 3U}) {
+    for (const std::uint8_t wand : {std::uint8_t{2}, std::uint8_t{3}}) {
         const auto buttons_at = [&](Tick t) {
             return (t >= 16 && t < 1800) || (t > 1850 && t < 2900) ? bit(Button::fire) : 0;
         };
@@ -221,7 +221,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
             for (Tick t = from; t < to; ++t) {
                 input::InputFrame frame;
                 frame.devices[0].buttons = buttons_at(t);
-                frame.devices[0].wand = t < 16 ? wand : 0;
+                frame.devices[0].wand = t < 16 ? wand : std::uint8_t{0};
                 frame.devices[0].counts[input::hand::trigger] =
                     (buttons_at(t) & bit(Button::fire)) != 0 ? 200 : 0;
                 frame.devices[0].counts[input::hand::look_up] = t < 300 ? 1 : 0;
@@ -256,7 +256,7 @@ TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     std::size_t flown = 0;
     for (Tick t = 0; t < 60'000; ++t) {
         for (auto& device : frame.devices) {
-            if (random.below(350) == 0) device.wand = static_cast<std::uint32_t>(random.below(4));
+            if (random.below(350) == 0) device.wand = static_cast<std::uint8_t>(random.below(4));
             if (random.below(260) == 0) device.buttons ^= bit(buttons[random.below(buttons.size())]);
             if (random.below(50) == 0)
                 device.counts[input::hand::trigger] = static_cast<std::int32_t>(random.below(1000)) - 300;

@@ -42,8 +42,8 @@ TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
         EXPECT_TRUE(
             samples::put_file(folder / text("forged", payload.size(), "-", raw_size), forged).has_value());
         const auto header = detail::decode_block_header(
-            std::span(forged).subspan(place.begin, detail::block_header_size), samples::salt_of(forged));
-        detail::Unpacker unpacker(2, samples::salt_of(forged));
+            std::span(forged).subspan(place.begin, detail::block_header_size), samples::preamble_of(forged));
+        detail::Unpacker unpacker(2, samples::preamble_of(forged));
         detail::Block block;
         return !header || !unpacker.ticks(*header, payload, block);
     };
@@ -68,7 +68,7 @@ TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     samples::put_at(header, 6, std::uint16_t{1});
     samples::put_at(header, 8, static_cast<std::uint32_t>(detail::raw_limit / 2));
     samples::put_at(header, 32, hash_bytes(std::span(header).first(32), samples::salt_of(log)));
-    EXPECT_FALSE(detail::decode_block_header(header, samples::salt_of(log)));
+    EXPECT_FALSE(detail::decode_block_header(header, samples::preamble_of(log)));
 }
 
 }  // namespace

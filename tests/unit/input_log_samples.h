@@ -54,6 +54,10 @@ private:
     int fd_;
 };
 
+inline bool contains(const std::string& s, std::string_view part) {
+    return s.find(part) != std::string::npos;
+}
+
 inline LogHeader header(std::size_t devices = 2) {
     LogHeader h;
     h.program = "1.0.0";
@@ -68,7 +72,7 @@ inline LogHeader header(std::size_t devices = 2) {
         device.player = static_cast<std::uint32_t>(i % 2);
         device.kind = i == 0 ? DeviceKind::keyboard_mouse : DeviceKind::pad;
         device.name = text("device ", i);
-        device.flags = i == 1 ? DeviceSpec::invert_y : 0;
+        device.invert_y = i == 1;
         if (i == 1) device.set_carried_percent(75, 0);
         if (i == 1) device.box_um = {160'000, 1, DeviceSpec::most_box_um};
         for (std::size_t source = 0; source < fluid_faders && i > 0; ++source)
@@ -78,6 +82,19 @@ inline LogHeader header(std::size_t devices = 2) {
     h.files = {{"wands/lift.toml", 1}, {"wands/blast.toml", 2}};
     h.overrides = {"lift.reach=3"};
     h.parameters = {"kills=5", "seconds=240"};
+    h.physics_library = "Bullet 3.24";
+    h.physics_precision = "double";
+    h.kinds = {{"cause", {{0, "bolt"}, {65535, "the last"}}}, {"event", {}}, {"wand", {{1, "bolt"}}}};
+    h.profile = {{"gesture", "circle", 0, {std::byte{0}, std::byte{255}}}, {"gesture", "circle", 1, {}}};
+    return h;
+}
+
+/// The same header as format 1 holds it, with two devices.
+inline LogHeader header_1() {
+    auto h = header(2);
+    h.physics_library = h.physics_precision = {};
+    h.kinds.clear();
+    h.profile.clear();
     return h;
 }
 
@@ -94,10 +111,11 @@ inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t see
             if (r % 4 == 1) count = static_cast<std::int32_t>(r >> 32U);
             if (r % 4 == 2) count = static_cast<std::int32_t>(r / 4 % 21) - 10;
         }
-        s.buttons = static_cast<std::uint32_t>(random()) & ~(0x1fU << 11U | 0xfU << 19U);
-        s.wand = static_cast<std::uint32_t>(random() % (most_wands + 1));
+        s.buttons = static_cast<std::uint32_t>(random());
+        s.wand = static_cast<std::uint8_t>(random() % (most_wands + 1));
         s.model_age = static_cast<std::uint16_t>(random());
         s.skips = static_cast<std::uint16_t>(random());
+        s.away = s.skips % 2 != 0;
     }
     return frame;
 }
@@ -108,6 +126,16 @@ inline InputFrame calm_frame(Tick tick) {
     frame.devices[0].counts[hand::look_right] = static_cast<std::int32_t>(tick / 100);
     frame.devices[0].counts[hand::forward] = tick % 400 < 200 ? 127 : 0;
     frame.devices[1].buttons = tick % 300 < 150 ? 1 : 0;
+    return frame;
+}
+
+/// Frames of the stored log of format 1, which has neither all bits of the buttons nor lost devices.
+inline InputFrame frame_1(Tick tick) {
+    auto frame = tick % 50 == 0 ? random_frame(tick, 2) : calm_frame(tick);
+    for (auto& sample : frame.devices) {
+        sample.buttons &= ~(0x1fU << 11U | 0xfU << 19U);
+        sample.away = false;
+    }
     return frame;
 }
 
@@ -145,6 +173,20 @@ inline std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
     return ByteReader(std::span(bytes).subspan(at)).get<std::uint32_t>();
 }
 
+/// A closed log of 1,100 ticks by header_1() and frame_1(), which a program of format 1 has recorded.
+inline Bytes log_1() { return bytes_of(THAUM_SOURCE_DIR "/tests/fuzz/seeds/log/format_1.thaumlog"); }
+
+/// A log of 1,100 ticks in three blocks and the end, with its frames.
+struct StoredLog {
+    Bytes bytes;
+    InputFrame (*frame_at)(Tick);
+};
+
+/// A log of each format.
+inline std::vector<StoredLog> logs_of_all_formats(const Folder& folder) {
+    return {{small_log(folder), calm_frame}, {log_1(), frame_1}};
+}
+
 struct BlockPlace {
     std::size_t begin, end;  ///< offsets in the file (bytes)
     Tick first, last;        ///< first and last tick
@@ -164,6 +206,8 @@ inline std::vector<BlockPlace> blocks_of(const Bytes& log) {
     }
     return places;
 }
+
+inline detail::Preamble preamble_of(const Bytes& log) { return detail::decode_preamble(log).value(); }
 
 inline std::uint64_t salt_of(const Bytes& log) {
     return ByteReader(std::span(log).subspan(16)).get<std::uint64_t>();

@@ -22,6 +22,7 @@ namespace thaum::input {
 namespace {
 
 using samples::blocks_of;
+using samples::contains;
 using samples::Folder;
 
 /// Reads everything readable and compares it with the recorded values.
@@ -44,8 +45,6 @@ std::string open_error(const std::filesystem::path& path) {
     EXPECT_NE(reader.error().message.find(path.filename().string()), std::string::npos);
     return reader.error().message;
 }
-
-bool contains(const std::string& s, std::string_view part) { return s.find(part) != std::string::npos; }
 
 TEST(InputLog, RoundTripOfRandomFrames) {
     const Folder folder;
@@ -150,70 +149,26 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.files.resize(1001); }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices.resize(5); }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.arena.resize(65537); }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.overrides.assign(100, std::string(60000, 'x')); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.overrides.assign(300, std::string(60000, 'x')); }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].player = 2; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].turn_rad_per_s = NAN; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 0x80; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 101U << DeviceSpec::weight_shift; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 31U; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 30U; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].force_percent = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].weight_reduction = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].blow_reduction = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[6] = 101; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[0] = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
-}
-
-/// A file with this body and a correct size and checksum.
-Bytes signed_header(const Bytes& like, std::span<const std::byte> body) {
-    Bytes file(like.begin(), like.begin() + detail::preamble_size);
-    samples::put_at(file, 12, static_cast<std::uint32_t>(body.size()));
-    samples::put_at(file, 16, hash_bytes(body, hash_bytes(std::span(file).first(16))));
-    file.insert(file.end(), body.begin(), body.end());
-    return file;
-}
-
-Expected<LogHeader> decoded(const Bytes& file) {
-    const auto preamble = detail::decode_preamble(file);
-    return preamble ? detail::decode_header(file, *preamble) : tl::unexpected(preamble.error());
-}
-
-TEST(InputLog, WhatIsFeltOfAFluidStandsInTheHeaderOnlyWhereItIsLess) {
-    auto header = samples::header(1);
-    const auto without = detail::encode_header(header).value();
-    EXPECT_EQ(decoded(without), header);
-    for (std::size_t source = 0; source < fluid_faders; ++source)
-        header.devices[0].set_fluid_percent(source, static_cast<std::uint32_t>(99 - source));
-    const auto with = detail::encode_header(header).value();
-    EXPECT_EQ(decoded(with), header);
-    ASSERT_EQ(with.size(), without.size() + fluid_faders);
-
-    const std::array<std::byte, fluid_faders> percents = {
-        std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4}, std::byte{5}, std::byte{6}, std::byte{7}};
-    auto body = Bytes(with.begin() + detail::preamble_size, with.end());
-    const auto at = std::search(body.begin(), body.end(), percents.begin(), percents.end());
-    ASSERT_NE(at, body.end());
-    EXPECT_EQ(decoded(signed_header(with, body)), header);
-    for (std::size_t i = 0; i < fluid_faders; ++i) {
-        auto spoilt = body;
-        auto& percent = spoilt[static_cast<std::size_t>(at - body.begin()) + i];
-        percent = std::byte{100};
-        EXPECT_TRUE(decoded(signed_header(with, spoilt)));
-        percent = std::byte{101};
-        const auto refused = decoded(signed_header(with, spoilt));
-        ASSERT_FALSE(refused);
-        EXPECT_TRUE(contains(refused.error().message, "reduction of a fluid's force is above 100 %"))
-            << refused.error().message;
-    }
-    for (std::size_t size = 0; size < body.size(); ++size)
-        EXPECT_FALSE(decoded(signed_header(with, std::span(body).first(size)))) << size;
-}
-
-TEST(InputLog, OlderLogsFeelAllOfAFluid) {
-    const auto header = read_log_header(THAUM_SOURCE_DIR "/tests/replays/bots_rules_8.thaumlog");
-    ASSERT_TRUE(header) << header.error().message;
-    ASSERT_EQ(header->devices.size(), 2U);
-    for (const auto& device : header->devices)
-        EXPECT_EQ(device.fluid_reduction, (std::array<std::uint8_t, fluid_faders>{}));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.kinds.resize(17); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { std::swap(h.kinds[0], h.kinds[1]); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.kinds[1].group = h.kinds[0].group; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.kinds[0].kinds[1].number = 0; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.kinds[0].kinds[1].name.resize(65537); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.profile.resize(1001); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.profile[1].player = 2; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.profile[1] = h.profile[0]; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.profile[1].bytes.resize((16U << 20U) + 1); }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.profile[1].bytes.resize(16U << 20U); }))
+        << "no room for the rest";
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {
@@ -246,32 +201,36 @@ TEST(InputLog, HugeFileIsRefusedWithoutReadingIt) {
 TEST(InputLog, NewerFormatIsRefused) {
     const Folder folder;
     auto log = samples::small_log(folder);
-    log[8] = std::byte{2};
+    log[8] = std::byte{3};
     ASSERT_TRUE(samples::put_file(folder / "file", log));
-    EXPECT_TRUE(contains(open_error(folder / "file"), "log format 2 is newer"));
+    EXPECT_TRUE(contains(open_error(folder / "file"), "log format 3 is newer"));
     EXPECT_FALSE(read_log_header(folder / "file"));
+    log[8] = std::byte{0};
+    ASSERT_TRUE(samples::put_file(folder / "file", log));
+    EXPECT_TRUE(contains(open_error(folder / "file"), "damaged"));
 }
 
 TEST(InputLog, EveryTruncationReadsToItsLastWholeBlock) {
     const Folder folder;
-    const auto log = samples::small_log(folder);
-    const auto blocks = blocks_of(log);
-    ASSERT_EQ(blocks.size(), 4U);
-    const auto path = folder / "cut";
-    ASSERT_TRUE(write_file(path, log));
-    for (std::size_t size = log.size(); size-- > 0;) {
-        ASSERT_EQ(::truncate(path.c_str(), static_cast<off_t>(size)), 0);
-        if (size < blocks[0].begin) {
-            ASSERT_NE(open_error(path), "no error") << size;
-            continue;
+    for (const auto& [log, frame_at] : samples::logs_of_all_formats(folder)) {
+        const auto blocks = blocks_of(log);
+        ASSERT_EQ(blocks.size(), 4U);
+        const samples::Scratch file(folder / text("cut", log.size()));
+        ASSERT_TRUE(file.set(log));
+        for (std::size_t size = log.size(); size-- > 0;) {
+            ASSERT_EQ(::truncate(file.path.c_str(), static_cast<off_t>(size)), 0);
+            if (size < blocks[0].begin) {
+                ASSERT_NE(open_error(file.path), "no error") << size;
+                continue;
+            }
+            Tick whole = 0;
+            for (const auto& block : blocks) whole = block.end <= size ? block.last : whole;
+            auto reader = LogReader::open(file.path).value();
+            ASSERT_EQ(reader.ending(), LogEnding::cut_off) << size;
+            ASSERT_TRUE(one_line(reader.ending_reason()));
+            ASSERT_EQ(reader.ticks(), whole) << size;
+            expect_frames(reader, frame_at);
         }
-        Tick whole = 0;
-        for (const auto& block : blocks) whole = block.end <= size ? block.last : whole;
-        auto reader = LogReader::open(path).value();
-        ASSERT_EQ(reader.ending(), LogEnding::cut_off) << size;
-        ASSERT_TRUE(one_line(reader.ending_reason()));
-        ASSERT_EQ(reader.ticks(), whole) << size;
-        expect_frames(reader, samples::calm_frame);
     }
 }
 
@@ -307,12 +266,10 @@ TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     EXPECT_EQ(LogReader::open(file.path)->ending(), LogEnding::damaged);
 }
 
-TEST(InputLog, EveryFlippedByteIsFound) {
-    const Folder folder;
-    const auto log = samples::small_log(folder);
+/// Flips bits of one byte of a log after another. Each change must be found at the block that contains it.
+void expect_flips_found(const samples::StoredLog& stored, const samples::Scratch& file) {
+    const auto& log = stored.bytes;
     const auto blocks = blocks_of(log);
-    const samples::Scratch file(folder / "flipped");
-    const auto& path = file.path;
     ASSERT_TRUE(file.set(log));
     for (std::size_t at = 0; at < log.size(); ++at) {
         const auto byte = std::span(log).subspan(at, 1);
@@ -320,19 +277,25 @@ TEST(InputLog, EveryFlippedByteIsFound) {
             const auto flipped = byte[0] ^ static_cast<std::byte>(flip);
             ASSERT_TRUE(file.set_from(at, std::span(&flipped, 1)));
             if (at < blocks[0].begin) {
-                ASSERT_NE(open_error(path), "no error") << at;
+                ASSERT_NE(open_error(file.path), "no error") << at;
                 continue;
             }
             Tick first = 0;
             for (const auto& block : blocks) first = block.begin <= at ? block.first : first;
-            auto reader = LogReader::open(path).value();
+            auto reader = LogReader::open(file.path).value();
             ASSERT_EQ(reader.ending(), LogEnding::damaged) << at;
             ASSERT_TRUE(contains(reader.ending_reason(), text("tick ", first, ": block damaged"))) << at;
             ASSERT_EQ(reader.ticks(), first) << at;
-            if (flip == 0xff) expect_frames(reader, samples::calm_frame);
+            if (flip == 0xff) expect_frames(reader, stored.frame_at);
         }
         ASSERT_TRUE(file.set_from(at, byte));
     }
+}
+
+TEST(InputLog, EveryFlippedByteIsFound) {
+    const Folder folder;
+    for (const auto& stored : samples::logs_of_all_formats(folder))
+        expect_flips_found(stored, samples::Scratch(folder / text("flipped", stored.bytes.size())));
 }
 
 TEST(InputLog, MissingMovedAndForeignBlocksAreDamage) {

@@ -20,43 +20,53 @@ constexpr int compression_level = 3;
 
 /// Largest unpacked size of a block (bytes). A residual takes at most a token (2 bytes) and 5 bytes. A hash
 /// takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most 10.
-constexpr std::size_t most_raw(BlockKind kind, std::size_t ticks) {
+constexpr std::size_t most_raw(BlockKind kind, std::size_t ticks, std::uint32_t format) {
     if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
-    return max_devices * columns * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
+    return max_devices * columns(format) * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
 }
-static_assert(most_raw(BlockKind::ticks, block_ticks) <= raw_limit);
+static_assert(most_raw(BlockKind::ticks, block_ticks, format_version) <= raw_limit);
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
-// Format 1 has a bit for each wand among the buttons: bits 11 to 15 for the first five, 19 to 22 for the others.
-constexpr std::uint32_t wand_bits = 0x1fU << 11U | 0xfU << 19U;
-
-std::uint32_t wand_bit(std::uint32_t wand) {
-    if (wand == 0 || wand > most_wands) return 0;
-    return 1U << (wand <= 5 ? 10 + wand : 13 + wand);
-}
+/// Columns after those of the counts.
+constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
+                      skips_column = model_age_column + 1, wand_column = skips_column + 1,
+                      state_column = wand_column + 1;
+constexpr std::uint32_t away_bit = 1;  ///< the only bit of the column of states
 
 std::uint32_t field(const DeviceSample& s, std::size_t column) {
-    if (column < max_counts) return static_cast<std::uint32_t>(s.counts[column]);
-    if (column == max_counts) return s.buttons | wand_bit(s.wand);
-    return column == max_counts + 1 ? s.model_age : s.skips;
+    switch (column) {
+        case buttons_column: return s.buttons;
+        case model_age_column: return s.model_age;
+        case skips_column: return s.skips;
+        case wand_column: return s.wand;
+        case state_column: return s.away ? away_bit : 0;
+        default: return static_cast<std::uint32_t>(s.counts[column]);
+    }
 }
 
 /// Sets a field. Returns false if the value does not fit.
 bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
-    if (column < max_counts) {
-        s.counts[column] = static_cast<std::int32_t>(value);
-    } else if (column == max_counts) {
-        s.wand = 0;
-        for (std::uint32_t wand = 1; wand <= most_wands; ++wand) {
-            if ((value & wand_bit(wand)) != 0) s.wand = wand;
-        }
-        s.buttons = value & ~wand_bits;
-    } else {
-        (column == max_counts + 1 ? s.model_age : s.skips) = static_cast<std::uint16_t>(value);
-        return value <= 0xffffU;
+    switch (column) {
+        case buttons_column: s.buttons = value; return true;
+        case model_age_column: s.model_age = static_cast<std::uint16_t>(value); return value <= 0xffffU;
+        case skips_column: s.skips = static_cast<std::uint16_t>(value); return value <= 0xffffU;
+        case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= 0xffU;
+        case state_column: s.away = (value & away_bit) != 0; return value <= away_bit;
+        default: s.counts[column] = static_cast<std::int32_t>(value); return true;
     }
-    return true;
+}
+
+/// Takes the wand out of the buttons of format 1, where bits 11 to 15 are wands 1 to 5 and bits 19 to 22 are
+/// wands 6 to 9. If several bits are set, the highest counts.
+void split_off_wand(DeviceSample& s) {
+    constexpr std::uint32_t wand_bits = 0x1fU << 11U | 0xfU << 19U;
+    s.wand = 0;
+    for (std::uint8_t wand = 1; wand <= most_wands; ++wand) {
+        const auto bit = 1U << (wand <= 5 ? 10U + wand : 13U + wand);
+        if ((s.buttons & bit) != 0) s.wand = wand;
+    }
+    s.buttons &= ~wand_bits;
 }
 
 // Arithmetic is modulo 2^32, so that every difference of two values has a zigzag form of 32 bits.
@@ -107,18 +117,6 @@ bool get_residuals(ByteReader& in, std::span<std::uint32_t> residuals) {
         }
     }
     return in.ok();
-}
-
-bool get_column(ByteReader& in, Block& block, std::size_t device, std::size_t column) {
-    Column residuals{};
-    const auto mode = in.get<std::uint8_t>();
-    if (mode > 1 || !get_residuals(in, std::span(residuals).first(block.ticks))) return false;
-    std::uint32_t value = 0;
-    for (std::size_t t = 0; t < block.ticks; ++t) {
-        value = mode == 1 ? value + residuals[t] : residuals[t];
-        if (!set_field(block.frames[t].devices[device], column, value)) return false;
-    }
-    return true;
 }
 
 bool get_hashes(ByteReader& in, Block& block) {
@@ -172,7 +170,7 @@ std::span<const std::byte> Packer::ticks(const Block& block) {
     raw_.clear();
     ByteWriter out(raw_);
     for (std::size_t device = 0; device < devices_; ++device) {
-        for (std::size_t column = 0; column < columns; ++column) {
+        for (std::size_t column = 0; column < columns(format_version); ++column) {
             const auto values = values_of(block, device, column);
             const auto differences = differences_of(values, block.ticks);
             column_a_.assign(1, std::byte{0});
@@ -230,7 +228,7 @@ std::span<const std::byte> Packer::pack(BlockHeader header) {
 
 // Unpacker -----------------------------------------------------------------------------------------
 
-std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, std::uint64_t salt) {
+std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, const Preamble& log) {
     ByteReader in(bytes);
     const auto magic = in.get<std::uint32_t>();
     BlockHeader header;
@@ -240,8 +238,8 @@ std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes,
     header.packed_size = in.get<std::uint32_t>();
     header.first = in.get<std::uint64_t>();
     header.payload_checksum = in.get<std::uint64_t>();
-    if (in.get<std::uint64_t>() != checksum_of_header(bytes, salt) || magic != block_magic) return {};
-    const bool sizes = header.raw_size <= most_raw(header.kind, header.ticks) &&
+    if (in.get<std::uint64_t>() != checksum_of_header(bytes, log.salt) || magic != block_magic) return {};
+    const bool sizes = header.raw_size <= most_raw(header.kind, header.ticks, log.format) &&
                        header.packed_size <= ZSTD_COMPRESSBOUND(header.raw_size);
     const bool ticks = header.kind == BlockKind::ticks && header.ticks >= 1 && header.ticks <= block_ticks;
     const bool end = header.kind == BlockKind::end && header.ticks == 0;
@@ -249,13 +247,13 @@ std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes,
     return header;
 }
 
-Unpacker::Unpacker(std::size_t devices, std::uint64_t salt)
-    : devices_(devices), salt_(salt), zstd_(ZSTD_createDCtx()), raw_(raw_limit) {}
+Unpacker::Unpacker(std::size_t devices, const Preamble& log)
+    : devices_(devices), log_(log), zstd_(ZSTD_createDCtx()), raw_(raw_limit) {}
 
 Unpacker::~Unpacker() { ZSTD_freeDCtx(zstd_); }
 
 bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payload) {
-    if (hash_bytes(payload, salt_) != header.payload_checksum) return false;
+    if (hash_bytes(payload, log_.salt) != header.payload_checksum) return false;
     // A single frame of the stated size. Otherwise a few bytes could ask for any amount of work.
     if (ZSTD_getFrameContentSize(payload.data(), payload.size()) != header.raw_size) return false;
     if (ZSTD_findFrameCompressedSize(payload.data(), payload.size()) != payload.size()) return false;
@@ -264,13 +262,27 @@ bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payl
     return ZSTD_isError(size) == 0 && size == header.raw_size;
 }
 
+bool Unpacker::get_column(ByteReader& in, Block& block, std::size_t device, std::size_t column) const {
+    Column residuals{};
+    const auto mode = in.get<std::uint8_t>();
+    if (mode > 1 || !get_residuals(in, std::span(residuals).first(block.ticks))) return false;
+    std::uint32_t value = 0;
+    for (std::size_t t = 0; t < block.ticks; ++t) {
+        auto& sample = block.frames[t].devices[device];
+        value = mode == 1 ? value + residuals[t] : residuals[t];
+        if (!set_field(sample, column, value)) return false;
+        if (log_.format == 1 && column == buttons_column) split_off_wand(sample);
+    }
+    return true;
+}
+
 bool Unpacker::ticks(const BlockHeader& header, std::span<const std::byte> payload, Block& block) {
     if (!unpack(header, payload)) return false;
     block.first = header.first;
     block.ticks = header.ticks;
     ByteReader in(std::span<const std::byte>(raw_).first(header.raw_size));
     for (std::size_t device = 0; device < devices_; ++device) {
-        for (std::size_t column = 0; column < columns; ++column) {
+        for (std::size_t column = 0; column < columns(log_.format); ++column) {
             if (!get_column(in, block, device, column)) return false;
         }
     }

@@ -1,13 +1,11 @@
-// input/detail/block.h: encoding of the log's header and blocks, independent of files. FORMAT.md is the
-// reference.
+// input/detail/block.h: encoding of the log's blocks, independent of files. FORMAT.md is the reference.
 #pragma once
 #include <array>
 #include <memory>
 #include <optional>
 #include <span>
 
-#include "core/bytes.h"
-#include "input/log.h"
+#include "input/detail/header.h"
 
 // zstd's contexts, declared here so that its header stays in block.cpp.
 struct ZSTD_CCtx_s;
@@ -15,16 +13,9 @@ struct ZSTD_DCtx_s;
 
 namespace thaum::input::detail {
 
-inline constexpr std::uint32_t format_version = 1;
 inline constexpr std::size_t file_limit = std::size_t{1} << 30U;
 inline constexpr Tick tick_limit = Tick{1} << 27U;
 inline constexpr std::size_t mark_limit = std::size_t{1} << 17U;
-
-inline constexpr std::size_t preamble_size = 24;
-inline constexpr std::size_t header_limit = std::size_t{1} << 20U;
-inline constexpr std::size_t string_limit = 65536;
-inline constexpr std::size_t player_limit = 16;
-inline constexpr std::size_t list_limit = 1000;
 
 inline constexpr std::size_t block_ticks = 512;
 inline constexpr std::size_t block_hashes = block_ticks / hash_interval + 1;
@@ -33,7 +24,9 @@ inline constexpr std::size_t block_header_size = 40;
 inline constexpr std::size_t raw_limit = 256 * 1024;
 inline constexpr std::size_t packed_limit = 288 * 1024;
 inline constexpr std::size_t result_limit = 4096;
-inline constexpr std::size_t columns = max_counts + 3;  ///< values of a device in a tick
+
+/// Values of a device in a tick, each in a column of its own.
+constexpr std::size_t columns(std::uint32_t format) { return max_counts + (format == 1 ? 3 : 5); }
 
 /// Up to 512 ticks as they were appended.
 struct Block {
@@ -45,19 +38,6 @@ struct Block {
     std::array<HashRecord, block_hashes> hashes{};
     std::array<Mark, block_marks> marks{};
 };
-
-/// Encodes the whole header. The error names the value beyond the format's limits, without a path.
-Expected<Bytes> encode_header(const LogHeader& header);
-
-struct Preamble {
-    std::size_t body_size{};
-    std::uint64_t salt{};
-};
-
-/// Decodes the first preamble_size bytes of a file. Errors are without a path.
-Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
-/// Decodes the header. `file` starts with the preamble and holds the whole body.
-Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
 
 /// Content of an end block.
 struct EndBlock {
@@ -77,9 +57,9 @@ struct BlockHeader {
 };
 
 /// Decodes a block header. Returns nothing if the bytes are damaged.
-std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, std::uint64_t salt);
+std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, const Preamble& log);
 
-/// Packs blocks. Its buffers have the size of the largest block from the start.
+/// Packs blocks of format_version. Its buffers have the size of the largest block from the start.
 class Packer {
 public:
     Packer(std::size_t devices, std::uint64_t salt);
@@ -99,10 +79,10 @@ private:
     Bytes raw_, packed_, head_, column_a_, column_b_;
 };
 
-/// Unpacks blocks. A false or empty result means damage.
+/// Unpacks blocks of any format. A false or empty result means damage.
 class Unpacker {
 public:
-    Unpacker(std::size_t devices, std::uint64_t salt);
+    Unpacker(std::size_t devices, const Preamble& log);
     Unpacker(const Unpacker&) = delete;
     Unpacker& operator=(const Unpacker&) = delete;
     ~Unpacker();
@@ -112,8 +92,9 @@ public:
 
 private:
     bool unpack(const BlockHeader& header, std::span<const std::byte> payload);
+    bool get_column(ByteReader& in, Block& block, std::size_t device, std::size_t column) const;
     std::size_t devices_;
-    std::uint64_t salt_;
+    Preamble log_;
     ZSTD_DCtx_s* zstd_;
     Bytes raw_;
 };

@@ -1,10 +1,15 @@
-// Encoding and decoding of the log's header, and the limits that both enforce.
+// Preamble and checksum of the log's header, and the limits that writer and reader enforce. The body has a file for
+// each format: header_1.cpp and header_2.cpp.
+#include "input/detail/header.h"
+
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <tuple>
 
 #include "core/hash.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "input/detail/block.h"
 
 namespace thaum::input::detail {
 namespace {
@@ -22,23 +27,23 @@ std::uint64_t salt_of(std::span<const std::byte> file, std::size_t body_size) {
 
 // Limits of a header -----------------------------------------------------------------------------
 
-bool all_short(const std::vector<std::string>& list) {
-    for (const auto& s : list) {
-        if (s.size() > string_limit) return false;
-    }
-    return true;
+bool kinds_short(const KindTable& table) {
+    return table.group.size() <= string_limit &&
+           std::all_of(table.kinds.begin(), table.kinds.end(),
+                       [](const Kind& k) { return k.name.size() <= string_limit; });
 }
 
 bool strings_short(const LogHeader& h) {
-    for (const auto& device : h.devices) {
-        if (device.name.size() > string_limit) return false;
-    }
-    for (const auto& file : h.files) {
-        if (file.name.size() > string_limit) return false;
-    }
-    return h.program.size() <= string_limit && h.rule_set.size() <= string_limit &&
-           h.arena.size() <= string_limit && all_short(h.players) && all_short(h.overrides) &&
-           all_short(h.parameters);
+    const auto is_short = [](const std::string& s) { return s.size() <= string_limit; };
+    const auto all = [](const auto& list, auto holds) {
+        return std::all_of(list.begin(), list.end(), holds);
+    };
+    return is_short(h.program) && is_short(h.rule_set) && is_short(h.arena) && is_short(h.physics_library) &&
+           is_short(h.physics_precision) && all(h.players, is_short) && all(h.overrides, is_short) &&
+           all(h.parameters, is_short) && all(h.kinds, kinds_short) &&
+           all(h.devices, [&](const DeviceSpec& device) { return is_short(device.name); }) &&
+           all(h.files, [&](const DataFile& file) { return is_short(file.name); }) &&
+           all(h.profile, [&](const ProfileData& p) { return is_short(p.kind) && is_short(p.name); });
 }
 
 std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
@@ -46,18 +51,47 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     if (static_cast<std::size_t>(device.kind) >= device_kinds) return "a device's kind is unknown";
     if (!std::isfinite(device.look_rad_per_count)) return "a device's look_rad_per_count is not finite";
     if (!std::isfinite(device.turn_rad_per_s)) return "a device's turn_rad_per_s is not finite";
-    constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits |
-                           DeviceSpec::weight_bits | DeviceSpec::blow_bits;
-    if ((device.flags & ~known) != 0) return "a device's flag is unknown";
-    if (device.force_percent() > 100) return "a device's largest force is above 100 %";
-    if (device.weight_reduction() > 100) return "a device's reduction of weight is above 100 %";
-    if (device.blow_reduction() > 100) return "a device's reduction of blows is above 100 %";
+    if (device.force_percent > 100) return "a device's largest force is above 100 %";
+    if (device.weight_reduction > 100) return "a device's reduction of weight is above 100 %";
+    if (device.blow_reduction > 100) return "a device's reduction of blows is above 100 %";
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
     }
     for (const auto percent : device.fluid_reduction) {
         if (percent > 100) return "a device's reduction of a fluid's force is above 100 %";
     }
+    return {};
+}
+
+/// Tests whether the keys of a list rise, so that no two are equal.
+template <class List, class Key>
+bool rises(const List& list, Key key) {
+    const auto not_below = [&](const auto& a, const auto& b) { return !(key(a) < key(b)); };
+    return std::adjacent_find(list.begin(), list.end(), not_below) == list.end();
+}
+
+std::string_view kinds_fault(const std::vector<KindTable>& tables) {
+    if (tables.size() > kind_table_limit) return "more than 16 tables of kinds";
+    if (!rises(tables, [](const KindTable& table) { return std::string_view(table.group); }))
+        return "the tables of kinds are not in the order of their groups";
+    for (const auto& table : tables) {
+        if (table.kinds.size() > list_limit) return "more than 1000 kinds in a table";
+        if (!rises(table.kinds, [](const Kind& kind) { return kind.number; }))
+            return "the kinds of a table are not in the order of their numbers";
+    }
+    return {};
+}
+
+std::string_view profile_fault(const std::vector<ProfileData>& items, std::size_t players) {
+    if (items.size() > list_limit) return "more than 1000 items of profile data";
+    if (!rises(items, [](const ProfileData& item) { return std::tie(item.kind, item.name, item.player); }))
+        return "profile data are not in the order of kind, name and player";
+    std::size_t size = 0;
+    for (const auto& item : items) {
+        if (item.player >= players) return "the player of profile data is not among the players";
+        size += item.bytes.size();
+    }
+    if (size > header_limit(format_version)) return "more than 16 MiB of profile data";
     return {};
 }
 
@@ -72,110 +106,8 @@ std::string_view header_fault(const LogHeader& h) {
     for (const auto& device : h.devices) {
         if (const auto fault = device_fault(device, h.players.size()); !fault.empty()) return fault;
     }
-    return {};
-}
-
-// Lists ------------------------------------------------------------------------------------------
-
-template <class T, class Put>
-void put_list(ByteWriter& out, const std::vector<T>& list, Put put) {
-    out.put(static_cast<std::uint32_t>(list.size()));
-    for (const auto& item : list) put(item);
-}
-
-void put_strings(ByteWriter& out, const std::vector<std::string>& list) {
-    put_list(out, list, [&](const std::string& s) { out.put_string(s); });
-}
-
-/// Reads a list. Stops at the first missing item, so a wrong count costs nothing.
-template <class Get>
-auto get_list(ByteReader& in, Get get) {
-    std::vector<decltype(get())> list;
-    const auto count = in.get<std::uint32_t>();
-    for (std::uint32_t i = 0; i < count && in.ok(); ++i) list.push_back(get());
-    return list;
-}
-
-std::vector<std::string> get_strings(ByteReader& in) {
-    return get_list(in, [&] { return in.get_string(); });
-}
-
-/// Bits of the flags in the file only. They say that the edges of the box, and then the fluid reductions,
-/// follow.
-constexpr std::uint32_t box_follows = 1U << 31U;
-constexpr std::uint32_t fluid_follows = 1U << 30U;
-
-bool has_box(const DeviceSpec& d) { return d.box_um != decltype(d.box_um){}; }
-bool has_fluid(const DeviceSpec& d) { return d.fluid_reduction != decltype(d.fluid_reduction){}; }
-
-void put_device(ByteWriter& out, const DeviceSpec& d) {
-    out.put(d.player);
-    out.put(d.kind);
-    out.put_string(d.name);
-    out.put(d.look_rad_per_count);
-    out.put(d.turn_rad_per_s);
-    out.put(d.flags | (has_box(d) ? box_follows : 0) | (has_fluid(d) ? fluid_follows : 0));
-    if (has_box(d)) {
-        for (const auto edge : d.box_um) out.put(edge);
-    }
-    if (has_fluid(d)) {
-        for (const auto percent : d.fluid_reduction) out.put(percent);
-    }
-}
-
-DeviceSpec get_device(ByteReader& in) {
-    DeviceSpec d;
-    d.player = in.get<std::uint32_t>();
-    d.kind = in.get<DeviceKind>();
-    d.name = in.get_string();
-    d.look_rad_per_count = in.get<double>();
-    d.turn_rad_per_s = in.get<double>();
-    const auto flags = in.get<std::uint32_t>();
-    d.flags = flags & ~(box_follows | fluid_follows);
-    if ((flags & box_follows) != 0) {
-        for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
-    }
-    if ((flags & fluid_follows) != 0) {
-        for (auto& percent : d.fluid_reduction) percent = in.get<std::uint8_t>();
-    }
-    return d;
-}
-
-void put_body(ByteWriter& out, const LogHeader& h) {
-    out.put_string(h.program);
-    out.put(h.rules_version);
-    out.put_string(h.rule_set);
-    out.put_string(h.arena);
-    out.put(h.seed);
-    out.put(h.maths_probe);
-    put_strings(out, h.players);
-    put_list(out, h.devices, [&](const DeviceSpec& d) { put_device(out, d); });
-    put_list(out, h.files, [&](const DataFile& f) {
-        out.put_string(f.name);
-        out.put(f.hash);
-    });
-    put_strings(out, h.overrides);
-    put_strings(out, h.parameters);
-}
-
-LogHeader get_body(ByteReader& in) {
-    LogHeader h;
-    h.program = in.get_string();
-    h.rules_version = in.get<std::uint32_t>();
-    h.rule_set = in.get_string();
-    h.arena = in.get_string();
-    h.seed = in.get<std::uint64_t>();
-    h.maths_probe = in.get<std::uint64_t>();
-    h.players = get_strings(in);
-    h.devices = get_list(in, [&] { return get_device(in); });
-    h.files = get_list(in, [&] {
-        auto name = in.get_string();
-        const auto hash = in.get<std::uint64_t>();
-        return DataFile{std::move(name), hash};
-    });
-    h.overrides = get_strings(in);
-    h.parameters = get_strings(in);
-    return h;
+    if (const auto fault = kinds_fault(h.kinds); !fault.empty()) return fault;
+    return profile_fault(h.profile, h.players.size());
 }
 
 }  // namespace
@@ -184,10 +116,9 @@ Expected<Bytes> encode_header(const LogHeader& header) {
     if (const auto fault = header_fault(header); !fault.empty()) {
         return fail(text("a log cannot hold this header: ", fault));
     }
-    Bytes body;
-    ByteWriter body_out(body);
-    put_body(body_out, header);
-    if (body.size() > header_limit) return fail("a log cannot hold this header: more than 1 MiB");
+    const auto body = encode_body(header);
+    if (body.size() > header_limit(format_version))
+        return fail("a log cannot hold this header: more than 16 MiB");
 
     Bytes file;
     ByteWriter out(file);
@@ -204,24 +135,24 @@ Expected<Preamble> decode_preamble(std::span<const std::byte> bytes) {
     const auto found = in.get_bytes(magic.size());
     if (!in.ok() || std::memcmp(found.data(), magic.data(), magic.size()) != 0)
         return fail("not a Thaum log");
-    const auto version = in.get<std::uint32_t>();
+    const auto format = in.get<std::uint32_t>();
     const std::size_t size = in.get<std::uint32_t>();
     const auto salt = in.get<std::uint64_t>();
     if (!in.ok()) return fail("the header is cut off");
-    if (version > format_version) {
-        return fail(text("log format ", version, " is newer than this program reads (", format_version,
+    if (format > format_version) {
+        return fail(text("log format ", format, " is newer than this program reads (", format_version,
                          "): use a newer Thaum, or the file is damaged"));
     }
-    if (version != format_version || size > header_limit) return fail("the header is damaged");
-    return Preamble{size, salt};
+    if (format == 0 || size > header_limit(format)) return fail("the header is damaged");
+    return Preamble{format, size, salt};
 }
 
 Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble) {
     if (salt_of(file, preamble.body_size) != preamble.salt) return fail("the header is damaged");
-    ByteReader in(file.subspan(preamble_size, preamble.body_size));
-    auto header = get_body(in);
-    if (!in.ok() || in.left() != 0) return fail("the header is malformed");
-    if (const auto fault = header_fault(header); !fault.empty()) {
+    const auto body = file.subspan(preamble_size, preamble.body_size);
+    auto header = preamble.format == 1 ? decode_body_1(body) : decode_body_2(body);
+    if (!header) return header;
+    if (const auto fault = header_fault(*header); !fault.empty()) {
         return fail(text("the header is malformed: ", fault));
     }
     return header;

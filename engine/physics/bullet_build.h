@@ -1,0 +1,15 @@
+// physics/bullet_build.h: the version of Bullet that this program is built with. The header of a log contains it,
+// because another version moves bodies to other places.
+#pragma once
+#include <string>
+
+namespace thaum::physics {
+
+struct BulletBuild {
+    std::string library;    ///< name and version, such as "Bullet 3.24"
+    std::string precision;  ///< precision of its numbers, "double" or "single"
+};
+
+BulletBuild bullet_build();
+
+}  // namespace thaum::physics

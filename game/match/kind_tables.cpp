@@ -1,0 +1,73 @@
+#include "game/match/kind_tables.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/one_line.h"
+#include "core/text.h"
+#include "game/components/power_up.h"
+#include "game/data/event_kinds.h"
+
+namespace thaum::game {
+namespace {
+
+using input::Kind;
+using input::KindTable;
+
+/// Appends a kind unless its number is unused.
+void add(std::size_t number, std::string_view name, KindTable& table) {
+    if (!name.empty()) table.kinds.push_back({static_cast<std::uint16_t>(number), std::string(name)});
+}
+
+const KindTable* table_of(const std::vector<KindTable>& tables, const std::string& group) {
+    const auto found = std::find_if(tables.begin(), tables.end(),
+                                    [&](const KindTable& table) { return table.group == group; });
+    return found == tables.end() ? nullptr : &*found;
+}
+
+/// Name of a kind with its quotes; "nothing" if the number is unused.
+std::string kind_in_words(const KindTable* table, std::uint16_t number) {
+    const auto none = std::vector<Kind>();
+    const auto& kinds = table != nullptr ? table->kinds : none;
+    const auto found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const Kind& kind) { return kind.number == number; });
+    return found == kinds.end() ? "nothing" : text("'", in_one_line(found->name), "'");
+}
+
+}  // namespace
+
+std::vector<KindTable> kind_tables(const MatchData& data) {
+    KindTable cause{"cause", {}}, event{"event", {}}, ingredient{"ingredient", {}}, power_up{"power_up", {}},
+        wand{"wand", {}};
+    const auto& all = event_kinds();
+    for (std::size_t i = 0; i < all.causes.size(); ++i) add(i, all.causes[i], cause);
+    for (std::size_t i = 0; i < all.kinds.size(); ++i) add(i, all.kinds[i].name, event);
+    if (data.cauldron) {
+        const auto& ingredients = data.cauldron->ingredients;
+        for (std::size_t i = 0; i < ingredients.size(); ++i) add(i, ingredients[i].name, ingredient);
+    }
+    for (std::size_t i = 0; i < power_up_names.size(); ++i) add(i, power_up_names[i], power_up);
+    for (const auto& loaded : data.wands) add(loaded.stats.slot + 1, loaded.kind->name, wand);
+    std::sort(wand.kinds.begin(), wand.kinds.end(),
+              [](const Kind& a, const Kind& b) { return a.number < b.number; });
+    return {cause, event, ingredient, power_up, wand};
+}
+
+std::string kind_difference(const std::vector<KindTable>& recorded, const std::vector<KindTable>& here) {
+    std::set<std::pair<std::string, std::uint16_t>> numbers;
+    for (const auto* tables : {&recorded, &here}) {
+        for (const auto& table : *tables) {
+            for (const auto& kind : table.kinds) numbers.emplace(table.group, kind.number);
+        }
+    }
+    for (const auto& [group, number] : numbers) {
+        const auto there = kind_in_words(table_of(recorded, group), number);
+        const auto now = kind_in_words(table_of(here, group), number);
+        if (there != now)
+            return text(in_one_line(group), " ", number, " is ", there, " in the log and ", now,
+                        " in this program: replay the log with the program that recorded it");
+    }
+    return {};
+}
+
+}  // namespace thaum::game
