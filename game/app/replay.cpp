@@ -12,6 +12,7 @@
 #include "game/app/feel.h"
 #include "game/app/shots.h"
 #include "game/app/watch.h"
+#include "game/match/header_text.h"
 #include "game/match/tables.h"
 
 namespace thaum::app {
@@ -26,6 +27,7 @@ is computed again, without bots and devices.
   (no option)         watch the match in a window
   --at S --speed X    start at second S; 0.25 to 16 times as fast. Without a display:
                       one picture of second S and its state in --out DIR (out)
+  --header            print the header: players, devices, settings, data files, kinds
   --verify            compare every state hash; exit 1 at the first that differs
   --events FILE.csv   all events, one row each
   --state FILE.csv    place, speed, health, energy and gaze of both players
@@ -34,8 +36,7 @@ is computed again, without bots and devices.
   --feel DEVICE       plays the forces of --player N (1) on a force feedback arm, in real
                       time. DEVICE: the arm's name or number in `thaum doctor`
   --shots DIR         pictures (PNG), by default every 10 s
-  --shot-every S        every S seconds
-  --shot-at S           at second S; may be repeated
+  --shot-every S, --shot-at S   every S seconds; at second S, which may be repeated
   --shot-on KIND        at events of that kind (death, spawn, ..., mark); repeats
   --size WxH            in px (1280x720)
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
@@ -306,16 +307,26 @@ int feel_from(const Arguments& arguments, game::Playback playback) {
                 {.device = *arguments.value("--feel"), .player = static_cast<std::uint32_t>(*player - 1)});
 }
 
+/// Prints the header of a log. It also shows logs that this program does not replay.
+int print_header(const std::vector<std::string>& words, const std::string& path) {
+    if (words.size() != 2) return refuse({"--header goes with no other option"});
+    const auto log = input::LogReader::open(path);
+    if (!log) return refuse(log.error());
+    std::fputs(game::header_text(*log).c_str(), stdout);
+    return done;
+}
+
 int run_replay(const std::vector<std::string>& words) {
     static constexpr Option options[] = {
         {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},          {"--out", 1},
         {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},         {"--shots", 1},
         {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}, {"--feel", 1},
-        {"--player", 1}};
+        {"--player", 1}, {"--header"}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});
     protect_input(arguments->plain()[0]);
+    if (arguments->has("--header")) return print_header(words, arguments->plain()[0]);
     auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
     if (!playback) return refuse(playback.error());
     const auto pass = read_pass(*arguments, playback->log().ticks());

@@ -98,6 +98,13 @@ expect 2 "--shot-at '9': must be a number from 0 to 5" replay "$log" --shots sho
 expect 2 "--every needs --state" replay "$log" --every 5
 expect 2 "--at does not go with" replay "$log" --verify --at 3
 expect 2 "must be a number from 0.25 to 16" replay "$log" --speed 40
+expect 2 "--header goes with no other option" replay "$log" --header --verify
+"$thaum" replay "$log" --header >"$folder/header" || { echo "failed: --header"; failures=$((failures + 1)); }
+"$thaum" replay "$(dirname "$0")/../replays/bots_rules_1.thaumlog" --header >>"$folder/header"
+for line in 'log: format 2, 5000 ticks, 40 hashes' 'physics: Bullet 3' "device 2: bot 'bot 1' of player 2, look" \
+    'data file: wands/bolt.toml' 'kind: event 5 death' 'kind: wand 1 bolt' 'log: format 1, ' 'physics: unknown'; do
+    grep -q "^$line" "$folder/header" || { echo "failed: --header lacks '$line'"; failures=$((failures + 1)); }
+done
 expect 2 "shots needs one log" shots "$log"
 expect 2 "ecs has no stress test" bench ecs --stress
 for run in 1 2; do

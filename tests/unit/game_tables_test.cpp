@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/text.h"
+#include "game/match/header_text.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -236,6 +237,30 @@ TEST(GameTables, EveryRunGivesTheSameBytes) {
     const auto second = tables_of(table_recording().play());
     EXPECT_EQ(first.events, second.events);
     EXPECT_EQ(first.state, second.state);
+}
+
+TEST(GameTables, TheHeaderInWordsNamesSettingsAndProfileData) {
+    const auto file = std::filesystem::path(testing::TempDir()) / text("header_", ::getpid(), ".thaumlog");
+    std::filesystem::remove(file);
+    input::DeviceSpec pad{
+        .player = 1, .kind = input::DeviceKind::pad, .name = "pad\x1b[2J 1", .invert_y = true};
+    pad.set_force_percent(40);
+    pad.set_carried_percent(90, 100);
+    pad.set_fluid_percent(2, 5);
+    pad.box_um = {1, 2, 3};
+    auto header = log_header(*duel_data(), {7, {pad}}, {"human", "bot\n1"});
+    header.profile = {{"gesture", "circle", 1, Bytes(12)}};
+    EXPECT_TRUE(input::LogWriter::create(file, header)->close("a draw").has_value());
+    const auto lines = header_text(input::LogReader::open(file).value());
+    for (const auto* line :
+         {"log: format 2, 0 ticks, 0 hashes, 0 marks; closed with the result: a draw\n", "\nseed: 7\n",
+          "\nplayer 2: bot\\x0a1\n",
+          "\ndevice 1: pad 'pad\\x1b[2J 1' of player 2, look_rad_per_count 0.00087, turn_rad_per_s 3.5, "
+          "invert_y, "
+          "force 40 %, weight reduced by 10 %, fluid source 3 reduced by 95 %, box 1 x 2 x 3 um\n",
+          "\nkind: event 5 death\n", "\nprofile data: gesture 'circle' of player 2, 12 bytes\n"})
+        EXPECT_NE(lines.find(line), std::string::npos) << line << "is not in\n" << lines;
+    std::filesystem::remove(file);
 }
 
 TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
