@@ -22,7 +22,8 @@ void print_header(const input::LogReader& log) {
 }
 
 void print_row(Tick tick, std::size_t device, const input::DeviceSample& sample) {
-    std::string row = text(tick, ',', device, ',', sample.buttons);
+    std::string row =
+        text(tick, ',', device, ',', sample.buttons, ',', unsigned{sample.wand}, ',', sample.away ? 1 : 0);
     for (const auto value : sample.counts) row += text(',', value);
     std::cout << row << '\n';
 }
@@ -40,7 +41,8 @@ int main(int count, char** arguments) {
         return 1;
     }
     print_header(*log);
-    std::cout << "tick,device,buttons,count_0,count_1,count_2,count_3,count_4,count_5,count_6,count_7\n";
+    std::cout
+        << "tick,device,buttons,wand,away,count_0,count_1,count_2,count_3,count_4,count_5,count_6,count_7\n";
     input::InputFrame frame;
     for (Tick tick = 0; log->next(frame); ++tick)
         for (std::size_t i = 0; i < log->header().devices.size(); ++i) print_row(tick, i, frame.devices[i]);

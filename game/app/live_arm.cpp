@@ -80,7 +80,9 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
     const std::lock_guard lock(mutex_);
     times_ = times;
     if (lost && status_.state == input::ArmPresence::present) ++losses_;
-    if (lost || status.newest_ns != 0) status_ = status;
+    if (!lost && status.newest_ns == 0) return;
+    status_ = status;
+    lost_ = lost;
 }
 
 /// Watches the arm until the session ends. A lost arm is closed first, so that its thread has ended before

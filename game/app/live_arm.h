@@ -36,6 +36,8 @@ public:
     input::TickReport times() const;
     /// Number of times the arm was lost.
     int losses() const;
+    /// True while the arm is lost. Never waits, so the simulation thread may ask in every tick.
+    bool is_lost() const { return lost_; }
 
 private:
     using Arm = std::unique_ptr<input::OpenArm>;
@@ -55,6 +57,7 @@ private:
     mutable std::mutex mutex_;  // guards the members below
     std::condition_variable stopped_;
     std::atomic<bool> stop_{false};  ///< also read without the mutex
+    std::atomic<bool> lost_{false};  ///< `status_` says that the arm is lost; also read without the mutex
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;

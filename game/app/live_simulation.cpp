@@ -180,9 +180,12 @@ input::InputFrame take_frame(SimulationThread& s) {
     if (auto* practice = practice_of(s.round)) frame.devices[game::dummys] = practice->dummy_sample();
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
+        frame.devices[i].away = s.shared.pad_lost[i];
     }
-    each_held_arm(s.shared.arms,
-                  [&](LiveArm& arm, std::size_t device) { frame.devices[device] = arm.servo.take(); });
+    each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t device) {
+        frame.devices[device] = arm.servo.take();
+        frame.devices[device].away = arm.keeper->is_lost();
+    });
     if (s.round.match->now() % 2 == 0)
         press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {

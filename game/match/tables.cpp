@@ -150,6 +150,22 @@ void EventTable::marks_up_to(Tick tick, const Playback& playback, std::string& o
     }
 }
 
+void EventTable::follow_devices(const Playback& playback, std::string& out) {
+    const auto& match = playback.match();
+    const auto& devices = playback.log().header().devices;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const bool away = playback.frame().devices[i].away;
+        if (away == away_[i]) continue;
+        away_[i] = away;
+        append({.tick = match.now(),
+                .played = match.match().played,
+                .kind = away ? "left" : "joined",
+                .who = devices[i].player,
+                .with = devices[i].name},
+               out);
+    }
+}
+
 void EventTable::follow(const Playback& playback, std::string& out) {
     const auto& match = playback.match();
     const auto& state = match.match();
@@ -163,6 +179,7 @@ void EventTable::follow(const Playback& playback, std::string& out) {
                 .unit = "ticks"},
                out);
     }
+    follow_devices(playback, out);
     const auto lost =
         match.events().each_new(seen_, [&](const Event& event) { append_event(event, match, out); });
     if (lost > 0) {

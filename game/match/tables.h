@@ -1,6 +1,7 @@
 // game/match/tables.h: writes a match as tables for analysis:
 //
-//     events   one row per event: recorded events, pauses, left out samples, marks, the log's end
+//     events   one row per event: recorded events, pauses, left out samples, devices that leave or join, marks,
+//              the log's end
 //     state    one row every N ticks: position, velocity, health, energy and gaze of both players
 //     forces   one row per tick: position of each hand's device and the commanded force
 //
@@ -22,11 +23,12 @@ void append_csv(std::string& row, std::string_view field);
 ///
 ///     tick     number of ticks played, pauses included (the log's clock)
 ///     time_s   the same in s; played_s: ticks of play in s
-///     kind     an event name of game/data/event_kinds.h, or pause, resume, skip, mark, lost, end
-///     who      player who caused the event: 1, 2 or empty; whom: player to whom it happened
-///              (round_end: the winner)
+///     kind     an event name of game/data/event_kinds.h, or pause, resume, skip, left, joined,
+///              mark, lost, end
+///     who      player who caused the event, or whose device left or joined: 1, 2 or empty;
+///              whom: player to whom it happened (round_end: the winner)
 ///     with     wand, cause of a death or of a burst's harm, pad, power-up, ingredient, round,
-///              ending of the round or of the log, or number of the mark
+///              ending of the round or of the log, name of the device, or number of the mark
 ///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip),
 ///              events (lost: gone before they could be written)
 ///     x_m ...  position (world); empty if the event has none
@@ -41,10 +43,12 @@ public:
 
 private:
     void marks_up_to(Tick tick, const Playback& playback, std::string& out);
+    void follow_devices(const Playback& playback, std::string& out);
 
     std::uint64_t seen_ = 0;  ///< value of EventJournal::count up to which events were written
     std::size_t marks_ = 0;
     bool paused_ = false;
+    std::array<bool, input::max_devices> away_{};  ///< devices that had left at the last step
 };
 
 /// Header of `append_state`: tick, time_s, played_s, paused, then for player N = 1, 2: pN_x_m ... (body

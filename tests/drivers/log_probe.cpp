@@ -1,5 +1,6 @@
-// Prints the input in a log: one line per device with sums, buttons and the reduced shares of the brew's
-// effects, then the pauses, and the result of a replay ("same" or the first tick with a different hash).
+// Prints the input in a log: devices that left or joined and pauses, then one line per device with sums, buttons
+// and the reduced shares of the brew's effects, and the result of a replay ("same" or the first tick with a
+// different hash).
 //
 //     live_log_probe LOG
 #include <algorithm>
@@ -16,6 +17,7 @@ struct Seen {
     std::array<long long, input::max_counts> least{}, most{}, sum{};
     std::uint32_t buttons = 0;
     unsigned long long skips = 0;
+    bool away = false;  ///< state in the last sample
 };
 
 void note(const input::DeviceSample& sample, Seen& seen) {
@@ -27,6 +29,13 @@ void note(const input::DeviceSample& sample, Seen& seen) {
     }
     seen.buttons |= sample.buttons;
     seen.skips += sample.skips;
+}
+
+void note_change(std::size_t device, Tick tick, const input::DeviceSample& sample, Seen& seen) {
+    if (sample.away != seen.away)
+        std::printf("device %zu %s at %llu\n", device, sample.away ? "left" : "joined",
+                    static_cast<unsigned long long>(tick));
+    seen.away = sample.away;
 }
 
 void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
@@ -58,6 +67,7 @@ int main(int argc, char** argv) {
         for (std::size_t d = 0; d < seen.size(); ++d) note(frame.devices[d], seen[d]);
         (*match)->tick(frame);
         const auto now = (*match)->now();
+        for (std::size_t d = 0; d < seen.size(); ++d) note_change(d, now, frame.devices[d], seen[d]);
         const auto recorded = log->hash_at(now);
         if (differs == 0 && recorded && recorded->state != (*match)->state_hash()) differs = now;
         const bool pause = (*match)->match().paused != 0;

@@ -99,6 +99,8 @@ grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
 [ "$(field 1 trigger)" = 255 ] || fail "the pad's trigger"
 [ "$(field 1 forward)" = 0..127 ] || fail "the keypad's 8 after the pad was lost"
 [ "$(field 1 strafe)" = 0..127 ] || fail "the pad's stick after it came back"
+[ "$(grep -o '^device 1 [lj][a-z]*' <<<"$seen" | xargs)" = "device 1 left device 1 joined" ] ||
+    fail "the log does not say when the pad left and its player joined again"
 
 [ "$(field 0 kept_off)" = 0,0,0,0,0,0,0 ] || fail "a fader that was moved in the pause acts in the same match"
 

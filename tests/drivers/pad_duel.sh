@@ -43,10 +43,13 @@ done
 xdotool mouseup 1 keyup w
 pad 'plugged 0'
 eventually "no pause when the pad was pulled out" says '^paused at .* by 1$'
+eventually "the log does not say that the pad left" says '^device 1 left at '
 pad 'plugged 1'
 # A button held while the pad is plugged in does not count as pressed. One that goes down and up does.
 rejoins() { pad 'b 1'; sleep 0.2; pad 'b 0'; says '^on at '; }
 eventually "no going on after it was put back" rejoins
+eventually "the log does not say that the pad joined again" says '^device 1 joined at '
+! says '^device 0 ' || failed "the log says that the mouse left"
 pad 'signal 15'
 exec 4>&-
 wait "$game" || failed "the session's exit code"

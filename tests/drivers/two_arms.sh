@@ -82,6 +82,9 @@ grep -q '^Fake A0: .*plug it in' "$folder/vanished.txt" || failed "nobody says w
 grep -q '^Fake A0: the arm is back' "$folder/vanished.txt" || failed "nobody says that it is back"
 ! grep -q '^Fake A1: ' "$folder/vanished.txt" || failed "the other arm is said to be lost"
 expect_shots vanished 2 4
+"$thaum" replay "$folder/vanished.thaumlog" --events "$folder/vanished.csv" >/dev/null || failed "vanished does not replay"
+changes=$(grep -oE ',(left|joined),[^,]*,[^,]*,[^,]*,' "$folder/vanished.csv" | xargs)
+[ "$changes" = ",left,1,,Fake A0, ,joined,1,,Fake A0," ] || failed "the log says of lost arms: $changes"
 
 # Another arm that is too weak for the match is passed over.
 play weak 2 arm,arm "name=Weak,peak=1;$first;$second"

@@ -91,7 +91,7 @@ Moment moment_of(const Simulation& match, std::uint32_t player) {
 constexpr Tick recorded_ticks = 12'000;
 constexpr Tick state_every = 500;
 
-/// A recorded duel with a pause, skipped samples and two marks: its log, and what happened in the match.
+/// A recorded duel with a pause, skipped samples, two marks and a lost device: its log, and what happened in the match.
 class TableRecording {
 public:
     TableRecording()
@@ -109,6 +109,8 @@ public:
             auto frame = duel.next_frame();
             if (t == 4000 || t == 4600) frame.devices[1].press(input::Button::pause);
             if (t == 7000) frame.devices[0].skips = 300;
+            frame.devices[1].away = t >= 8000 && t < 8003;
+            frame.devices[0].away = t >= 8002;
             tick_and_record(match, frame, &log);
             if (t == 5000) log.mark(1), log.mark(2);
             match.events().each_new(events, [&](const Event& event) {
@@ -161,7 +163,8 @@ TEST(GameTables, EveryEventOfTheMatchIsThereWithItsBits) {
     std::size_t row = 0, placed = 0, deaths = 0;
     for (const auto& [tick, event] : table_recording().seen) {
         while (csv.at(row, "kind") == "pause" || csv.at(row, "kind") == "resume" ||
-               csv.at(row, "kind") == "skip" || csv.at(row, "kind") == "mark")
+               csv.at(row, "kind") == "skip" || csv.at(row, "kind") == "mark" ||
+               csv.at(row, "kind") == "left" || csv.at(row, "kind") == "joined")
             ++row;
         ASSERT_EQ(csv.at(row, "kind"), name_of(event.kind)) << row;
         EXPECT_EQ(csv.at(row, "tick"), text(tick));
@@ -193,20 +196,22 @@ TEST(GameTables, EveryEventOfTheMatchIsThereWithItsBits) {
     EXPECT_GT(deaths, 0U);
 }
 
-TEST(GameTables, PausesSkipsMarksAndTheEndAreRows) {
+TEST(GameTables, PausesSkipsDevicesMarksAndTheEndAreRows) {
     const Csv csv(tables_of(table_recording().play()).events);
     std::vector<std::string> lines;
     for (std::size_t row = 0; row < csv.size(); ++row) {
         const auto& kind = csv.at(row, "kind");
-        if (kind != "pause" && kind != "resume" && kind != "skip" && kind != "mark" && kind != "end")
+        if (kind != "pause" && kind != "resume" && kind != "skip" && kind != "mark" && kind != "left" &&
+            kind != "joined" && kind != "end")
             continue;
         lines.push_back(text(csv.at(row, "tick"), " ", kind, " ", csv.at(row, "who"), " ",
                              csv.at(row, "with"), " ", csv.at(row, "amount"), csv.at(row, "unit"),
                              csv.at(row, "note")));
     }
     const std::vector<std::string> expected{
-        "4001 pause 2  ", "4601 resume   ",       "5001 mark  1 ",
-        "5001 mark  2 ",  "7001 skip   300ticks", "12000 end  clean " + table_recording().result};
+        "4001 pause 2  ",     "4601 resume   ",       "5001 mark  1 ",
+        "5001 mark  2 ",      "7001 skip   300ticks", "8001 left 2 bot 1 ",
+        "8003 left 1 bot 1 ", "8004 joined 2 bot 1 ", "12000 end  clean " + table_recording().result};
     EXPECT_EQ(lines, expected);
 }
 

@@ -124,8 +124,12 @@ TEST(LiveArms, AreWatchedEachForItself) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return holds();
     };
+    EXPECT_FALSE(left.is_lost());
     EXPECT_TRUE(eventually([&] { return left.status().state == input::ArmPresence::lost; }));
+    EXPECT_TRUE(eventually([&] { return left.is_lost(); }));
     EXPECT_TRUE(eventually([&] { return left.status().state == input::ArmPresence::present; }));
+    EXPECT_TRUE(eventually([&] { return !left.is_lost(); }));
+    EXPECT_FALSE(right.is_lost());
     EXPECT_EQ(left.losses(), 1);
     EXPECT_EQ(right.losses(), 0);
     EXPECT_EQ(right.status().state, input::ArmPresence::present);
