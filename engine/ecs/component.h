@@ -20,6 +20,8 @@
 //         using Element = float;
 //         static constexpr std::string_view name = "FluidSamples";
 //     };
+//
+// ecs/resource.h has values that systems share outside the World's state.
 #pragma once
 #include <array>
 #include <atomic>
@@ -39,9 +41,10 @@
 
 namespace thaum::ecs {
 
+/// Greatest number of components and resources of a World.
 inline constexpr std::size_t max_components = 128;
 
-/// A set of component numbers of one World.
+/// A set of numbers of components and resources of one World.
 struct Mask {
     std::array<std::uint64_t, max_components / 64> words{};
 
@@ -223,9 +226,16 @@ concept Blob = std::is_arithmetic_v<typename T::Element> && requires {
     std::string_view(T::name);
 };
 
+/// A type that names a resource (ecs/resource.h), and the type of its value.
+template <class T>
+concept ResourceType = std::is_empty_v<T> && requires {
+    typename T::Value;
+    std::string_view(T::name);
+};
+
 /// A type that may be a component.
 template <class T>
-concept Component = !Blob<T> && std::is_trivially_copyable_v<T> && requires {
+concept Component = !Blob<T> && !ResourceType<T> && std::is_trivially_copyable_v<T> && requires {
     std::string_view(T::name);
 }
 &&(Tag<T> || (Described<T> && detail::packed_size<T>() == sizeof(T)));
@@ -233,6 +243,10 @@ concept Component = !Blob<T> && std::is_trivially_copyable_v<T> && requires {
 /// A type that a World can declare.
 template <class T>
 concept Declarable = Component<T> || Blob<T>;
+
+/// A type to which systems declare access.
+template <class T>
+concept Accessible = Declarable<T> || ResourceType<T>;
 
 /// Description of a component or a blob.
 struct ComponentInfo {

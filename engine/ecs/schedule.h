@@ -1,9 +1,9 @@
 // ecs/schedule.h: runs systems one after another, in the order in which they were added, each at its own
 // period.
 //
-// A system declares which components it reads and writes. Every access is checked against this while the
-// system runs. It also declares which components it needs, and is skipped while any of them has no entity.
-// After each system the World's commands are applied.
+// A system declares which components and resources (ecs/resource.h) it reads and writes. Every access is
+// checked against this while the system runs. It also declares which components it needs, and is skipped while
+// any of them has no entity. After each system the World's commands are applied.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -21,7 +21,7 @@ struct System {
     Tick phase = 0;   ///< the system runs at every tick t with t % period == phase (ticks)
     Mask reads{};
     Mask writes{};
-    Mask needs{};  ///< the system is skipped while no entity has one of these
+    Mask needs{};  ///< components; the system is skipped while no entity has one of these
     std::function<void(World&, Tick)> run{};
 };
 

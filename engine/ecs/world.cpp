@@ -17,11 +17,29 @@ World::World() {
 
 void World::declare_info(ComponentInfo info, std::uint32_t type_number) {
     THAUM_ASSERT(records_.empty(), text("component ", info.name, " is declared after the first entity"));
-    THAUM_ASSERT(infos_.size() < max_components, text("no room for component ", info.name));
+    THAUM_ASSERT(infos_.size() + resources_.size() < max_components,
+                 text("no room for component ", info.name));
     THAUM_ASSERT(id_of_type_[type_number] == none, text("component ", info.name, " is declared twice"));
     id_of_type_[type_number] = static_cast<std::uint32_t>(infos_.size());
     infos_.push_back(std::move(info));
     blobs_.emplace_back();
+}
+
+std::uint32_t World::declare_resource(std::string_view name, std::uint32_t type_number) {
+    THAUM_ASSERT(infos_.size() + resources_.size() < max_components, text("no room for resource ", name));
+    THAUM_ASSERT(id_of_type_[type_number] == none, text("resource ", name, " is declared twice"));
+    resources_.push_back(name);
+    const auto number = static_cast<std::uint32_t>(max_components - resources_.size());
+    counts_[number] = 1;
+    id_of_type_[type_number] = number;
+    return number;
+}
+
+std::string_view World::name_of(std::uint32_t number) const {
+    if (number < infos_.size()) return infos_[number].name;
+    if (number < max_components && number >= max_components - resources_.size())
+        return resources_[max_components - 1 - number];
+    return "(none)";
 }
 
 void World::resize_blob(std::uint32_t component, std::size_t bytes) {
@@ -30,8 +48,8 @@ void World::resize_blob(std::uint32_t component, std::size_t bytes) {
 }
 
 std::string World::component_message(std::string_view what, std::uint32_t component, Entity entity) const {
-    const auto name = component < infos_.size() ? infos_[component].name : std::string_view("(none)");
-    return text("entity ", entity.index, " (generation ", entity.generation, ") ", what, " ", name);
+    return text("entity ", entity.index, " (generation ", entity.generation, ") ", what, " ",
+                name_of(component));
 }
 
 void World::fail(const char* what, std::uint32_t component, Entity entity) const {
@@ -43,19 +61,19 @@ void World::fail_stale(Entity entity, std::uint32_t component) const {
 }
 
 void World::fail_locked(std::uint32_t component) const {
-    const auto name = component < infos_.size() ? infos_[component].name : std::string_view("(none)");
-    assertion_failed(__FILE__, __LINE__,
-                     text("structural change inside a view or hook, component ", name, ": use commands()"));
+    assertion_failed(
+        __FILE__, __LINE__,
+        text("structural change inside a view or hook, component ", name_of(component), ": use commands()"));
 }
 
 void World::fail_undeclared(std::string_view name) const {
-    assertion_failed(__FILE__, __LINE__, text("component ", name, " was not declared in this World"));
+    assertion_failed(__FILE__, __LINE__, text(name, " was not declared in this World"));
 }
 
-void World::check_access(std::uint32_t component, bool write) const {
-    const bool allowed = access_->writes.test(component) || (!write && access_->reads.test(component));
-    THAUM_ASSERT(allowed, text("system ", access_->system, write ? " writes " : " reads ",
-                               infos_[component].name, " without having declared it"));
+void World::check_access(std::uint32_t number, bool write) const {
+    const bool allowed = access_->writes.test(number) || (!write && access_->reads.test(number));
+    THAUM_ASSERT(allowed, text("system ", access_->system, write ? " writes " : " reads ", name_of(number),
+                               " without having declared it"));
 }
 
 std::uint32_t World::table_with(const Mask& mask) {

@@ -27,6 +27,8 @@ namespace thaum::ecs {
 
 template <class... Terms>
 class View;
+template <ResourceType R>
+class Resource;
 
 /// Called with the component's bytes right after it was added, or right before it is removed (or its entity
 /// destroyed). A hook may read the World and change components, but must not add, remove, create or destroy.
@@ -38,7 +40,7 @@ struct Hook {
 /// Number of tables for which lists reserve room at the start.
 inline constexpr std::size_t usual_tables = 256;
 
-/// Components that the running system declared to read and write.
+/// Components and resources that the running system declared to read and write.
 struct Access {
     Mask reads;
     Mask writes;
@@ -141,23 +143,26 @@ public:
     void apply_commands();
 
     // Access for the schedule, snapshots and tools.
-    template <Declarable C>
+    template <Accessible A>
     std::uint32_t id() const;
-    template <Declarable... Cs>
+    template <Accessible... As>
     Mask mask() const {
         Mask m;
-        (m.set(id<Cs>()), ...);
+        (m.set(id<As>()), ...);
         return m;
     }
     std::span<const ComponentInfo> components() const { return infos_; }
     std::span<const Pooled<Table>> tables() const { return tables_; }
-    std::uint32_t count(std::uint32_t component) const { return counts_[component]; }
+    /// Number of entities that have a component. A resource is always there and counts as 1.
+    std::uint32_t count(std::uint32_t number) const { return counts_[number]; }
     /// Checks every later access against what the system declared. Null turns the check off.
     void set_access(const Access* access) { access_ = access; }
 
 private:
     template <class... Terms>
     friend class View;
+    template <ResourceType R>
+    friend class Resource;
     friend class Commands;
     friend struct SnapshotAccess;
 
@@ -203,17 +208,19 @@ private:
             fail_locked(component);
         }
     }
-    void check_read(std::uint32_t component) const {
+    // `number` is that of a component or of a resource.
+    void check_read(std::uint32_t number) const {
         if (access_ != nullptr) [[unlikely]] {
-            check_access(component, false);
+            check_access(number, false);
         }
     }
-    void check_write(std::uint32_t component) const {
+    void check_write(std::uint32_t number) const {
         if (access_ != nullptr) [[unlikely]] {
-            check_access(component, true);
+            check_access(number, true);
         }
     }
-    void check_access(std::uint32_t component, bool write) const;
+    void check_access(std::uint32_t number, bool write) const;
+    std::string_view name_of(std::uint32_t number) const;
     // Assertions of the most frequent calls. They are separate functions because building a message in place
     // costs registers on the normal path.
     [[noreturn, gnu::cold]] void fail_stale(Entity entity, std::uint32_t component) const;
@@ -266,6 +273,7 @@ private:
     const void* single_bytes(std::uint32_t component) const;
     void refresh(Query& query) const;
     void declare_info(ComponentInfo info, std::uint32_t type_number);
+    std::uint32_t declare_resource(std::string_view name, std::uint32_t type_number);
     void resize_blob(std::uint32_t component, std::size_t bytes);
     template <class... Cs>
     const Pack& pack_of();
@@ -274,7 +282,10 @@ private:
     void note_pack(std::uint32_t type, std::span<const std::uint32_t> components);
 
     std::vector<ComponentInfo> infos_;
-    // Maps a type number of this process to a component of this World.
+    // Names of the resources. Their numbers go down from the greatest one, so that a resource changes no number
+    // of a component.
+    std::vector<std::string_view> resources_;
+    // Maps a type number of this process to a component or a resource of this World.
     std::vector<std::uint32_t> id_of_type_;
     std::array<Hook, max_components> added_{}, removed_{};
     bool has_remove_hooks_ = false;
@@ -336,14 +347,14 @@ std::span<typename B::Element> World::blob() {
     return {const_cast<typename B::Element*>(elements.data()), elements.size()};
 }
 
-template <Declarable C>
+template <Accessible A>
 [[gnu::always_inline]] inline std::uint32_t World::id() const {
-    const auto type = detail::type_number<C>;
-    const auto component = id_of_type_[type];
-    if (component == none) [[unlikely]] {
-        fail_undeclared(C::name);
+    const auto type = detail::type_number<A>;
+    const auto number = id_of_type_[type];
+    if (number == none) [[unlikely]] {
+        fail_undeclared(A::name);
     }
-    return component;
+    return number;
 }
 
 template <class... Cs>

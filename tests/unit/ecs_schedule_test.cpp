@@ -1,10 +1,18 @@
 #include <gtest/gtest.h>
 
+#include "ecs/resource.h"
 #include "ecs/schedule.h"
+#include "ecs/snapshot.h"
 #include "unit/ecs_components.h"
 
 namespace thaum::ecs::test {
 namespace {
+
+struct Weather {
+    using Value = std::array<int, 2>;
+    static constexpr std::string_view name = "weather";
+};
+static_assert(ResourceType<Weather> && !Component<Weather>);
 
 struct EcsSchedule : testing::Test {
     EcsSchedule() { declare_all(world); }
@@ -60,6 +68,48 @@ TEST_F(EcsSchedule, UndeclaredAccessStopsAndNamesSystemAndComponent) {
     schedule.run(world, 0);
     EXPECT_DEATH(schedule.run(world, 1), "system sneak writes Position without having declared it");
     EXPECT_DEATH(schedule.run(world, 2), "system sneak reads Health without having declared it");
+}
+
+TEST_F(EcsSchedule, AccessToAResourceIsCheckedLikeAccessToAComponent) {
+    Resource<Weather> weather(world, 1, 2);
+    schedule.add(
+        {.name = "sneak", .run = [&](World&, Tick t) { t == 0 ? weather.read() : weather.write(); }});
+    EXPECT_DEATH(schedule.run(world, 0), "system sneak reads weather without having declared it");
+    EXPECT_DEATH(schedule.run(world, 1), "system sneak writes weather without having declared it");
+    Schedule readers;
+    readers.add({.name = "reader", .reads = world.mask<Weather>(), .run = [&](World&, Tick t) {
+                     t == 0 ? weather.read() : weather.write();
+                 }});
+    readers.run(world, 0);
+    EXPECT_DEATH(readers.run(world, 1), "system reader writes weather without having declared it");
+    Schedule writers;
+    writers.add({.name = "writer", .writes = world.mask<Weather>(), .run = [&](World&, Tick) {
+                     weather.write()[0] = weather.read()[1];
+                 }});
+    writers.run(world, 0);
+    EXPECT_EQ(weather.read(), (std::array{2, 2}));  // outside of systems every access is allowed
+}
+
+TEST_F(EcsSchedule, AResourceMustBeDeclaredOnce) {
+    EXPECT_DEATH((void)world.mask<Weather>(), "weather was not declared in this World");
+    const Resource<Weather> weather(world);
+    EXPECT_DEATH(Resource<Weather>{world}, "resource weather is declared twice");
+}
+
+TEST_F(EcsSchedule, AResourceIsNoPartOfTheState) {
+    World other;
+    Resource<Weather> weather(other);
+    declare_all(other);
+    world.create(Position{{1, 2, 3}});
+    other.create(Position{{1, 2, 3}});
+    EXPECT_EQ(state_hash(other), state_hash(world));
+    weather.write()[0] = 7;
+    EXPECT_EQ(state_hash(other), state_hash(world));
+    Bytes bytes;
+    save(world, bytes);
+    ASSERT_TRUE(restore(other, bytes).has_value());
+    EXPECT_EQ(weather.read()[0], 7);
+    EXPECT_EQ(other.count(other.id<Weather>()), 1U) << "a system that needs the resource would be skipped";
 }
 
 }  // namespace

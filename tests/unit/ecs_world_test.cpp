@@ -263,7 +263,7 @@ TEST_F(EcsWorldDeath, WrongUseStopsAndNamesTheComponent) {
                  "structural change inside a view or hook, component Health");
     EXPECT_DEATH(world.single<Health>(), "there are 0 of Health, not one");
     World empty;
-    EXPECT_DEATH(empty.create(Position{}), "component Position was not declared in this World");
+    EXPECT_DEATH(empty.create(Position{}), "Position was not declared in this World");
     EXPECT_DEATH(world.declare<Position>(), "component Position is declared");
     EXPECT_DEATH(detail::next_type_number(), "a World was made before main");
 }
