@@ -156,6 +156,7 @@ struct Physics::Impl {
     std::vector<Pair> touching_next;
     Counters counters;
     double damping_dt{};
+    bool skipped{};    ///< the last step returned at once
     bool unchanged{};  ///< true: the last step changed nothing, and nothing was touched since
 
     Impl(const Settings& s, const std::vector<TriangleMesh>& m);
@@ -491,7 +492,8 @@ void Physics::step(double dt) {
     Impl& in = *impl_;
     THAUM_ASSERT(std::isfinite(dt) && dt > 0, "the time of a step must be > 0");
     ++in.counters.steps;
-    if (in.unchanged && in.settings.skip_asleep) {
+    in.skipped = in.unchanged && in.settings.skip_asleep;
+    if (in.skipped) {
         // The contacts are empty already, because no body was awake in the last step either.
         ++in.counters.skipped;
         return;
@@ -501,6 +503,8 @@ void Physics::step(double dt) {
     in.unchanged = in.after_step();
     in.collect_contacts();
 }
+
+bool Physics::skipped_last_step() const { return impl_->skipped; }
 
 std::span<const Contact> Physics::contacts() const { return impl_->contacts; }
 

@@ -199,6 +199,8 @@ public:
     /// last step. A body under gravity and damping alone follows the exact law of motion for any dt;
     /// other bodies move by semi-implicit Euler.
     void step(double dt);
+    /// Whether the last step returned at once because nothing could change.
+    bool skipped_last_step() const;
 
     /// Contacts of the last step, sorted by (a, b); empty after a skipped step or a rebuild. Valid
     /// until the next call that is not const.

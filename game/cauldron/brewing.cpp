@@ -62,8 +62,9 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
              const Ladle& ladle, const Pouch& pouch, Tick tick) {
     const auto& rules = *context.data.cauldron;
     if (!substance_for(contents_to_come(cauldron), pouch.ingredient)) return;
+    const auto& touch = context.output.models.read()[player].fluid;
     const vec3 place = haptics::nearest_in_bowl(
-        context.models[player].fluid.wall,
+        touch.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
     const bool taken = add_stroke(cauldron, {.place = place,
                                              .radius = rules.drop_radius,
@@ -76,8 +77,7 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
         cauldron.owner = player;
     }
     const auto length = static_cast<std::uint32_t>(rules.recoil_length);
-    kick(context, e, haptics::recoil_peak(context.models[player].fluid, {0, rules.recoil, 0}, length),
-         length);
+    kick(context, e, haptics::recoil_peak(touch, {0, rules.recoil, 0}, length), length);
     record(context, {.tick = tick,
                      .kind = EventKind::dropped,
                      .subject = player,
@@ -109,11 +109,11 @@ void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
 }
 
 /// Refills every wand of a wizard who stirs with the flow.
-void refill(MatchContext& context, Tick tick) {
+void refill(MatchContext& context, const BrewWork* work, Tick tick) {
     auto& world = context.world;
     const auto& aura = context.data.cauldron->aura;
     world.view<const Ladle, WandBelt>().each([&](const Ladle& ladle, WandBelt& belt) {
-        const vec3 flow = current_at(std::as_const(world), context.brew.get(), ladle.place, tick);
+        const vec3 flow = current_at(std::as_const(world), work, ladle.place, tick);
         if (glm::length(flow) < aura.refill_speed || glm::dot(flow, ladle.velocity) <= 0) return;
         for (const auto& wand : context.data.wands) {
             auto& energy = belt.energy[wand.stats.energy_slot];
@@ -139,7 +139,8 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
         if (!within_reach(context.data, cauldron, motion.position)) return;
         const vec3 out = motion.position - cauldron.middle;
         const vec3 away = vec3(out.x, off_axis(out) / 2, out.z) / std::max(1e-9, off_axis(out));
-        context.physics.apply_central_impulse(e.index, body.mass * rules.spoil_push * glm::normalize(away));
+        context.physics.write().apply_central_impulse(e.index,
+                                                      body.mass * rules.spoil_push * glm::normalize(away));
         hurt(context, e, tick,
              {.points = rules.spoil_harm, .by = owner, .how = EventKind::spoilt, .place = motion.position});
     });
@@ -162,12 +163,13 @@ bool is_light(const MatchData& data, const Cauldron& cauldron) {
 void lift_all(MatchContext& context, const Cauldron& cauldron) {
     if (!is_light(context.data, cauldron)) return;
     const double share = 1 - context.data.cauldron->aura.light_gravity;
+    auto& physics = context.physics.write();
     std::as_const(context.world)
         .view<const Wizard, const Motion, const Body, ecs::Without<Dead>>()
         .each([&](ecs::Entity e, const Wizard&, const Motion& motion, const Body& body) {
             if (!near(context.data, cauldron, motion.position)) return;
-            context.physics.apply_central_impulse(
-                e.index, -share * body.mass * physics_dt * context.physics.settings().gravity);
+            physics.apply_central_impulse(e.index,
+                                          -share * body.mass * physics_dt * physics.settings().gravity);
         });
 }
 
@@ -195,12 +197,12 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     return cauldron.viscosity > aura.thick_above && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
 
-void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
+void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "niches",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Niche, Pouch, EventLog>(),
+                  .writes = world.mask<Niche, Pouch, EventLog, resource::Journal>(),
                   .needs = world.mask<Niche>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       Takers takers{};
@@ -210,10 +212,12 @@ void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
                   }});
     schedule.add({.name = "brewing",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle>(),
-                  .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState>(),
+                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle,
+                                      resource::Brew, resource::Models>(),
+                  .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState,
+                                       resource::Journal, resource::Physics>(),
                   .needs = world.mask<BrewSamples>(),
-                  .run = [&context](ecs::World& w, Tick tick) {
+                  .run = [&context, &brew](ecs::World& w, Tick tick) {
                       auto& cauldron = w.single<Cauldron>();
                       w.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
                           [&](ecs::Entity e, const Wizard& wizard, const Controls& controls,
@@ -222,12 +226,13 @@ void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
                                   drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
                           });
                       wrest(context, cauldron, tick);
-                      refill(context, tick);
+                      refill(context, brew.read().work.get(), tick);
                       spoil(context, cauldron, tick);
                   }});
     schedule.add(
         {.name = "light brew",
          .reads = world.mask<Cauldron, Wizard, Motion, Body, Dead>(),
+         .writes = world.mask<resource::Physics>(),
          .needs = world.mask<BrewSamples>(),
          .run = [&context](ecs::World& w, Tick) { lift_all(context, std::as_const(w).single<Cauldron>()); }});
 }

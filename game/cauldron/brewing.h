@@ -14,7 +14,7 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
 /// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
 /// stirring with the flow, and spoiling. Every tick: lift on wizards near a light brew.
-void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule);
+void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
 /// Work of a ladle on the brew in the last 1.5 s (J).
 double recent_work(const Ladle& ladle);

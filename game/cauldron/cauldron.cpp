@@ -71,20 +71,18 @@ void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
 }
 
 /// Starts the fluid step that takes the strokes in `current`.
-void begin_step(MatchContext& context, Cauldron& cauldron) {
-    auto& work = *context.brew;
-    const auto& rules = *context.data.cauldron;
+void begin_step(const CauldronRules& rules, BrewSolver& solver, Cauldron& cauldron) {
+    auto& work = *solver.work;
     apply(rules, cauldron.current, work.brew);
     cauldron.contents = work.brew.contents;
     cauldron.step_running = 1;
-    work.step = context.jobs->run([&work, viscosity = rules.viscosity] {
+    work.step = solver.jobs.run([&work, viscosity = rules.viscosity] {
         work.report = fluid::advance(work.brew.fluid, fluid_dt);
         work.figures = figures_of(work, viscosity);
     });
 }
 
-void end_step(MatchContext& context, Cauldron& cauldron, Tick tick) {
-    auto& work = *context.brew;
+void end_step(ecs::World& world, BrewWork& work, Cauldron& cauldron, Tick tick) {
     work.step.wait();
     cauldron.step_running = 0;
     cauldron.newest ^= 1U;
@@ -93,7 +91,7 @@ void end_step(MatchContext& context, Cauldron& cauldron, Tick tick) {
     cauldron.viscosity = work.figures.viscosity;
     cauldron.density = work.figures.density;
     cauldron.speed = work.figures.speed;
-    write_fluid(context.world, cauldron.newest, work.brew.fluid);
+    write_fluid(world, cauldron.newest, work.brew.fluid);
 }
 
 /// Removes all ingredients. The flow of the pure brew is kept.
@@ -104,21 +102,22 @@ void pour_away(Brew& brew) {
               fluid::Substance{});
 }
 
-void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
-    if (cauldron.step_running != 0) end_step(context, cauldron, tick);
+void step_fluid(MatchContext& context, BrewSolver& solver, Cauldron& cauldron, Tick tick) {
+    auto& work = *solver.work;
+    if (cauldron.step_running != 0) end_step(context.world, work, cauldron, tick);
     const bool stroked = does_something(cauldron.next) || cauldron.spoilt != 0;
-    if (cauldron.spoilt != 0) pour_away(context.brew->brew);
+    if (cauldron.spoilt != 0) pour_away(work.brew);
     cauldron.spoilt = 0;
-    if (!stroked && context.brew->brew.fluid.now.asleep) return;
+    if (!stroked && work.brew.fluid.now.asleep) return;
     cauldron.current = cauldron.next;
     cauldron.next = {};
-    begin_step(context, cauldron);
+    begin_step(*context.data.cauldron, solver, cauldron);
 }
 
 /// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
 /// ripples when they leave.
-void step_surface(MatchContext& context, Cauldron& cauldron) {
-    auto& surface = context.brew->brew.surface;
+void step_surface(MatchContext& context, Brew& brew, Cauldron& cauldron) {
+    auto& surface = brew.surface;
     std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
@@ -129,7 +128,7 @@ void step_surface(MatchContext& context, Cauldron& cauldron) {
         any = true;
     });
     if (!any && surface.asleep != 0) return;
-    const auto step = fluid::advance(surface, context.brew->brew.scratch, probes, surface_dt);
+    const auto step = fluid::advance(surface, brew.scratch, probes, surface_dt);
     for (std::size_t p = 0; p < players; ++p) {
         cauldron.surface_speed[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
         cauldron.height[p] = step.probes[p].height;
@@ -147,25 +146,29 @@ std::unique_ptr<BrewWork> make_work(const MatchData& data) {
     return work;
 }
 
+/// Frees the solver's memory after the running step has ended.
+void drop_work(BrewSolver& solver) {
+    if (solver.work) solver.work->step.wait();
+    solver.work.reset();
+}
+
 }  // namespace
 
-void spawn_cauldron(MatchContext& context) {
-    if (context.brew) context.brew->step.wait();
-    context.brew.reset();
+void spawn_cauldron(MatchContext& context, BrewSolver& solver) {
+    drop_work(solver);
     if (!context.data.cauldron) return;
     const auto& bowl = *context.data.arena.bowl;
     Cauldron cauldron{.middle = bowl.centre};
     cauldron.middle.y += level_of(bowl.size, context.data.cauldron->filled);
-    context.bursts_seen = context.journal.count();
+    solver.bursts_seen = context.output.journal.read().count();
     context.world.create(cauldron);
 }
 
-void rebuild_brew(MatchContext& context) {
-    if (context.brew) context.brew->step.wait();
-    context.brew.reset();
+void rebuild_brew(MatchContext& context, BrewSolver& solver) {
+    drop_work(solver);
     if (!context.data.cauldron || !has_brew_state(context.world)) return;
-    context.brew = make_work(context.data);
-    auto& brew = context.brew->brew;
+    solver.work = make_work(context.data);
+    auto& brew = solver.work->brew;
     auto& cauldron = context.world.single<Cauldron>();
     for (std::size_t s = 0; s < brew.contents.size(); ++s) {
         if (cauldron.contents[s] != no_ingredient)
@@ -175,15 +178,14 @@ void rebuild_brew(MatchContext& context) {
     brew.fluid.now.asleep = cauldron.step_running == 0;
     read_surface(context.world, cauldron, brew.surface);
     // Haptic data is read again from the restored state.
-    for (auto& model : context.models) model.fluid = {};
-    if (cauldron.step_running != 0) begin_step(context, cauldron);
+    for (auto& model : context.output.models.write()) model.fluid = {};
+    if (cauldron.step_running != 0) begin_step(*context.data.cauldron, solver, cauldron);
 }
 
-BrewWork* touched_brew(MatchContext& context) {
-    if (context.brew || !context.data.cauldron) return context.brew.get();
-    context.brew = make_work(context.data);
-    make_brew_state(context.world, context.brew->brew);
-    return context.brew.get();
+void touch_brew(MatchContext& context, BrewSolver& solver) {
+    if (solver.work || !context.data.cauldron) return;
+    solver.work = make_work(context.data);
+    make_brew_state(context.world, solver.work->brew);
 }
 
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke) {
@@ -234,22 +236,24 @@ vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick 
     return glm::mix(read(cauldron.newest ^ 1U), read(cauldron.newest), share_of_step(cauldron, tick));
 }
 
-void add_brew_systems(MatchContext& context, ecs::Schedule& schedule) {
+void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "brew's surface",
                   .period = surface_period,
                   .reads = world.mask<Wizard, Ladle>(),
-                  .writes = world.mask<Cauldron, SurfaceSamples>(),
+                  .writes = world.mask<Cauldron, SurfaceSamples, resource::Brew>(),
                   .needs = world.mask<SurfaceSamples>(),
-                  .run = [&context](ecs::World& w, Tick) {
-                      if (context.brew) step_surface(context, w.single<Cauldron>());
+                  .run = [&context, &brew](ecs::World& w, Tick) {
+                      const auto& work = brew.write().work;
+                      if (work) step_surface(context, work->brew, w.single<Cauldron>());
                   }});
     schedule.add({.name = "brew",
                   .period = fluid_period,
-                  .writes = world.mask<Cauldron, BrewSamples>(),
+                  .writes = world.mask<Cauldron, BrewSamples, resource::Brew>(),
                   .needs = world.mask<BrewSamples>(),
-                  .run = [&context](ecs::World& w, Tick tick) {
-                      if (context.brew) step_fluid(context, w.single<Cauldron>(), tick);
+                  .run = [&context, &brew](ecs::World& w, Tick tick) {
+                      auto& solver = brew.write();
+                      if (solver.work) step_fluid(context, solver, w.single<Cauldron>(), tick);
                   }});
 }
 

@@ -37,18 +37,36 @@ struct BrewWork {
     Jobs::Ticket step{};
 };
 
+/// What computes the brew of a match. The simulation owns it.
+struct BrewSolver {
+    Jobs& jobs;                        ///< runs the fluid steps
+    std::unique_ptr<BrewWork> work{};  ///< null until a player or a thing touches the brew
+    std::uint64_t bursts_seen{};       ///< number of the next event that may be a burst at the brew
+};
+
+namespace resource {
+
+struct Brew {
+    using Value = BrewSolver;
+    static constexpr std::string_view name = "brew solver";
+};
+
+}  // namespace resource
+
+using BrewResource = ecs::Resource<resource::Brew>;
+
 /// Creates the cauldron of a new round, at rest and without ingredients. Does nothing if the match has no
 /// cauldron.
-void spawn_cauldron(MatchContext& context);
+void spawn_cauldron(MatchContext& context, BrewSolver& solver);
 /// Rebuilds the solver's memory from the World after a restore, and restarts the step that was running.
-void rebuild_brew(MatchContext& context);
+void rebuild_brew(MatchContext& context, BrewSolver& solver);
 
 /// Adds the system for the surface (every 4 ticks) and the one for the fluid (every 16 ticks).
-void add_brew_systems(MatchContext& context, ecs::Schedule& schedule);
+void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
-/// Returns the brew, and makes it on the first call. Returns null if the match has no cauldron. Must not be
-/// called inside a view.
-BrewWork* touched_brew(MatchContext& context);
+/// Makes the solver's memory if there is none and the match has a cauldron. Must not be called inside a view.
+/// Writes BrewSamples and SurfaceSamples.
+void touch_brew(MatchContext& context, BrewSolver& solver);
 
 /// Queues a stroke for the next fluid step. A stroke with `by` is merged with an earlier one of the same
 /// `by`. In a full queue momentum joins the last stroke, and an ingredient is rejected (false).

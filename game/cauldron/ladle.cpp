@@ -16,7 +16,7 @@ constexpr Tick span_length = ticks(0.125);  // length of one entry of Ladle::wor
 bool wants_to_stir(const Controls& controls) { return (controls.held & bit(Button::stir)) != 0; }
 
 /// Adds a Ladle to each wizard who begins to stir and removes it when stirring ends.
-void note_stirrers(MatchContext& context, Cauldron& cauldron) {
+void note_stirrers(MatchContext& context, BrewResource& brew, Cauldron& cauldron) {
     auto& world = context.world;
     bool anybody = false;
     world.view<const Controls, const Motion, ecs::Maybe<const Ladle>, ecs::Maybe<const Dead>>().each(
@@ -32,7 +32,7 @@ void note_stirrers(MatchContext& context, Cauldron& cauldron) {
                 world.commands().remove<Ladle>(e);
             }
         });
-    if (anybody) touched_brew(context);
+    if (anybody) touch_brew(context, brew.write());
 }
 
 /// Adds work to the current entry of Ladle::work (J).
@@ -50,9 +50,8 @@ vec3 velocity_of(const HandFrame& frame, const HandState& hand_state) {
     return frame.turn * (frame.metres_per_metre * haptics::tip_velocity(hand_state.servo));
 }
 
-haptics::FlowSource source_of(const MatchContext& context, std::size_t which) {
+haptics::FlowSource source_of(const MatchContext& context, const Brew& brew, std::size_t which) {
     const auto& rules = *context.data.cauldron;
-    const auto& brew = context.brew->brew;
     const auto fields = fields_of(context.world, which, brew.fluid, field::Kernel::linear);
     const auto in_brew = [&](field::Grid grid) {
         grid.origin += brew.corner;
@@ -74,17 +73,17 @@ haptics::FlowSource source_of(const MatchContext& context, std::size_t which) {
 /// Reads the flow around the ladle from the newest two fluid states. Reads again after each fluid step, and
 /// when the ladle has left the middle of the patch. The patch is centred ahead of the ladle, since later
 /// ticks use it too.
-void read_flow(const MatchContext& context, const Cauldron& cauldron, vec3 place, vec3 velocity, Ladle& ladle,
-               haptics::FluidTouch& touch) {
-    const double spacing = context.brew->brew.fluid.lattice.h;
+void read_flow(const MatchContext& context, const Brew& brew, const Cauldron& cauldron, vec3 place,
+               vec3 velocity, Ladle& ladle, haptics::FluidTouch& touch) {
+    const double spacing = brew.fluid.lattice.h;
     const bool stale = ladle.patched != cauldron.stepped || glm::distance(place, ladle.patch) > spacing;
     if (stale) {
         ladle.patch = place + limited(velocity * (fluid_dt / 2), spacing);
         ladle.patched = cauldron.stepped;
     }
     if (!stale && touch.newer.spacing > 0) return;
-    touch.older = haptics::patch_of(source_of(context, cauldron.newest ^ 1U), ladle.patch);
-    touch.newer = haptics::patch_of(source_of(context, cauldron.newest), ladle.patch);
+    touch.older = haptics::patch_of(source_of(context, brew, cauldron.newest ^ 1U), ladle.patch);
+    touch.newer = haptics::patch_of(source_of(context, brew, cauldron.newest), ladle.patch);
 }
 
 haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
@@ -95,13 +94,13 @@ haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
 }
 
 /// Sets the part of the fluid model that stays constant while a player stirs.
-void begin_touch(const MatchContext& context, const Cauldron& cauldron, const Ladle& ladle,
-                 std::uint32_t player, haptics::FluidTouch& touch) {
+void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron,
+                 const Ladle& ladle, std::uint32_t player, haptics::FluidTouch& touch) {
     const auto& data = *context.data.cauldron;
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, ladle);
     touch = {.number = 1,
-             .modes = context.haptic_setup.brew[player],
+             .modes = context.input.haptic_setup.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
                        .metres_per_metre = rules.metres_per_metre,
@@ -110,7 +109,7 @@ void begin_touch(const MatchContext& context, const Cauldron& cauldron, const La
                       .form = rules.form,
                       .stirred_mass = data.density * fluid::pushed_volume(rules.radius),
                       .height = rules.height},
-             .wall = wall_of(rules, context.brew->basin),
+             .wall = wall_of(rules, basin),
              .ladle = {.mass = rules.mass, .stiffness = rules.stiffness, .damping = rules.damping}};
 }
 
@@ -120,7 +119,7 @@ void move_ladle(const MatchContext& context, Cauldron& cauldron, std::uint32_t p
     const vec3 tip = tip_of(hand_state);
     ladle.place = cauldron.middle + tip;
     ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), hand_state);
-    ladle.force = -haptics::full_drag(context.models[player].fluid, tip, ladle.velocity,
+    ladle.force = -haptics::full_drag(context.output.models.read()[player].fluid, tip, ladle.velocity,
                                       hand_state.servo.fluid.immersed);
     note_work(ladle, glm::dot(ladle.force, ladle.velocity) * tick_seconds, tick);
     if (ladle.force != vec3(0))
@@ -148,16 +147,16 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
             .metres_per_metre = rules.ladle.metres_per_metre};
 }
 
-void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
-               Tick tick, haptics::FluidTouch& touch) {
-    const auto& cauldron = std::as_const(context.world).single<Cauldron>();
-    const auto& surface = context.brew->brew.surface;
+void feel_brew(const MatchContext& context, const BrewWork& work, const HandState& hand_state,
+               std::uint32_t player, Ladle& ladle, Tick tick, haptics::FluidTouch& touch) {
+    const auto& cauldron = context.world.single<Cauldron>();
+    const auto& surface = work.brew.surface;
     const bool begins = touch.number == 0;
-    if (begins) begin_touch(context, cauldron, ladle, player, touch);
+    if (begins) begin_touch(context, work.basin, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
     const vec3 place =
         haptics::nearest_in_bowl(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
-    read_flow(context, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
+    read_flow(context, work.brew, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
                      .velocity = cauldron.surface_speed[player],
@@ -178,20 +177,22 @@ bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {
            std::abs(body.y - cauldron.middle.y) < data.wizard.height;
 }
 
-void add_stir_system(MatchContext& context, ecs::Schedule& schedule) {
+void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "stir",
                   .period = gameplay_period,
                   .reads = world.mask<Controls, Motion, Dead>(),
-                  .writes = world.mask<Ladle, Cauldron, BrewSamples, SurfaceSamples>(),
+                  .writes = world.mask<Ladle, Cauldron, BrewSamples, SurfaceSamples, resource::Brew>(),
                   .needs = world.mask<Cauldron>(),
-                  .run = [&context](ecs::World& w, Tick) { note_stirrers(context, w.single<Cauldron>()); }});
+                  .run = [&context, &brew](ecs::World& w, Tick) {
+                      note_stirrers(context, brew, w.single<Cauldron>());
+                  }});
 }
 
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "ladles",
-                  .reads = world.mask<Wizard, HandState, Motion, BrewSamples, SurfaceSamples>(),
+                  .reads = world.mask<Wizard, HandState, Motion, resource::Models>(),
                   .writes = world.mask<Ladle, Cauldron, Gaze>(),
                   .needs = world.mask<Ladle>(),
                   .run = [&context](ecs::World& w, Tick tick) {

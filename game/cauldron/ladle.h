@@ -18,14 +18,14 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
 
 /// Prepares the fluid model of the hand that stirs, for one tick of play. Reads the flow around the ladle
 /// again when needed, and notes that in Ladle.
-void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
-               Tick tick, haptics::FluidTouch& touch);
+void feel_brew(const MatchContext& context, const BrewWork& work, const HandState& hand_state,
+               std::uint32_t player, Ladle& ladle, Tick tick, haptics::FluidTouch& touch);
 
 /// Whether a wizard with the body's middle at this place can stir.
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);
 
 /// Adds the system that starts and ends stirring, every gameplay tick, before the haptics.
-void add_stir_system(MatchContext& context, ecs::Schedule& schedule);
+void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 /// Adds the system that moves the ladles, every tick, after the haptics. It pushes the brew and turns the
 /// wizards' eyes to it.
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule);

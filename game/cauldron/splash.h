@@ -7,6 +7,6 @@ namespace thaum::game {
 
 /// Adds the system that applies drag and buoyancy to things in the brew, and the opposite momentum to the
 /// brew, every 4 ticks.
-void add_splash_system(MatchContext& context, ecs::Schedule& schedule);
+void add_splash_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

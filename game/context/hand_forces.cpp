@@ -9,7 +9,7 @@ constexpr double reference_peak = 3.3;
 /// Force at this player's device for one newton in the wands' files (N/N). It depends on device and player.
 double felt_share(const MatchContext& context, ecs::Entity wizard) {
     const auto player = context.world.get<Wizard>(wizard).player;
-    return context.haptic_setup.servos[player].limits.cap / reference_peak;
+    return context.input.haptic_setup.servos[player].limits.cap / reference_peak;
 }
 
 }  // namespace

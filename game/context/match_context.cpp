@@ -28,6 +28,12 @@ void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, 
 
 }  // namespace
 
+MatchContext::MatchContext(const MatchData& match_data, const MatchInput& match_input)
+    : data(match_data),
+      input(match_input),
+      physics(world, physics::Settings{}, data.arena.meshes),
+      output(world) {}
+
 void declare_components(ecs::World& world) {
     world.declare<Body>();
     world.declare<Motion>();
@@ -83,7 +89,7 @@ std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, v
 }
 
 void record(MatchContext& context, const Event& event) {
-    context.journal.add(event);
+    context.output.journal.write().add(event);
     auto& event_log = context.world.single<EventLog>();
     event_log.events[event_log.count % event_log.events.size()] = event;
     ++event_log.count;

@@ -1,19 +1,18 @@
-// game/context/match_context.h: the context of a match: everything that its systems read and write.
+// game/context/match_context.h: the context of a match, which its systems share, split by use: what they only read
+// (data and input), the state (World and physics), and the outputs.
+//
+// Systems declare access to components of the World and to resources: the physics and each output. Every access
+// to one of these is checked while a system runs (ecs/schedule.h).
 #pragma once
-#include <memory>
 #include <optional>
 
-#include "core/jobs.h"
 #include "ecs/schedule.h"
-#include "ecs/world.h"
 #include "game/components/match.h"
 #include "game/components/power_up.h"
-#include "game/context/event_journal.h"
+#include "game/context/resources.h"
 #include "game/data/match_data.h"
-#include "haptics/servo.h"
 #include "haptics/simulated.h"
 #include "input/frame.h"
-#include "physics/physics.h"
 
 namespace thaum::game {
 
@@ -23,7 +22,8 @@ inline constexpr Tick gameplay_period = 8;
 inline constexpr double physics_dt = seconds(physics_period);
 inline constexpr double gameplay_dt = seconds(gameplay_period);
 
-/// Haptic setup of a match: the simulated device, and the limits and settings of each player.
+/// Haptic setup of a match: the simulated device, and the limits and settings of each player. The state of
+/// simulated devices and servo steps is in the component HandState.
 struct HapticSetup {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
@@ -42,29 +42,31 @@ struct HapticSetup {
     std::array<double, players> wand_per_hand{};
 };
 
-struct BrewWork;  // game/cauldron/cauldron.h
+/// The players' devices and what they give. The simulation owns it and fills in the frame of each tick.
+struct MatchInput {
+    HapticSetup haptic_setup;
+    std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in `frame`
+    input::InputFrame frame;                 ///< input frame of the current tick
+};
 
-/// Force magnitudes of the last ticks (N), ring buffer indexed by tick.
-using ForceTrace = std::array<float, 2048>;
+/// What ticks give out besides the state. Nothing in it is saved or hashed.
+struct MatchOutput {
+    explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world) {}
+
+    ecs::Resource<resource::Models> models;
+    ecs::Resource<resource::Journal> journal;
+    ecs::Resource<resource::Forces> forces;
+};
 
 struct MatchContext {
-    ecs::World world;
-    physics::Physics physics;
+    /// `match_data` and `match_input` must outlive the context.
+    MatchContext(const MatchData& match_data, const MatchInput& match_input);
+
     const MatchData& data;
-    HapticSetup haptic_setup;
-    std::vector<input::DeviceSpec> devices;
-    input::InputFrame frame;  ///< input frame of the current tick
-    bool moved = true;  ///< false if the physics skipped its step in this tick because nothing could change
-    /// Haptic models of this tick; parts that did not change are not written again.
-    std::array<haptics::HapticModel, players> models{};
-    /// Worker threads for large work, whose results are taken at a fixed tick.
-    Jobs* jobs{};
-    std::unique_ptr<BrewWork> brew{};  ///< computes the cauldron's brew; null until a player touches the brew
-    /// Every event of the last seconds. It is not part of the state; restoring a state restarts it.
-    EventJournal journal{};
-    std::uint64_t bursts_seen{};  ///< number of the next event that may be a burst at the brew
-    /// Force traces for display. They are not part of the state, so snapshots do not contain them.
-    std::array<ForceTrace, players> felt{};
+    const MatchInput& input;
+    ecs::World world;
+    ecs::Resource<resource::Physics> physics;
+    MatchOutput output;
 };
 
 /// Declares all components of a match. Their order is part of the state's format.
@@ -81,7 +83,7 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
 /// Appends an event to the journal and to EventLog, and adds it to the match statistics. The calling system
-/// must have declared that it writes EventLog.
+/// must have declared that it writes EventLog and resource::Journal.
 void record(MatchContext& context, const Event& event);
 
 /// Harm to a wizard.
@@ -92,8 +94,8 @@ struct Hurt {
     vec3 place{};
 };
 
-/// Takes health and records the event, unless the wizard is shielded or dead. Writes Health and EventLog,
-/// reads Wizard and Dead.
+/// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and
+/// resource::Journal, reads Wizard and Dead.
 void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt);
 
 }  // namespace thaum::game

@@ -94,7 +94,7 @@ public:
     virtual void use(const WandUse& use) const = 0;
     /// Ends what was begun. Called once when another wand is selected, and while the wizard is dead or stirs.
     virtual void put_away(const WandUse&) const {}
-    /// Components that `use` and `put_away` write, besides WandBelt.
+    /// Components and resources that `use` and `put_away` write, besides WandBelt.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
     /// Adds systems that push bodies. They run every tick, after the servo step and before bodies move.
     virtual void add_forces(const WandSystems&) const {}

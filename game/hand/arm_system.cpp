@@ -42,7 +42,7 @@ void hold(const input::ArmState& state, HandState& hand_state) {
 
 /// Lets the simulated hand continue from the position of the arm's hand.
 void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
-    const vec3 reach = context.haptic_setup.device.reach;
+    const vec3 reach = context.input.haptic_setup.device.reach;
     hand_state.servo = arm.state.servo;
     hand_state.home = glm::clamp(arm.state.hand, -reach, reach);
     hand_state.device = haptics::resting_at(hand_state.home);
@@ -81,12 +81,12 @@ void note_presence(const MatchContext& context, Arm& arm, HandState& hand_state)
 
 void follow(MatchContext& context, Arm& arm, bool skipped) {
     auto& world = context.world;
-    const auto& sample = context.frame.devices[arm.device];
+    const auto& sample = context.input.frame.devices[arm.device];
     const auto number = input::model_of(arm.state, sample);
     const auto used = recalled(model_in(world, arm, number));
     const bool known = number != 0 && used.number == number;
-    input::take_sample(arm.state, context.haptic_setup.servos[arm.player], sample, known ? &used : nullptr,
-                       skipped);
+    input::take_sample(arm.state, context.input.haptic_setup.servos[arm.player], sample,
+                       known ? &used : nullptr, skipped);
     note_presence(context, arm, world.get<HandState>(wizard_of(world, arm.player)));
 }
 
@@ -109,10 +109,11 @@ std::vector<Arm> arms_in(const ecs::World& world) {
 
 void add_arms(MatchContext& context, const std::vector<Arm>& before) {
     auto& world = context.world;
-    for (std::uint32_t d = 0; d < context.devices.size(); ++d) {
-        const auto player = context.devices[d].player;
+    const auto& devices = context.input.devices;
+    for (std::uint32_t d = 0; d < devices.size(); ++d) {
+        const auto player = devices[d].player;
         const bool first = arm_of(world, player) == nullptr;
-        if (context.devices[d].kind != input::DeviceKind::arm || player >= players || !first) continue;
+        if (devices[d].kind != input::DeviceKind::arm || player >= players || !first) continue;
         Arm arm{.player = player, .device = d};
         for (const auto& old : before) {
             if (old.device != d) continue;
@@ -139,7 +140,7 @@ void add_arm_system(MatchContext& context, ecs::Schedule& schedule) {
                   .writes = world.mask<Arm, HandState>(),
                   .needs = world.mask<Arm>(),
                   .run = [&context](ecs::World& w, Tick) {
-                      const auto& devices = context.frame.devices;
+                      const auto& devices = context.input.frame.devices;
                       const bool skipped =
                           std::any_of(devices.begin(), devices.end(),
                                       [](const input::DeviceSample& sample) { return sample.skips != 0; });
@@ -147,17 +148,17 @@ void add_arm_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-void publish_models(MatchContext& context, bool live) {
+void publish_models(MatchContext& context, const BrewResource& brew, bool live) {
     auto& world = context.world;
     world.view<Arm>().each([&](Arm& arm) {
         const auto wizard = wizard_of(world, arm.player);
         const bool clutch =
             (std::as_const(world).get<Controls>(wizard).held & bit(input::Button::clutch)) != 0;
-        input::rest_hand(arm.state, clutch || arm.away != 0, context.haptic_setup.reach[arm.player]);
+        input::rest_hand(arm.state, clutch || arm.away != 0, context.input.haptic_setup.reach[arm.player]);
         // While the arm is gone, the simulated hand has already requested its own model in this tick.
-        auto model = is_gone(arm)
-                         ? haptics::HapticModel{.panic = arm.panic_left > 0}
-                         : next_model(context, wizard, world.get<HandState>(wizard), arm.panic_left > 0);
+        auto model = is_gone(arm) ? haptics::HapticModel{.panic = arm.panic_left > 0}
+                                  : next_model(context, brew, wizard, world.get<HandState>(wizard),
+                                               arm.panic_left > 0);
         model.on = model.on && live && arm.state.rests == 0;
         model.rearm = arm.rearm_left > 0;
         const auto number = ++arm.state.number;

@@ -4,8 +4,8 @@
 #pragma once
 #include <vector>
 
+#include "game/cauldron/cauldron.h"
 #include "game/components/arm.h"
-#include "game/context/match_context.h"
 #include "input/arm_servo.h"
 
 namespace thaum::game {
@@ -22,7 +22,7 @@ void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
 /// Creates the haptic models that arms use next. It must be the last call of a tick. Forces are off unless
 /// the match is live.
-void publish_models(MatchContext& context, bool live);
+void publish_models(MatchContext& context, const BrewResource& brew, bool live);
 
 /// Passes a player's panic press, or a press that switches forces on again, to the arms.
 void tell_arms(ecs::World& world, bool panic);

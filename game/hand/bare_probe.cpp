@@ -22,7 +22,7 @@ Feel feel_of(const MatchData& data) {
 }
 
 double wand_per_hand(const MatchContext& context, ecs::Entity wizard) {
-    return context.haptic_setup.wand_per_hand[context.world.get<Wizard>(wizard).player];
+    return context.input.haptic_setup.wand_per_hand[context.world.get<Wizard>(wizard).player];
 }
 
 HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
@@ -46,8 +46,8 @@ bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState&
 void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
           const Prop& deed) {
     const auto thing = context.world.entity(contact.key);
-    if (!thing || !context.world.has<Prop>(thing) || !context.physics.has(contact.key)) return;
-    context.physics.apply_impulse(contact.key, impulse, place);
+    if (!thing || !context.world.has<Prop>(thing) || !context.physics.read().has(contact.key)) return;
+    context.physics.write().apply_impulse(contact.key, impulse, place);
     auto& prop = context.world.get<Prop>(thing);
     const bool anothers =
         prop.moved_by < players && deed.moved_at <= prop.moved_at + context.data.wizard.blame;
@@ -58,7 +58,7 @@ void push_touched(MatchContext& context, std::uint32_t player, const HandState& 
     const auto& rules = context.data.haptic_rules;
     const auto& surface = hand_state.servo.surface;
     const HandFrame frame{hand_state.frame_origin, hand_state.frame_turn,
-                          context.haptic_setup.wand_per_hand[player]};
+                          context.input.haptic_setup.wand_per_hand[player]};
     const vec3 place = frame.to_world(surface.proxy);
     for (std::uint32_t i = 0; i < surface.contacts; ++i) {
         const vec3 force = frame.turn * surface.touched[i].force / -rules.probe.newtons_per_newton;
@@ -74,7 +74,7 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "probe",
                   .period = physics_period,
                   .reads = world.mask<Wizard, HandState, Dead>(),
-                  .writes = world.mask<Prop>(),
+                  .writes = world.mask<Prop, resource::Physics>(),
                   .needs = world.mask<HandState>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       w.view<const Wizard, const HandState, ecs::Without<Dead>>().each(
@@ -113,7 +113,7 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
                         .radius = 0.5 * glm::length(tip - proxy) + margin,
                         .mask = layer::ground | layer::prop,
                         .ignore = wizard.index};
-    fill_patch(model.patch, context.physics, around, frame, before, feel_of(context.data));
+    fill_patch(model.patch, context.physics.read(), around, frame, before, feel_of(context.data));
 }
 
 }  // namespace thaum::game

@@ -13,7 +13,7 @@
 namespace thaum::game {
 
 /// Writes patch, frame motion, start and patch number of the model, and the frame in HandState. The patch is
-/// empty if nothing is within reach.
+/// empty if nothing is within reach. Reads resource::Physics.
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model);
 

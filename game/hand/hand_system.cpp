@@ -34,16 +34,16 @@ bool note_panic_keys(ecs::World& world) {
 }
 
 /// Runs the servo step and the simulated device. Returns the magnitude of the force (N).
-double feel(MatchContext& context, ecs::Entity wizard, const Controls& controls, bool panic,
-            HandState& hand_state) {
+double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard, const Controls& controls,
+            bool panic, HandState& hand_state) {
     const vec3 moved =
         vec3(controls.hand_right, controls.hand_up, controls.hand_back) * metres_per_micrometre;
-    const auto& device = context.haptic_setup.device;
+    const auto& setup = context.input.haptic_setup;
+    const auto& device = setup.device;
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
-    const auto& model = next_model(context, wizard, hand_state, panic);
+    const auto& model = next_model(context, brew, wizard, hand_state, panic);
     const vec3 measured = haptics::measured_position(device, hand_state.device);
-    const vec3 force =
-        haptics::servo_step(context.haptic_setup.servos[player], hand_state.servo, model, {measured, 0});
+    const vec3 force = haptics::servo_step(setup.servos[player], hand_state.servo, model, {measured, 0});
     // A held clutch lets the ladle drift with the brew: the hand follows the device.
     const bool relaxed =
         (controls.held & bit(Button::clutch)) != 0 && std::as_const(context.world).has<Ladle>(wizard);
@@ -55,43 +55,44 @@ double feel(MatchContext& context, ecs::Entity wizard, const Controls& controls,
 
 }  // namespace
 
-const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard, HandState& hand_state,
-                                       bool panic) {
+const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
+                                       HandState& hand_state, bool panic) {
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
-    auto& model = context.models[player];
+    auto& model = context.output.models.write()[player];
     model.pulse = hand_state.kick;
     model.steady_force = hand_state.steady_force;
     model.tether = hand_state.tether;
-    model.on = context.haptic_setup.on[player];
+    model.on = context.input.haptic_setup.on[player];
     model.panic = panic;
     model.rearm = hand_state.rearm != 0;
     fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
-        feel_brew(context, hand_state, player, *ladle, std::as_const(context.world).single<Match>().played,
-                  model.fluid);
+        feel_brew(context, *brew.read().work, hand_state, player, *ladle,
+                  std::as_const(context.world).single<Match>().played, model.fluid);
     } else {
         model.fluid.number = 0;
     }
     return model;
 }
 
-void add_hand_system(MatchContext& context, ecs::Schedule& schedule) {
+void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add(
         {.name = "touch",
-         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewSamples>(),
-         .writes = world.mask<HandState, Arm, Ladle>(),
+         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewSamples,
+                             resource::Brew, resource::Physics>(),
+         .writes = world.mask<HandState, Arm, Ladle, resource::Models, resource::Forces>(),
          .needs = world.mask<HandState>(),
-         .run = [&context](ecs::World& w, Tick tick) {
+         .run = [&context, &brew](ecs::World& w, Tick tick) {
              const bool panic = note_panic_keys(w);
              tell_arms(w, panic);
              w.view<const Wizard, const Controls, HandState>().each(
                  [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, HandState& hand_state) {
-                     auto& trace = context.felt[wizard.player];
+                     auto& trace = context.output.forces.write()[wizard.player];
                      const bool real = plays_by_arm(w, wizard.player);
                      trace[tick % trace.size()] =
                          static_cast<float>(real ? glm::length(hand_state.servo.safety.output)
-                                                 : feel(context, e, controls, panic, hand_state));
+                                                 : feel(context, brew, e, controls, panic, hand_state));
                  });
          }});
 }

@@ -35,7 +35,7 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
 /// Adds the impulses of things that hit wizards to their blows.
 void collect_blows(MatchContext& context, Tick tick) {
     auto& world = context.world;
-    for (const auto& contact : context.physics.contacts()) {
+    for (const auto& contact : context.physics.read().contacts()) {
         const auto a = world.entity(contact.a);
         const auto b = world.entity(contact.b);
         if (!a || !b) continue;
@@ -76,19 +76,20 @@ void count_blows(MatchContext& context, Tick tick) {
 void add_body_hooks(MatchContext& context) {
     context.world.on_add<Body>({[](void* data, ecs::Entity e, const void* body) {
                                     auto& s = *static_cast<MatchContext*>(data);
-                                    s.physics.add(e.index, *static_cast<const Body*>(body),
-                                                  std::as_const(s.world).get<Motion>(e));
+                                    s.physics.write().add(e.index, *static_cast<const Body*>(body),
+                                                          std::as_const(s.world).get<Motion>(e));
                                 },
                                 &context});
     context.world.on_remove<Body>({[](void* data, ecs::Entity e, const void*) {
-                                       static_cast<MatchContext*>(data)->physics.remove(e.index);
+                                       static_cast<MatchContext*>(data)->physics.write().remove(e.index);
                                    },
                                    &context});
 }
 
 void copy_places(MatchContext& context) {
+    const auto& physics = context.physics.read();
     context.world.view<const Body, Motion>().each([&](ecs::Entity e, const Body& body, Motion& motion) {
-        if (body.mass > 0) static_cast<physics::BodyState&>(motion) = context.physics.state(e.index);
+        if (body.mass > 0) static_cast<physics::BodyState&>(motion) = physics.state(e.index);
     });
 }
 
@@ -97,28 +98,24 @@ double harm_of_blow(const WizardRules& rules, double impulse) {
 }
 
 void rebuild_physics(MatchContext& context) {
-    context.physics = physics::Physics(context.physics.settings(), context.data.arena.meshes);
+    auto& physics = context.physics.write();
+    physics = physics::Physics(physics.settings(), context.data.arena.meshes);
     context.world.view<const Body, const Motion>().each(
-        [&](ecs::Entity e, const Body& body, const Motion& motion) {
-            context.physics.add(e.index, body, motion);
-        });
-    context.physics.rebuild();
+        [&](ecs::Entity e, const Body& body, const Motion& motion) { physics.add(e.index, body, motion); });
+    physics.rebuild();
 }
 
 void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "physics",
                   .period = physics_period,
+                  .writes = world.mask<resource::Physics>(),
                   .needs = world.mask<Body>(),
-                  .run = [&context](ecs::World&, Tick) {
-                      const auto skipped = context.physics.counters().skipped;
-                      context.physics.step(physics_dt);
-                      context.moved = context.physics.counters().skipped == skipped;
-                  }});
+                  .run = [&context](ecs::World&, Tick) { context.physics.write().step(physics_dt); }});
     schedule.add({.name = "blows",
                   .period = physics_period,
-                  .reads = world.mask<Wizard, Prop, Motion, Dead>(),
-                  .writes = world.mask<Blows, Health, EventLog>(),
+                  .reads = world.mask<Wizard, Prop, Motion, Dead, resource::Physics>(),
+                  .writes = world.mask<Blows, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Blows, Prop>(),
                   .run = [&context](ecs::World&, Tick tick) {
                       collect_blows(context, tick);
@@ -126,11 +123,11 @@ void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
                   }});
     schedule.add({.name = "places",
                   .period = physics_period,
-                  .reads = world.mask<Body>(),
+                  .reads = world.mask<Body, resource::Physics>(),
                   .writes = world.mask<Motion>(),
                   .needs = world.mask<Body>(),
                   .run = [&context](ecs::World&, Tick) {
-                      if (context.moved) copy_places(context);
+                      if (!context.physics.read().skipped_last_step()) copy_places(context);
                   }});
 }
 

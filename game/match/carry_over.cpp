@@ -4,7 +4,6 @@
 
 #include "core/assert.h"
 #include "ecs/snapshot.h"
-#include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/context/hand_forces.h"
 #include "game/hand/arm_system.h"
@@ -87,14 +86,13 @@ void copy_world(const MatchContext& from, MatchContext& to) {
     const auto restored = ecs::restore(to.world, snapshot);
     THAUM_ASSERT(restored, "a match of the same program has the same components");
     rebuild_physics(to);
-    rebuild_brew(to);
 }
 
 }  // namespace
 
 void carry_over(const MatchContext& from, MatchContext& to) {
-    to.journal = from.journal;
-    to.bursts_seen = from.bursts_seen;
+    to.output.journal.write() = from.output.journal.read();
+    to.output.forces.write() = from.output.forces.read();
     if (to.data.arena == from.data.arena) {
         copy_world(from, to);
     } else {
@@ -103,7 +101,7 @@ void carry_over(const MatchContext& from, MatchContext& to) {
         carry_arms(arms_in(from.world), to.world);
     }
     refit_wizards(from, to);
-    to.physics.rebuild();
+    to.physics.write().rebuild();
 }
 
 }  // namespace thaum::game

@@ -9,7 +9,8 @@
 
 namespace thaum::game {
 
-/// Copies the state of `from` into `to`, a match by the new data that has not run yet.
+/// Copies the state and the outputs of `from` into `to`, a match by the new data that has not run yet. The brew
+/// must then be rebuilt.
 void carry_over(const MatchContext& from, MatchContext& to);
 
 }  // namespace thaum::game

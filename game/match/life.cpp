@@ -83,7 +83,7 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Health, Score, EventLog>(),
+                  .writes = world.mask<Health, Score, EventLog, resource::Journal>(),
                   .needs = world.mask<Health>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       const double start = context.data.wizard.health;
@@ -99,17 +99,18 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
                               }
                           });
                   }});
-    schedule.add({.name = "resurrection",
-                  .period = gameplay_period,
-                  .reads = world.mask<Wizard, Pad, Dead>(),
-                  .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, EventLog>(),
-                  .needs = world.mask<Dead>(),
-                  .run = [&context](ecs::World& w, Tick tick) {
-                      w.view<const Wizard, Health, const Dead>().each(
-                          [&](ecs::Entity e, const Wizard& wizard, Health& health, const Dead& dead) {
-                              if (tick >= dead.returns_at) return_to_life(context, e, wizard, health, tick);
-                          });
-                  }});
+    schedule.add(
+        {.name = "resurrection",
+         .period = gameplay_period,
+         .reads = world.mask<Wizard, Pad, Dead>(),
+         .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, EventLog, resource::Journal>(),
+         .needs = world.mask<Dead>(),
+         .run = [&context](ecs::World& w, Tick tick) {
+             w.view<const Wizard, Health, const Dead>().each(
+                 [&](ecs::Entity e, const Wizard& wizard, Health& health, const Dead& dead) {
+                     if (tick >= dead.returns_at) return_to_life(context, e, wizard, health, tick);
+                 });
+         }});
 }
 
 }  // namespace thaum::game

@@ -74,7 +74,7 @@ void add_power_up_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "power-ups",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<PowerUp, Health, WandBelt, EventLog>(),
+                  .writes = world.mask<PowerUp, Health, WandBelt, EventLog, resource::Journal>(),
                   .needs = world.mask<PowerUp>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       w.view<PowerUp, const Motion>().each([&](PowerUp& power_up, const Motion& motion) {

@@ -66,11 +66,11 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 
 }  // namespace
 
-void open_round(MatchContext& context) {
+void open_round(MatchContext& context, BrewSolver& solver) {
     const auto arms = arms_in(context.world);
     clear_scene(context.world);
     spawn_arena(context.world, context.data.arena);
-    spawn_cauldron(context);
+    spawn_cauldron(context, solver);
     spawn_niches(context);
     spawn_wizards(context);
     add_arms(context, arms);
@@ -81,7 +81,7 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "round",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Score>(),
-                  .writes = world.mask<Match, EventLog>(),
+                  .writes = world.mask<Match, EventLog, resource::Journal>(),
                   .needs = world.mask<Score>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       std::array<std::int32_t, players> kills{};
@@ -124,14 +124,14 @@ bool next_round_is_due(const MatchContext& context) {
     return match.phase == Phase::between && match.waited >= context.data.round.interval;
 }
 
-void begin_next_round(MatchContext& context) {
-    open_round(context);
+void begin_next_round(MatchContext& context, BrewSolver& solver) {
+    open_round(context, solver);
     auto& match = context.world.single<Match>();
     match.phase = Phase::playing;
     match.round_began = match.played;
     ++match.round;
     record(context, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
-    context.physics.rebuild();
+    context.physics.write().rebuild();
 }
 
 }  // namespace thaum::game

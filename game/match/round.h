@@ -1,11 +1,11 @@
 // game/match/round.h: begins and ends the rounds of a match and decides who has won.
 #pragma once
-#include "game/context/match_context.h"
+#include "game/cauldron/cauldron.h"
 
 namespace thaum::game {
 
 /// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
-void open_round(MatchContext& context);
+void open_round(MatchContext& context, BrewSolver& solver);
 
 /// Adds the system that ends a round, and after the last round the match.
 void add_round_system(MatchContext& context, ecs::Schedule& schedule);
@@ -14,6 +14,6 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule);
 /// after a while.
 void add_interval_system(MatchContext& context, ecs::Schedule& schedule);
 bool next_round_is_due(const MatchContext& context);
-void begin_next_round(MatchContext& context);
+void begin_next_round(MatchContext& context, BrewSolver& solver);
 
 }  // namespace thaum::game

@@ -54,10 +54,10 @@ void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_reduction[i] / 100.0;
 }
 
-void add_cauldron_systems(MatchContext& context, ecs::Schedule& schedule) {
-    add_splash_system(context, schedule);
-    add_brewing_systems(context, schedule);
-    add_brew_systems(context, schedule);
+void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
+    add_splash_system(context, brew, schedule);
+    add_brewing_systems(context, brew, schedule);
+    add_brew_systems(context, brew, schedule);
 }
 
 HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
@@ -83,28 +83,26 @@ HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::Devi
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
-    : data_(std::move(data)), setup_(std::move(setup)), jobs_(setup_.workers) {
-    context_.reset(new MatchContext{{},
-                                    physics::Physics({}, data_->arena.meshes),
-                                    *data_,
-                                    haptic_setup_of(*data_, setup_.devices),
-                                    setup_.devices,
-                                    {}});
-    auto& context = *context_;
-    context.jobs = &jobs_;
+    : data_(std::move(data)),
+      setup_(std::move(setup)),
+      input_{haptic_setup_of(*data_, setup_.devices), setup_.devices, {}},
+      context_(*data_, input_),
+      brew_(context_.world, jobs_),
+      jobs_(setup_.workers) {
+    auto& context = context_;
     declare_components(context.world);
     context.world.reserve_entities(1024);
     add_body_hooks(context);
     spawn_match(context.world, setup_.seed);
-    open_round(context);
+    open_round(context, brew_.write());
 
     add_arm_system(context, always_);
     add_controls_system(context, always_);
     add_interval_system(context, always_);
     add_pause_system(context, always_);
 
-    if (data_->cauldron) add_stir_system(context, live_);
-    add_hand_system(context, live_);
+    if (data_->cauldron) add_stir_system(context, brew_, live_);
+    add_hand_system(context, brew_, live_);
     if (data_->cauldron) add_ladle_system(context, live_);
     add_walk_system(context, live_);
     add_probe_system(context, live_);
@@ -112,7 +110,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_body_systems(context, live_);
     add_missile_systems(context, live_);
     add_belt_system(context, live_);
-    if (data_->cauldron) add_cauldron_systems(context, live_);
+    if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);
     add_round_system(context, live_);
@@ -125,10 +123,10 @@ Simulation::~Simulation() = default;
 void Simulation::tick(const input::InputFrame& frame) {
     if (now_ % keyframe_interval == 0 && now_ != 0) keyframe();
     if (now_ % hash_interval == 0) force_hash_ = 0;
-    context_->frame = frame;
-    auto& world = context_->world;
+    input_.frame = frame;
+    auto& world = context_.world;
     always_.run(world, now_);
-    if (next_round_is_due(*context_)) begin_next_round(*context_);
+    if (next_round_is_due(context_)) begin_next_round(context_, brew_.write());
     const auto& match = std::as_const(world).single<Match>();
     const bool live = match.paused == 0 && match.phase == Phase::playing;
     if (live) {
@@ -136,47 +134,52 @@ void Simulation::tick(const input::InputFrame& frame) {
         force_hash_ = chained_force_hash(world, force_hash_);
         ++world.single<Match>().played;
     }
-    publish_models(*context_, live);
+    publish_models(context_, brew_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
 }
 
 void Simulation::keyframe() {
-    copy_places(*context_);
-    context_->physics.rebuild();
+    copy_places(context_);
+    context_.physics.write().rebuild();
 }
 
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
     THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
-    if (auto restored = ecs::restore(context_->world, snapshot); !restored) return restored;
-    context_->journal.restart(std::as_const(context_->world).single<EventLog>());
-    context_->bursts_seen = context_->journal.count();
-    rebuild_physics(*context_);
-    rebuild_brew(*context_);
+    if (auto restored = ecs::restore(context_.world, snapshot); !restored) return restored;
+    auto& journal = context_.output.journal.write();
+    journal.restart(std::as_const(context_.world).single<EventLog>());
+    brew_.write().bursts_seen = journal.count();
+    rebuild_physics(context_);
+    rebuild_brew(context_, brew_.write());
     now_ = at;
     return {};
 }
 
-const HapticSetup& Simulation::haptic_setup() const { return context_->haptic_setup; }
-const BrewWork* Simulation::brew() const { return context_->brew.get(); }
-const ForceTrace& Simulation::felt(std::uint32_t player) const { return context_->felt[player]; }
+const HapticSetup& Simulation::haptic_setup() const { return input_.haptic_setup; }
+const BrewWork* Simulation::brew() const { return brew_.read().work.get(); }
+const ForceTrace& Simulation::felt(std::uint32_t player) const {
+    return context_.output.forces.read()[player];
+}
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
     auto next = std::make_unique<Simulation>(std::move(data), setup_);
-    carry_over(*context_, *next->context_);
+    carry_over(context_, next->context_);
+    auto& solver = next->brew_.write();
+    solver.bursts_seen = brew_.read().bursts_seen;
+    rebuild_brew(next->context_, solver);
     next->now_ = now_;
     next->force_hash_ = force_hash_;
-    next->context_->felt = context_->felt;
     return next;
 }
 
-void Simulation::save(Bytes& out) const { ecs::save(context_->world, out); }
-std::uint64_t Simulation::state_hash() const { return ecs::state_hash(context_->world); }
-const ecs::World& Simulation::world() const { return context_->world; }
-ecs::World& Simulation::world_to_change() { return context_->world; }
-MatchContext& Simulation::context_to_change() { return *context_; }
-const EventJournal& Simulation::events() const { return context_->journal; }
-physics::Physics& Simulation::physics() { return context_->physics; }
-const physics::Physics& Simulation::physics() const { return context_->physics; }
+void Simulation::save(Bytes& out) const { ecs::save(context_.world, out); }
+std::uint64_t Simulation::state_hash() const { return ecs::state_hash(context_.world); }
+const ecs::World& Simulation::world() const { return context_.world; }
+ecs::World& Simulation::world_to_change() { return context_.world; }
+MatchContext& Simulation::context_to_change() { return context_; }
+const EventJournal& Simulation::events() const { return context_.output.journal.read(); }
+physics::Physics& Simulation::physics() { return context_.physics.write(); }
+const physics::Physics& Simulation::physics() const { return context_.physics.read(); }
 
 }  // namespace thaum::game

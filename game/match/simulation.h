@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "core/bytes.h"
-#include "game/context/match_context.h"
+#include "game/cauldron/cauldron.h"
 
 namespace thaum::game {
 
@@ -80,8 +80,10 @@ private:
 
     std::shared_ptr<const MatchData> data_;
     MatchSetup setup_;
-    std::unique_ptr<MatchContext> context_;
-    Jobs jobs_;  // declared after context_, so that jobs end before the context that they use is destroyed
+    MatchInput input_;
+    MatchContext context_;
+    BrewResource brew_;
+    Jobs jobs_;  // declared after brew_, so that jobs end before the memory that they use is freed
     ecs::Schedule always_, live_;
     Tick now_ = 0;
     std::uint64_t force_hash_ = 0;

@@ -68,9 +68,10 @@ input::DeviceSample with_arm(input::DeviceSample hands, std::uint32_t buttons) {
 
 std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     std::uint32_t buttons = 0;
-    for (std::size_t d = 0; d < context.devices.size(); ++d) {
-        const bool arm = context.devices[d].kind == input::DeviceKind::arm;
-        if (arm && context.devices[d].player == player) buttons |= context.frame.devices[d].buttons;
+    const auto& devices = context.input.devices;
+    for (std::size_t d = 0; d < devices.size(); ++d) {
+        const bool arm = devices[d].kind == input::DeviceKind::arm;
+        if (arm && devices[d].player == player) buttons |= context.input.frame.devices[d].buttons;
     }
     return buttons;
 }
@@ -110,11 +111,11 @@ void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
                               const bool stirs = std::as_const(w).has<Ladle>(e);
                               const bool arm = plays_by_arm(w, wizard.player);
                               const auto buttons = arm_buttons(context, wizard.player);
-                              for (std::size_t d = 0; d < context.devices.size(); ++d) {
-                                  const auto& spec = context.devices[d];
+                              for (std::size_t d = 0; d < context.input.devices.size(); ++d) {
+                                  const auto& spec = context.input.devices[d];
                                   if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm)
                                       continue;
-                                  const auto sample = with_arm(context.frame.devices[d], buttons);
+                                  const auto sample = with_arm(context.input.frame.devices[d], buttons);
                                   take(sample, controls);
                                   if (live && stirs) {
                                       move_ladle_hand(sample, context.data.haptic_rules, controls);

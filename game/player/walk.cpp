@@ -34,7 +34,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
         {.name = "walk",
          .period = physics_period,
          .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron>(),
-         .writes = world.mask<Controls, Stance, Health, EventLog>(),
+         .writes = world.mask<Controls, Stance, Health, EventLog, resource::Journal, resource::Physics>(),
          .needs = world.mask<Wizard>(),
          .run = [&context](ecs::World& w, Tick tick) {
              const auto& rules = context.data.wizard;
@@ -48,7 +48,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      if (motion.asleep != 0 && !wishes) return;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position);
                      const auto result = physics::move(
-                         context.physics, e.index,
+                         context.physics.write(), e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
                           .jump = (controls.pressed & jump) != 0,
                           .rope_lift = stance.rope_lift},

@@ -88,7 +88,7 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     }
     schedule.add({.name = "wands",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle>(),
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, resource::Physics>(),
                   .writes = writes,
                   .needs = world.mask<WandBelt>(),
                   .run = [&context](ecs::World& w, Tick tick) {

@@ -201,8 +201,8 @@ void fly(MatchContext& context, const BlastData& data, Tick tick) {
     auto& world = context.world;
     world.view<Blast>().each([&](ecs::Entity e, Blast& blast) {
         const vec3 way = blast.velocity * physics_dt;
-        const auto at = context.physics.sweep_sphere(blast.position, blast.position + way, data.radius,
-                                                     physics::all_layers, blast.shooter);
+        const auto at = context.physics.read().sweep_sphere(blast.position, blast.position + way, data.radius,
+                                                            physics::all_layers, blast.shooter);
         if (at) hit(context, blast, data, blast.position + at->fraction * way, at->key, tick);
         if (at || tick >= blast.dies_at) world.commands().destroy(e);
         blast.position += way;
@@ -215,7 +215,7 @@ void add_missile_systems(const WandSystems& to, const BlastData& data) {
         {.name = "blasts",
          .period = physics_period,
          .reads = world.mask<Body, Motion, Wizard, Dead>(),
-         .writes = world.mask<Blast, Health, EventLog, Prop>(),
+         .writes = world.mask<Blast, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Blast>(),
          .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
 }
@@ -228,7 +228,7 @@ public:
     void use(const WandUse& use) const override { fire(use, data_); }
     void put_away(const WandUse& use) const override { stop_charging(use); }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<BlastHand, EventLog, Health, HandState>();
+        return world.mask<BlastHand, EventLog, Health, HandState, resource::Journal>();
     }
     void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
     void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }

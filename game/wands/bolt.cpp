@@ -104,7 +104,7 @@ void fire(const WandUse& use, const BoltData& data) {
 void hit(MatchContext& context, const Bolt& bolt, const BoltData& data, const physics::RayHit& at,
          Tick tick) {
     const auto victim = context.world.entity(at.key);
-    context.physics.apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
+    context.physics.write().apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
     if (victim && context.world.has<Wizard>(victim)) {
         hurt(context, victim, tick,
              {.points = data.damage, .by = bolt.player, .how = data.hit, .place = at.point});
@@ -117,7 +117,7 @@ void fly(MatchContext& context, const BoltData& data, Tick tick) {
     auto& world = context.world;
     world.view<Bolt>().each([&](ecs::Entity e, Bolt& bolt) {
         const vec3 to = bolt.position + bolt.velocity * physics_dt;
-        const auto at = context.physics.ray(bolt.position, to, physics::all_layers, bolt.ignores);
+        const auto at = context.physics.read().ray(bolt.position, to, physics::all_layers, bolt.ignores);
         if (at) hit(context, bolt, data, *at, tick);
         if (at || tick >= bolt.dies_at) world.commands().destroy(e);
         bolt.position = to;
@@ -130,7 +130,7 @@ void add_missile_systems(const WandSystems& to, const BoltData& data) {
         {.name = "bolts",
          .period = physics_period,
          .reads = world.mask<Wizard, Dead>(),
-         .writes = world.mask<Bolt, Health, EventLog, Prop>(),
+         .writes = world.mask<Bolt, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Bolt>(),
          .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
 }
@@ -142,7 +142,7 @@ public:
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BoltHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<BoltHand, Dice, EventLog, Health, HandState>();
+        return world.mask<BoltHand, Dice, EventLog, Health, HandState, resource::Journal>();
     }
     void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
     void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {

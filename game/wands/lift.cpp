@@ -153,11 +153,12 @@ haptics::CouplingFrame frame_of(const MatchContext& context, const LiftData& dat
 /// The loose thing under the crosshair, if it is near and light enough.
 ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
     const auto [eye, ahead] = sight_of(context, wizard);
-    const auto hit = context.physics.ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
+    const auto hit =
+        context.physics.read().ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
     if (!hit) return {};
     const auto thing = context.world.entity(hit->key);
-    const bool can_be_held =
-        thing && context.world.has<Prop>(thing) && context.physics.desc(hit->key).mass <= data.mass_max;
+    const bool can_be_held = thing && context.world.has<Prop>(thing) &&
+                             context.physics.read().desc(hit->key).mass <= data.mass_max;
     return can_be_held ? thing : ecs::Entity{};
 }
 
@@ -165,19 +166,19 @@ void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::
           LiftHand& hand) {
     const auto& now = std::as_const(context.world);
     const auto& gaze = now.get<Gaze>(wizard);
-    const auto& body = context.physics.state(thing.index);
+    const auto& body = context.physics.read().state(thing.index);
     hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch};
     hand.taken_device = now.get<HandState>(wizard).device.position;
     hand.taken_object =
         glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(context, wizard).eye);
     hand.turn = glm::conjugate(rotation({0, 1, 0}, gaze.yaw)) * body.orientation;
     hand.hip = hand.base = body.position;
-    hand.base_velocity = context.physics.velocity(wizard.index);
+    hand.base_velocity = context.physics.read().velocity(wizard.index);
     hand.coupling.expected = body.velocity;
-    const double size = extent(context.physics.desc(thing.index));
+    const double size = extent(context.physics.read().desc(thing.index));
     const auto player = now.get<Wizard>(wizard).player;
-    hand.metres_per_metre =
-        context.haptic_setup.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+    hand.metres_per_metre = context.input.haptic_setup.stride[player] * data.metres_per_metre *
+                            std::clamp(size, data.finest, 1.0);
 }
 
 bool holds(const MatchContext& context, const LiftHand& hand) {
@@ -185,7 +186,7 @@ bool holds(const MatchContext& context, const LiftHand& hand) {
 }
 
 void let_thing_go(MatchContext& context, ecs::Entity wizard, LiftHand& hand) {
-    if (holds(context, hand)) end_coupling(context.physics, hand.held.index, hand.coupling);
+    if (holds(context, hand)) end_coupling(context.physics.write(), hand.held.index, hand.coupling);
     hand = {};
     let_go(context, wizard);
 }
@@ -204,16 +205,16 @@ void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
     auto& belt = context.world.get<WandBelt>(use.wizard);
     auto& energy = belt.energy[use.stats.energy_slot];
     const auto key = hand.held.index;
-    const double mass = context.physics.desc(key).mass;
+    const double mass = context.physics.read().desc(key).mass;
     const auto grasp = grasp_of(data);
     const double speed = throw_speed(grasp, mass, energy);
     const auto [eye, ahead] = sight_of(context, use.wizard);
-    const vec3 way = glm::normalize(eye + ahead * throw_reach - context.physics.state(key).position);
-    const double before = glm::dot(coupled_velocity(context.physics, key, hand.coupling), way);
+    const vec3 way = glm::normalize(eye + ahead * throw_reach - context.physics.read().state(key).position);
+    const double before = glm::dot(coupled_velocity(context.physics.read(), key, hand.coupling), way);
     const double per_speed = grasp.energy_per_impulse * mass;
     energy = std::max(0.0, energy - per_speed * std::max(0.0, speed - before));
     let_thing_go(context, use.wizard, hand);
-    context.physics.set_velocity(key, way * std::max(speed, before));
+    context.physics.write().set_velocity(key, way * std::max(speed, before));
     kick(context, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
     ++belt.fired;
 }
@@ -284,10 +285,10 @@ void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
 
 /// Keeps one side of the thing towards the wizard. It takes an implicit step of a critically damped
 /// rotational spring with the frequency of the coupling and a bounded torque.
-void hold_turned(MatchContext& context, const LiftData& data, const LiftHand& hand) {
+void hold_turned(physics::Physics& physics, const LiftData& data, const LiftHand& hand) {
     const auto key = hand.held.index;
-    const auto& body = context.physics.desc(key);
-    const auto& state = context.physics.state(key);
+    const auto& body = physics.desc(key);
+    const auto& state = physics.state(key);
     quat off = rotation({0, 1, 0}, hand.yaw) * hand.turn * glm::conjugate(state.orientation);
     if (off.w < 0) off = -off;
     // Rotation angle (rad) if small; less than the angle if large.
@@ -296,12 +297,12 @@ void hold_turned(MatchContext& context, const LiftData& data, const LiftHand& ha
     const vec3 reference(0, hand.yaw_rate, 0);
     const vec3 spin = reference + eased_rate(state.spin - reference, angle, frequency);
     const double most = data.turn_torque / greatest_inertia(body) * physics_dt;
-    context.physics.set_spin(key, state.spin + limited(spin - state.spin, most));
+    physics.set_spin(key, state.spin + limited(spin - state.spin, most));
 }
 
-bool touches_holder(const MatchContext& context, ecs::Entity wizard, ecs::Entity held) {
+bool touches_holder(const physics::Physics& physics, ecs::Entity wizard, ecs::Entity held) {
     const auto a = std::min(wizard.index, held.index), b = std::max(wizard.index, held.index);
-    const auto contacts = context.physics.contacts();
+    const auto contacts = physics.contacts();
     return std::any_of(contacts.begin(), contacts.end(), [=](const auto& c) { return c.a == a && c.b == b; });
 }
 
@@ -312,7 +313,8 @@ void feel_blow(MatchContext& context, const LiftData& data, const haptics::Coupl
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
     const vec3 way = haptics::to_device(frame, blow / size);
-    const double share = context.haptic_setup.blows[std::as_const(context.world).get<Wizard>(wizard).player];
+    const double share =
+        context.input.haptic_setup.blows[std::as_const(context.world).get<Wizard>(wizard).player];
     if (share > 0) kick(context, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
@@ -345,27 +347,28 @@ vec3 held_back(vec3 velocity, vec3 blow) {
 
 void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
+    auto& physics = context.physics.write();
     const auto& now = std::as_const(context.world);
     const vec3 device = now.get<HandState>(wizard).device.position;
     follow(data, now.get<Gaze>(wizard), hand);
     const auto frame = frame_of(context, data, wizard, hand);
     const vec3 hip = haptics::interface_point(frame, device);
     const vec3 base = haptics::interface_point(frame, hand.taken_device);
-    const auto& body = context.physics.state(key);
+    const auto& body = physics.state(key);
     const int sharing = holders(now, hand.held);
-    const double mass = context.physics.desc(key).mass;
+    const double mass = physics.desc(key).mass;
     const vec3 blow = body.velocity - hand.coupling.expected;
     if (sharing == 1) feel_blow(context, data, frame, wizard, tick, mass * blow, hand);
     const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
     const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
     const vec3 base_velocity = (base - hand.base) / physics_dt;
     const vec3 carry = limited(mass * (base_velocity - hand.base_velocity) / physics_dt, data.carry);
-    const vec3 gravity = context.physics.settings().gravity;
+    const vec3 gravity = physics.settings().gravity;
     const auto result =
         haptics::couple(step, {.hand = hand.hip,
                                .hand_velocity = (hip - hand.hip) / physics_dt,
                                .object = body.position,
-                               .object_velocity = coupled_velocity(context.physics, key, hand.coupling),
+                               .object_velocity = coupled_velocity(physics, key, hand.coupling),
                                .drag_velocity = base_velocity,
                                .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
     const vec3 back = held_back(result.displacement / physics_dt, blow);
@@ -373,19 +376,19 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     hand.hip = hip;
     hand.base = base;
     hand.base_velocity = base_velocity;
-    if (touches_holder(context, wizard, hand.held)) {  // otherwise a wizard could ride on the thing
-        end_coupling(context.physics, key, hand.coupling);
+    if (touches_holder(physics, wizard, hand.held)) {  // otherwise a wizard could ride on the thing
+        end_coupling(physics, key, hand.coupling);
         hand.coupling.expected = body.velocity + gravity * physics_dt;
     } else {
         hand.impulse += glm::length(result.impulse);
-        apply_coupling(context.physics, key, result, physics_dt, hand.coupling);
-        hold_turned(context, data, hand);
+        apply_coupling(physics, key, result, physics_dt, hand.coupling);
+        hold_turned(physics, data, hand);
     }
     const vec3 moving = hand.coupling.expected + held_back(hand.coupling.expected, blow);
     tether(context, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
     set_steady_force(
         context, wizard,
-        vec3(0, -data.weight * context.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
+        vec3(0, -data.weight * context.input.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
     if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 
@@ -394,7 +397,7 @@ void add_force_systems(const WandSystems& to, const LiftData& data) {
     to.schedule.add({.name = "lift",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
-                     .writes = world.mask<LiftHand, HandState, WandBelt>(),
+                     .writes = world.mask<LiftHand, HandState, WandBelt, resource::Physics>(),
                      .needs = world.mask<LiftHand>(),
                      .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
                          w.view<LiftHand, ecs::Without<Dead>>().each([&](ecs::Entity e, LiftHand& hand) {
@@ -414,7 +417,8 @@ public:
         if (hand.held) let_thing_go(use.context, use.wizard, hand);
     }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<LiftHand, EventLog, Health, HandState, Prop>();
+        return world
+            .mask<LiftHand, EventLog, Health, HandState, Prop, resource::Journal, resource::Physics>();
     }
     void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
     std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {

@@ -119,7 +119,7 @@ LobData read(const ConfigTable& root) {
 
 void begin(const WandUse& use, const LobData& data, LobHand& hand) {
     const auto& hand_state = std::as_const(use.context.world).get<HandState>(use.wizard);
-    hand.anchor = haptics::measured_position(use.context.haptic_setup.device, hand_state.device);
+    hand.anchor = haptics::measured_position(use.context.input.haptic_setup.device, hand_state.device);
     hand.drawing = 1;
     auto spring = data.spring;
     spring.anchor = hand.anchor;
@@ -181,7 +181,8 @@ void draw(MatchContext& context, const LobData& data) {
             hand_state.pull = hand.target * data.axis;
             if (hand.drawing == 0) return;
             const vec3 moved =
-                haptics::measured_position(context.haptic_setup.device, hand_state.device) - hand.anchor;
+                haptics::measured_position(context.input.haptic_setup.device, hand_state.device) -
+                hand.anchor;
             hand.drawn = std::clamp(glm::dot(moved, data.axis) / data.full, 0.0, 1.0);
         });
 }
@@ -220,10 +221,10 @@ vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
 /// Moves the stone by one physics step. Returns true if the stone has burst. The rest of a step in which the
 /// stone bounces, at most one tick, is not flown.
 bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
-    const vec3 gravity = context.physics.settings().gravity;
+    const vec3 gravity = context.physics.read().settings().gravity;
     const vec3 way = (lob.velocity + 0.5 * physics_dt * gravity) * physics_dt;
-    const auto at = context.physics.sweep_sphere(lob.position, lob.position + way, data.radius,
-                                                 physics::all_layers, lob.shooter);
+    const auto at = context.physics.read().sweep_sphere(lob.position, lob.position + way, data.radius,
+                                                        physics::all_layers, lob.shooter);
     const double part = at ? at->fraction : 1;
     lob.position += part * way;
     lob.velocity += part * physics_dt * gravity;
@@ -241,16 +242,17 @@ bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
 
 void add_missile_systems(const WandSystems& to, const LobData& data) {
     auto& world = to.context.world;
-    to.schedule.add({.name = "lobs",
-                     .period = physics_period,
-                     .reads = world.mask<Body, Motion, Wizard, Dead>(),
-                     .writes = world.mask<Lob, Health, EventLog, Prop>(),
-                     .needs = world.mask<Lob>(),
-                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
-                         w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
-                             if (fly(context, data, lob, tick)) w.commands().destroy(e);
-                         });
-                     }});
+    to.schedule.add(
+        {.name = "lobs",
+         .period = physics_period,
+         .reads = world.mask<Body, Motion, Wizard, Dead>(),
+         .writes = world.mask<Lob, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
+         .needs = world.mask<Lob>(),
+         .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
+             w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
+                 if (fly(context, data, lob, tick)) w.commands().destroy(e);
+             });
+         }});
 }
 
 class LobWand final : public WandRules {
@@ -261,7 +263,7 @@ public:
     void use(const WandUse& use) const override { fire(use, data_); }
     void put_away(const WandUse& use) const override { stop_drawing(use); }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<LobHand, EventLog, Health, HandState>();
+        return world.mask<LobHand, EventLog, Health, HandState, resource::Journal>();
     }
     void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
     void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }

@@ -53,7 +53,7 @@ std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst
 void push(MatchContext& context, const Burst& burst, ecs::Entity e, double mass, const Reached& reached,
           Tick tick) {
     const double impulse = std::min(burst.impulse * reached.share, burst.fastest * mass);
-    context.physics.apply_impulse(e.index, reached.away * impulse, reached.point);
+    context.physics.write().apply_impulse(e.index, reached.away * impulse, reached.point);
     if (context.world.has<Prop>(e)) context.world.get<Prop>(e) = {.moved_at = tick, .moved_by = burst.player};
 }
 
@@ -77,13 +77,13 @@ bool holds_fire(const Controls& controls) {
 
 Sight sight_of(const MatchContext& context, ecs::Entity wizard) {
     const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
-    return {eye_of(context.data.wizard, context.physics.state(wizard.index).position),
+    return {eye_of(context.data.wizard, context.physics.read().state(wizard.index).position),
             look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
 }
 
 Muzzle muzzle_of(const WandUse& use, double radius) {
     const auto& world = std::as_const(use.context.world);
-    const auto& physics = use.context.physics;
+    const auto& physics = use.context.physics.read();
     const auto& gaze = world.get<Gaze>(use.wizard);
     const auto key = use.wizard.index;
     const quat looking = look_rotation(gaze.yaw, gaze.pitch);
@@ -91,7 +91,8 @@ Muzzle muzzle_of(const WandUse& use, double radius) {
     const vec3 ahead = looking * vec3(0, 0, -1);
     const auto seen = physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
     const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
-    const double wand_per_hand = use.context.haptic_setup.wand_per_hand[world.get<Wizard>(use.wizard).player];
+    const double wand_per_hand =
+        use.context.input.haptic_setup.wand_per_hand[world.get<Wizard>(use.wizard).player];
     vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<HandState>(use.wizard));
     if (blocked(physics, eye, tip, radius, key)) tip = eye;
     return {.tip = tip, .ahead = ahead, .aim = glm::normalize(eye + ahead * depth - tip)};
@@ -123,11 +124,12 @@ void burst(MatchContext& context, const Burst& burst, Tick tick) {
                      .detail = static_cast<std::uint32_t>(burst.how),
                      .amount = burst.radius,
                      .place = burst.place});
+    const auto& physics = context.physics.read();
     context.world.view<const Body, const Motion>().each(
         [&](ecs::Entity e, const Body& body, const Motion& motion) {
             if (body.mass <= 0) return;
             const auto middle = middle_towards(body, motion.position, burst.place);
-            const auto reached = reach(context.physics, burst, e.index, middle);
+            const auto reached = reach(physics, burst, e.index, middle);
             if (reached) push(context, burst, e, body.mass, *reached, tick);
             if (e.index == burst.struck)
                 hurt_by_burst(context, burst, e, burst.struck_damage, tick);

@@ -22,7 +22,7 @@ struct Sight {
     vec3 eye{};    ///< position of the eye (m, world)
     vec3 ahead{};  ///< direction of view (unit, world)
 };
-/// Returns the wizard's line of sight. Reads Gaze.
+/// Returns the wizard's line of sight. Reads Gaze and resource::Physics.
 Sight sight_of(const MatchContext& context, ecs::Entity wizard);
 
 /// Start and direction of a shot.
@@ -31,13 +31,13 @@ struct Muzzle {
     vec3 ahead{};  ///< direction of view (unit, world)
     vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
-/// Muzzle for a missile of that radius (m).
+/// Muzzle for a missile of that radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
 Muzzle muzzle_of(const WandUse& use, double radius);
 
-/// Records that a player pressed fire without enough energy for a shot. Writes EventLog.
+/// Records that a player pressed fire without enough energy for a shot. Writes EventLog and resource::Journal.
 void note_dry(const WandUse& use);
 /// Records a shot and ends the shooter's protection. `hit` is the kind of event of its hits. Writes WandBelt,
-/// Health and EventLog.
+/// Health, EventLog and resource::Journal.
 void note_shot(const WandUse& use, EventKind hit, vec3 tip);
 
 /// A burst hurts and pushes all bodies near it. The distance of a body is measured to its surface, on the
@@ -57,7 +57,8 @@ struct Burst {
     std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
     double struck_damage{};                  ///< harm to the struck body (HP)
 };
-/// Applies and records a burst. Reads Body, Motion, Wizard and Dead; writes Health, EventLog and Prop.
+/// Applies and records a burst. Reads Body, Motion, Wizard and Dead. Writes Health, EventLog, Prop,
+/// resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 
 }  // namespace thaum::game

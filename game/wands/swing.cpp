@@ -80,19 +80,21 @@ std::optional<vec3> latched_at(const MatchContext& context, const SwingData& dat
         if (distance > data.reach || distance < 1e-6) return;
         const double nearness = glm::dot(to / distance, ahead);
         if (nearness < best) return;
-        const auto hit = context.physics.ray(eye, motion.position, layer::ground, wizard.index);
+        const auto hit = context.physics.read().ray(eye, motion.position, layer::ground, wizard.index);
         if (hit && hit->key != e.index) return;  // the anchor itself is in the ground layer, too
         best = nearness;
         found = motion.position;
     });
     if (found) return found;
-    const auto hit = context.physics.ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
-    if (!hit || context.physics.desc(hit->key).mass > 0) return std::nullopt;
+    const auto hit =
+        context.physics.read().ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
+    if (!hit || context.physics.read().desc(hit->key).mass > 0) return std::nullopt;
     return hit->point;
 }
 
 void unlatch(MatchContext& context, ecs::Entity wizard, SwingHand& hand) {
-    if (context.physics.has(wizard.index)) end_coupling(context.physics, wizard.index, hand.coupling);
+    if (context.physics.read().has(wizard.index))
+        end_coupling(context.physics.write(), wizard.index, hand.coupling);
     hand = {};
     context.world.get<Stance>(wizard).rope_lift = 0;
     let_go(context, wizard);
@@ -107,7 +109,7 @@ void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
             .taken_device = std::as_const(world).get<HandState>(use.wizard).device.position};
     hand.length = glm::distance(*point, sight_of(use.context, use.wizard).eye);
     hand.rest_length = data.rest_share * hand.length;
-    hand.coupling.expected = use.context.physics.velocity(use.wizard.index);
+    hand.coupling.expected = use.context.physics.read().velocity(use.wizard.index);
 }
 
 void fire(const WandUse& use, const SwingData& data) {
@@ -145,7 +147,8 @@ double slack_length(const SwingData& data, double distance, double pulled, Swing
 
 void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, SwingHand& hand) {
     const auto key = wizard.index;
-    const double mass = context.physics.desc(key).mass;
+    auto& physics = context.physics.write();
+    const double mass = physics.desc(key).mass;
     const vec3 eye = sight_of(context, wizard).eye;
     const double distance = glm::distance(hand.anchor, eye);
     const double drawn =
@@ -159,14 +162,14 @@ void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, Swin
                     .growth = (slack - before) / physics_dt,
                     .stiffness = data.stiffness,
                     .damping = data.damping_ratio * 2 * std::sqrt(data.stiffness * mass)};
-    const auto result = hang(rope, mass, eye, coupled_velocity(context.physics, key, hand.coupling),
-                             context.physics.settings().gravity, physics_dt);
+    const auto result = hang(rope, mass, eye, coupled_velocity(physics, key, hand.coupling),
+                             physics.settings().gravity, physics_dt);
     const vec3 way = (hand.anchor - eye) / std::max(distance, 1e-9);
     hand.tension = result ? std::max(0.0, glm::dot(result->mean_force, way)) : 0;
     if (result) {
-        apply_coupling(context.physics, key, *result, physics_dt, hand.coupling);
+        apply_coupling(physics, key, *result, physics_dt, hand.coupling);
     } else {
-        end_coupling(context.physics, key, hand.coupling);
+        end_coupling(physics, key, hand.coupling);
     }
     context.world.get<Stance>(wizard).rope_lift = std::max(0.0, hand.tension * way.y);
     context.world.get<HandState>(wizard).steady_force.force = felt(context, data, wizard, way, hand.tension);
@@ -177,7 +180,7 @@ void add_force_systems(const WandSystems& to, const SwingData& data) {
     to.schedule.add({.name = "swing",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Dead>(),
-                     .writes = world.mask<SwingHand, Stance, HandState>(),
+                     .writes = world.mask<SwingHand, Stance, HandState, resource::Physics>(),
                      .needs = world.mask<SwingHand>(),
                      .run = [&context = to.context, &data](ecs::World& w, Tick) {
                          w.view<SwingHand, ecs::Without<Dead>>().each([&](ecs::Entity e, SwingHand& hand) {
@@ -197,7 +200,8 @@ public:
         if (hand.length > 0) unlatch(use.context, use.wizard, hand);
     }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<SwingHand, Stance, EventLog, HandState, Anchor>();
+        return world
+            .mask<SwingHand, Stance, EventLog, HandState, Anchor, resource::Journal, resource::Physics>();
     }
     void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
     std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {

@@ -102,7 +102,7 @@ void fly(MatchContext& context, const HailData& data, Tick tick) {
     auto& world = context.world;
     world.view<Hail>().each([&](ecs::Entity e, Hail& hail) {
         const vec3 to = hail.position + hail.velocity * physics_dt;
-        const auto at = context.physics.ray(hail.position, to, physics::all_layers, hail.ignores);
+        const auto at = context.physics.read().ray(hail.position, to, physics::all_layers, hail.ignores);
         if (at) land(context, data, hail, *at, tick);
         if (at || tick >= hail.dies_at) world.commands().destroy(e);
         hail.position = to;
@@ -117,15 +117,15 @@ public:
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, HailHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world.mask<HailHand, EventLog, Health, HandState>();
+        return world.mask<HailHand, EventLog, Health, HandState, resource::Journal>();
     }
     void add_missiles(const WandSystems& to) const override {
         const auto& world = to.context.world;
         to.schedule.add(
             {.name = "hail",
              .period = physics_period,
-             .reads = world.mask<Wizard, Motion, Dead>(),
-             .writes = world.mask<Hail, Health, EventLog>(),
+             .reads = world.mask<Wizard, Motion, Dead, resource::Physics>(),
+             .writes = world.mask<Hail, Health, EventLog, resource::Journal>(),
              .needs = world.mask<Hail>(),
              .run = [&context = to.context, this](ecs::World&, Tick tick) { fly(context, data_, tick); }});
     }

@@ -1,0 +1,46 @@
+// game/context/resources.h: the resources of a match, which its systems share beside components (ecs/resource.h).
+// A system declares those that it reads or writes together with its components:
+//
+//     .reads = world.mask<Wizard, resource::Physics>(),
+#pragma once
+#include <array>
+
+#include "ecs/resource.h"
+#include "game/components/wizard.h"
+#include "game/context/event_journal.h"
+#include "haptics/servo.h"
+#include "physics/physics.h"
+
+namespace thaum::game {
+
+/// Force magnitudes of the last ticks (N), ring buffer indexed by tick.
+using ForceTrace = std::array<float, 2048>;
+
+namespace resource {
+
+/// Bodies and contacts.
+struct Physics {
+    using Value = physics::Physics;
+    static constexpr std::string_view name = "physics";
+};
+
+/// Haptic models of this tick, one for each player. Parts that did not change are not written again.
+struct Models {
+    using Value = std::array<haptics::HapticModel, players>;
+    static constexpr std::string_view name = "haptic models";
+};
+
+/// Every event of the last seconds. It is not part of the state; restoring a state restarts it.
+struct Journal {
+    using Value = EventJournal;
+    static constexpr std::string_view name = "event journal";
+};
+
+/// Traces of the forces on the players' hands, for display. They are not part of the state.
+struct Forces {
+    using Value = std::array<ForceTrace, players>;
+    static constexpr std::string_view name = "force traces";
+};
+
+}  // namespace resource
+}  // namespace thaum::game

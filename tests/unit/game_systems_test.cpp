@@ -1,0 +1,134 @@
+// Tests of the access that systems of a match declare: whatever a system shares beside components is checked, too,
+// and all systems keep to what they declare.
+#include <set>
+
+#include "game/cauldron/cauldron.h"
+#include "tools/bench/stirring_hands.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using input::DeviceKind;
+
+// What systems only read cannot be written through a context.
+template <class Context>
+concept WritesData = requires(Context& context) {
+    context.data.wizard.health = 1;
+};
+template <class Context>
+concept WritesInput = requires(Context& context) {
+    context.input.frame = {};
+}
+|| requires(Context& context) { context.input.devices.clear(); }
+|| requires(Context& context) { context.input.haptic_setup.on[0] = false; };
+static_assert(!WritesData<MatchContext> && !WritesInput<MatchContext>);
+
+template <class R>
+concept Writable = requires(R& resource) {
+    resource.write();
+};
+// A function that takes a const context writes no resource.
+static_assert(Writable<decltype(MatchContext::physics)> && !Writable<const decltype(MatchContext::physics)>);
+
+/// Tests that only a system which declared it may read or write the resource.
+template <class R>
+void expect_checked(ecs::World& world, ecs::Resource<R>& resource) {
+    const auto declared = world.mask<R>();
+    const auto tries = [&](std::string_view system, ecs::Mask reads, ecs::Mask writes, bool write) {
+        ecs::Schedule schedule;
+        schedule.add({.name = system, .reads = reads, .writes = writes, .run = [&](ecs::World&, Tick) {
+                          write ? (void)resource.write() : (void)resource.read();
+                      }});
+        schedule.run(world, 0);
+    };
+    EXPECT_DEATH(tries("sneak", {}, {}, false), text("system sneak reads ", R::name, " without"));
+    EXPECT_DEATH(tries("sneak", {}, {}, true), text("system sneak writes ", R::name, " without"));
+    tries("reader", declared, {}, false);
+    EXPECT_DEATH(tries("reader", declared, {}, true), text("system reader writes ", R::name, " without"));
+    tries("writer", {}, declared, false);
+    tries("writer", {}, declared, true);
+}
+
+struct GameSystems : testing::Test {
+    Simulation match{duel_data(), {}};
+    MatchContext& context = match.context_to_change();
+};
+
+TEST_F(GameSystems, AccessToThePhysicsIsChecked) { expect_checked(context.world, context.physics); }
+TEST_F(GameSystems, AccessToTheHapticModelsIsChecked) {
+    expect_checked(context.world, context.output.models);
+}
+TEST_F(GameSystems, AccessToTheEventJournalIsChecked) {
+    expect_checked(context.world, context.output.journal);
+}
+TEST_F(GameSystems, AccessToTheForceTracesIsChecked) { expect_checked(context.world, context.output.forces); }
+TEST_F(GameSystems, AccessToTheBrewSolverIsChecked) {
+    ecs::World world;
+    Jobs jobs(0);
+    BrewResource brew(world, jobs);
+    expect_checked(world, brew);
+}
+
+TEST_F(GameSystems, AnUndeclaredCallOfTheGameIsCaught) {
+    const auto runs = [&](ecs::Mask reads, ecs::Mask writes, const std::function<void()>& run) {
+        ecs::Schedule schedule;
+        schedule.add(
+            {.name = "sneak", .reads = reads, .writes = writes, .run = [&](ecs::World&, Tick) { run(); }});
+        schedule.run(context.world, 0);
+    };
+    const auto& world = context.world;
+    const auto add_event = [&] { record(context, {.kind = EventKind::dry}); };
+    EXPECT_DEATH(runs({}, world.mask<EventLog>(), add_event), "system sneak writes event journal");
+    EXPECT_DEATH(runs({}, world.mask<resource::Journal>(), add_event), "system sneak writes EventLog");
+    // A body that enters or leaves the World also enters or leaves the physics.
+    const auto thing = world.view<const Prop, const Body>().first();
+    ASSERT_TRUE(thing);
+    const auto remove_body = [&] { context.world.remove<Body>(thing); };
+    EXPECT_DEATH(runs({}, world.mask<Body>(), remove_body), "system sneak writes physics");
+    runs({}, world.mask<EventLog, resource::Journal>(), add_event);
+    runs({}, world.mask<Body, resource::Physics>(), remove_body);
+}
+
+/// Removes from `names` the systems of the match that have run.
+void strike_out(Simulation& match, std::set<std::string_view>& names) {
+    for (const auto* schedule : {&match.always(), &match.live()}) {
+        for (std::size_t i = 0; i < schedule->size(); ++i) {
+            if (schedule->counted(i).calls != 0) names.erase(schedule->system(i).name);
+        }
+    }
+}
+
+std::set<std::string_view> systems_of(Simulation& match) {
+    std::set<std::string_view> names;
+    for (const auto* schedule : {&match.always(), &match.live()}) {
+        for (std::size_t i = 0; i < schedule->size(); ++i) names.insert(schedule->system(i).name);
+    }
+    return names;
+}
+
+// The schedule checks every access, so matches in which every system runs show that its declarations suffice for
+// what happens in them.
+TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
+    Simulation by_arm(duel_data(), {.devices = {{.player = 0, .kind = DeviceKind::arm, .name = "arm"}}});
+    auto idle = systems_of(by_arm);
+    for (int t = 0; t < 500; ++t) by_arm.tick({});
+    strike_out(by_arm, idle);
+
+    Simulation at_the_rim(duel_data(),
+                          {.devices = {{.player = 0, .name = "one"}, {.player = 1, .name = "two"}}});
+    bench::place_at_the_rim(at_the_rim);
+    for (Tick t = 0; t < 500; ++t) at_the_rim.tick(bench::stirring(t));
+    strike_out(at_the_rim, idle);
+
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1);
+    ASSERT_TRUE(duel.has_value());
+    for (int s = 0; s < 245 && !idle.empty(); ++s) {
+        duel->run(1000);
+        strike_out(*duel->match, idle);
+    }
+    EXPECT_EQ(idle, std::set<std::string_view>{});
+}
+
+}  // namespace
+}  // namespace thaum::game::test
