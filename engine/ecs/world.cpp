@@ -70,10 +70,10 @@ void World::fail_undeclared(std::string_view name) const {
     assertion_failed(__FILE__, __LINE__, text(name, " was not declared in this World"));
 }
 
-void World::check_access(std::uint32_t number, bool write) const {
-    const bool allowed = access_->writes.test(number) || (!write && access_->reads.test(number));
-    THAUM_ASSERT(allowed, text("system ", access_->system, write ? " writes " : " reads ", name_of(number),
-                               " without having declared it"));
+void World::fail_access(std::uint32_t number, bool write) const {
+    assertion_failed(__FILE__, __LINE__,
+                     text("system ", access_->system, write ? " writes " : " reads ", name_of(number),
+                          " without having declared it"));
 }
 
 std::uint32_t World::table_with(const Mask& mask) {

@@ -45,6 +45,10 @@ struct Access {
     Mask reads;
     Mask writes;
     std::string_view system;
+
+    bool allows(std::uint32_t number, bool write) const {
+        return writes.test(number) || (!write && reads.test(number));
+    }
 };
 
 class World {
@@ -209,22 +213,19 @@ private:
         }
     }
     // `number` is that of a component or of a resource.
-    void check_read(std::uint32_t number) const {
-        if (access_ != nullptr) [[unlikely]] {
-            check_access(number, false);
+    void check_read(std::uint32_t number) const { check_access(number, false); }
+    void check_write(std::uint32_t number) const { check_access(number, true); }
+    void check_access(std::uint32_t number, bool write) const {
+        if (access_ != nullptr && !access_->allows(number, write)) [[unlikely]] {
+            fail_access(number, write);
         }
     }
-    void check_write(std::uint32_t number) const {
-        if (access_ != nullptr) [[unlikely]] {
-            check_access(number, true);
-        }
-    }
-    void check_access(std::uint32_t number, bool write) const;
     std::string_view name_of(std::uint32_t number) const;
     // Assertions of the most frequent calls. They are separate functions because building a message in place
     // costs registers on the normal path.
     [[noreturn, gnu::cold]] void fail_stale(Entity entity, std::uint32_t component) const;
     [[noreturn, gnu::cold]] void fail_locked(std::uint32_t component) const;
+    [[noreturn, gnu::cold]] void fail_access(std::uint32_t number, bool write) const;
     [[noreturn, gnu::cold]] void fail_undeclared(std::string_view name) const;
     [[noreturn, gnu::cold]] void fail(const char* what, std::uint32_t component, Entity entity) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
