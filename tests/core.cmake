@@ -15,3 +15,10 @@ if(NOT THAUM_SANITIZE)
     add_test(NAME structure.launcher COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
     set_tests_properties(structure.launcher PROPERTIES TIMEOUT ${longest_test})
 endif()
+
+# Components with padding are refused by both compilers.
+if(NOT THAUM_SANITIZE)
+    add_test(NAME structure.padding COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.sh ${PROJECT_SOURCE_DIR}/engine
+        ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.cpp)
+    set_tests_properties(structure.padding PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${longest_test})
+endif()

@@ -115,7 +115,8 @@ constexpr Scalar scalar_of() {
     if constexpr (std::is_enum_v<T>) {
         return scalar_of<std::underlying_type_t<T>>();
     } else {
-        static_assert(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>,
+        // A long double has bytes without a value.
+        static_assert(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> && sizeof(T) <= 8,
                       "a field is a number, an enum, a vector, an array or a described struct");
         constexpr int log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
         if (std::is_floating_point_v<T>) return sizeof(T) == 4 ? Scalar::f32 : Scalar::f64;
@@ -181,12 +182,34 @@ constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t off
     }
 }
 
-/// Sum of the sizes of all scalars. It equals sizeof(T) if T has no padding.
+template <class A, class B>
+constexpr bool is_same_member(const A& a, const B& b) {
+    if constexpr (std::is_same_v<A, B>) {
+        return a.member == b.member;
+    } else {
+        return false;
+    }
+}
+
+/// Tests whether T lists no field twice.
+template <Described T>
+constexpr bool lists_fields_once() {
+    return std::apply(
+        [](const auto&... f) {
+            const auto times = [&](const auto& one) { return (0 + ... + (is_same_member(one, f) ? 1 : 0)); };
+            return ((times(f) == 1) && ...);
+        },
+        fields<T>());
+}
+
+/// Sum of the sizes of all scalars. It equals sizeof(T) if T has no padding. A type that lists a field twice counts
+/// 0, because the sum could then equal sizeof(T) in spite of padding.
 template <class T>
 constexpr std::size_t packed_size() {
     if constexpr (is_array<T>) {
         return std::tuple_size_v<T> * packed_size<typename T::value_type>();
     } else if constexpr (Described<T>) {
+        if (!lists_fields_once<T>()) return 0;
         return std::apply(
             [](const auto&... f) {
                 return (std::size_t{0} + ... +
