@@ -28,7 +28,8 @@ target_link_libraries(fake_arm PRIVATE thaum_flags thaum_input)
 thaum_test(test_arm
     SOURCES unit/arm_driver_test.cpp unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
     LINK thaum_arms fake_arm ${CMAKE_DL_LIBS}
-    NOT_SANITIZED ArmEnds.*)  # sanitizers end a faulty program in their own way
+    NOT_SANITIZED ArmEnds.*  # sanitizers end a faulty program in their own way
+    THREADS ArmDrivers.* OpenHaptics.*)
 target_compile_definitions(test_arm PRIVATE
     ARM_PROBE="$<TARGET_FILE:arm_probe>" FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")
 add_dependencies(test_arm arm_probe fake_hd fake_hd_old)

@@ -1,8 +1,9 @@
 thaum_test(test_core
     SOURCES accuracy/maths.cpp unit/core_bytes.cpp unit/core_config.cpp unit/core_file.cpp unit/core_file_watch.cpp unit/core_jobs.cpp
-            unit/core_memory.cpp unit/core_values.cpp
+            unit/core_memory.cpp unit/core_queues.cpp unit/core_values.cpp
     LINK thaum_core
-    NOT_SANITIZED CoreMemoryDeathTest.*)  # sanitizers replace the allocator
+    NOT_SANITIZED CoreMemoryDeathTest.*  # sanitizers replace the allocator
+    THREADS Threads.* *JobsByThreads.* CoreJobs.* CoreFile.AReaderNever* SpscQueue.* TripleBuffer.*)
 
 # Rules of the source tree: dependencies between folders, no paths of one machine, no test left out of the
 # build.
@@ -21,4 +22,14 @@ if(NOT THAUM_SANITIZE)
     add_test(NAME structure.padding COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.sh ${PROJECT_SOURCE_DIR}/engine
         ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.cpp)
     set_tests_properties(structure.padding PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${longest_test})
+endif()
+
+# A race that the thread sanitizer must report.
+if(THAUM_SANITIZE STREQUAL thread)
+    add_executable(race drivers/race.cpp)
+    target_link_libraries(race PRIVATE thaum_flags Threads::Threads)
+    thread_program(race)
+    add_test(NAME threads.race_is_reported COMMAND race)
+    set_tests_properties(threads.race_is_reported PROPERTIES
+        LABELS threads ENVIRONMENT "${sanitizer_environment}" PASS_REGULAR_EXPRESSION "WARNING: ThreadSanitizer: data race")
 endif()

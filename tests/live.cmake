@@ -6,7 +6,8 @@ thaum_test(test_live
         unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_threads_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/settings_test.cpp
-    LINK thaum_live fake_arm)
+    LINK thaum_live fake_arm
+    THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.*)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
@@ -26,7 +27,8 @@ endif()
 # limit ends only tests that hang: with other programs on every core a test takes ten times as long.
 function(thaum_driver_test name)
     add_test(NAME drivers.${name} COMMAND ${ARGN})
-    set_tests_properties(drivers.${name} PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT ${longest_test})
+    set_tests_properties(drivers.${name} PROPERTIES
+        SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
@@ -39,6 +41,10 @@ if(NOT THAUM_SANITIZE)
     thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 endif()
+thaum_driver_test(live_threads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/live_threads.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
+set_tests_properties(drivers.range drivers.live_threads PROPERTIES LABELS threads)
+thread_program(thaum fake_hd)
 add_executable(forge_log drivers/forge_log.cpp)
 target_link_libraries(forge_log PRIVATE thaum_flags thaum_input)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh

@@ -18,6 +18,10 @@ foreach(script ${scenarios})
     endif()
 endforeach()
 
+# A second thread plays the match of this scenario.
+set_tests_properties(scenario.late_frames_same_result PROPERTIES
+    LABELS "scenario;threads" ENVIRONMENT "${sanitizer_environment}")
+
 # Sums the tables of forces that the scenarios write: the energy that passive sources created.
 add_executable(passivity drivers/passivity.cpp)
 target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})

@@ -22,9 +22,6 @@ bright() {
 }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 seat_taken() { bright "$1" 127 45 100; }  # the bar at the left of a seat has its team's light colour
-pause_menu() { is_row 900 505; }
-is_row() { import -window root -crop "1x1+$1+$2" -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
-no_pause_menu() { ! pause_menu; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
 has_logs() { [ "$(logs)" -ge "$1" ]; }
 # presses KEY...: presses keys one after the other; X keeps their order.

@@ -40,3 +40,7 @@ open_screen() {
     export ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }
+
+# pause_menu: tests whether the pause menu is shown, by the colour of its chosen row (screen of 1280x720).
+pause_menu() { import -window root -crop 1x1+900+505 -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
+no_pause_menu() { ! pause_menu; }
