@@ -19,6 +19,8 @@ Expected<T> parse_value(std::string_view word, std::string_view what, T low, T h
 
 }  // namespace
 
+// Not CLI11: with it this function is longer, since its messages differ from ours and must be translated; this file then
+// compiles in 11.4 s instead of 2.0 s, and its code is ten times as large.
 Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::span<const Option> options) {
     Arguments result;
     for (std::size_t i = 0; i < words.size(); ++i) {
