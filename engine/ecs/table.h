@@ -2,10 +2,11 @@
 //
 // Measured with `thaum bench ecs`: the arrays of one table iterate at the speed of raw arrays; sparse sets
 // reach a quarter of that speed or less. The price is that adding a component moves the entity to another
-// table. Four measures keep this cheap, and iteration over the arrays is unaffected by them:
+// table. Four measures keep this cheap for components of any size. Iteration over the arrays is unaffected by
+// them:
 // - A table edge joins two tables that differ in one component. It lists the arrays between which a row
 //   moves, so a row moves in one pass without any look-up.
-// - Cells of common sizes move through registers.
+// - Cells move through registers, in words of at most 32 bytes, without calls.
 // - All arrays of a table share one capacity, so one comparison shows whether there is room.
 // - Tags, which change most often, are columns of bits. They never move an entity, and a view reads 64 rows
 //   of them at a time.
@@ -24,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/memory.h"
 #include "ecs/component.h"
 #include "ecs/entity.h"
 
@@ -57,14 +59,14 @@ class RawArray {
 public:
     RawArray() = default;
     RawArray(RawArray&& other) noexcept
-        : bytes_(std::exchange(other.bytes_, nullptr)), pooled_(other.pooled_) {}
+        : bytes_(std::exchange(other.bytes_, nullptr)), allocated_(std::exchange(other.allocated_, 0)) {}
     RawArray& operator=(RawArray&& other) noexcept {
         std::swap(bytes_, other.bytes_);
-        std::swap(pooled_, other.pooled_);
+        std::swap(allocated_, other.allocated_);
         return *this;
     }
     ~RawArray() {
-        if (!pooled_) ::operator delete (bytes_, std::align_val_t{64});
+        if (allocated_ > 0) free_array(bytes_, allocated_);
     }
     std::byte* data() const { return bytes_; }
     /// Enlarges the array and copies its first `keep` bytes.
@@ -72,7 +74,7 @@ public:
 
 private:
     std::byte* bytes_ = nullptr;
-    bool pooled_ = true;
+    std::size_t allocated_ = 0;  ///< size of an array from the system; 0: it is in TableMemory (bytes)
 };
 
 struct Column {
@@ -102,15 +104,6 @@ static_assert(max_components < no_tag);
 
 struct Table;
 
-/// Returns true if cells of this size are copied by a few moves instead of a call (bytes).
-constexpr bool through_registers(std::uint32_t size) {
-    return size == 4 || size == 8 || size == 12 || size == 16 || size == 24 || size == 32;
-}
-
-/// Cell size with a loop of its own in `move_cells` (bytes): three floats, the most common size of moved
-/// cells.
-inline constexpr std::uint32_t pair_size = 12;
-
 /// The arrays of one component in two tables, between which its cells move.
 struct ColumnPair {
     std::byte* from;
@@ -125,13 +118,9 @@ struct TableEdge {
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::pmr::vector<ColumnPair> pairs;  ///< columns of both tables with cells of `pair_size` bytes
-    /// Columns of both tables with other cells that go through registers.
-    std::pmr::vector<ColumnPair> more_pairs;
-    std::pmr::vector<ColumnPair> odd_pairs;  ///< all other columns of both tables
-    bool only_pairs = true;                  ///< more_pairs and odd_pairs are empty
+    std::pmr::vector<ColumnPair> pairs;  ///< columns that both tables have
 
-    explicit TableEdge(TableMemory& memory) : pairs(&memory), more_pairs(&memory), odd_pairs(&memory) {}
+    explicit TableEdge(TableMemory& memory) : pairs(&memory) {}
 
     /// Refreshes the array pointers after a reallocation.
     void aim();
@@ -213,10 +202,6 @@ struct Table {
 
 private:
     TagColumn& new_tag_column(std::uint32_t component);
-    static void move_other_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
-                                 std::uint32_t to_row);
-    static void move_odd_cells(std::span<const ColumnPair> pairs, std::uint32_t row, std::uint32_t last,
-                               std::uint32_t to_row);
     void move_tags(std::uint32_t row, Table& to, std::uint32_t to_row);
     void close_tags(std::uint32_t row);
     Entity close(std::uint32_t row) {
@@ -226,61 +211,74 @@ private:
     }
 };
 
-/// Calls f(size). The size is a compile-time constant if cells of that size go through registers.
-template <class F>
-[[gnu::always_inline]] inline void with_size(std::uint32_t size, F&& f) {
-    switch (size) {
-        case 4: return f(std::integral_constant<std::size_t, 4>{});
-        case 8: return f(std::integral_constant<std::size_t, 8>{});
-        case 12: return f(std::integral_constant<std::size_t, 12>{});
-        case 16: return f(std::integral_constant<std::size_t, 16>{});
-        case 24: return f(std::integral_constant<std::size_t, 24>{});
-        case 32: return f(std::integral_constant<std::size_t, 32>{});
-        default: return f(std::size_t{size});
-    }
+/// Words of 16 and 32 bytes. They go through vector registers.
+using Word16 = std::uint64_t __attribute__((vector_size(16)));
+using Word32 = std::uint64_t __attribute__((vector_size(32)));
+
+template <class Word>
+[[gnu::always_inline]] inline Word load(const std::byte* from) {
+    Word word;
+    std::memcpy(&word, from, sizeof word);
+    return word;
 }
 
 template <class Word>
-[[gnu::always_inline]] inline void copy_word(std::byte* to, const std::byte* from) {
-    Word word;
-    std::memcpy(&word, from, sizeof word);
+[[gnu::always_inline]] inline void store(std::byte* to, const Word& word) {
     std::memcpy(to, &word, sizeof word);
 }
 
-/// Copies word by word, so that `from` may equal `to`.
-template <std::size_t size>
-[[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from,
-                                             std::integral_constant<std::size_t, size>) {
-    constexpr std::size_t whole = size / 8 * 8;
-#pragma GCC unroll 4
-    for (std::size_t i = 0; i < whole; i += 8) copy_word<std::uint64_t>(to + i, from + i);
-    if constexpr (whole < size) copy_word<std::uint32_t>(to + whole, from + whole);
+/// Calls f(word) with the largest type of word that is not larger than a cell.
+template <class F>
+[[gnu::always_inline]] inline void with_word(std::size_t size, F&& f) {
+    if (size >= sizeof(Word32)) {
+        f(Word32{});
+    } else if (size >= sizeof(Word16)) {
+        f(Word16{});
+    } else if (size >= sizeof(std::uint64_t)) {
+        f(std::uint64_t{});
+    } else if (size >= sizeof(std::uint32_t)) {
+        f(std::uint32_t{});
+    } else {
+        f(std::byte{});
+    }
 }
-inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
-    std::memmove(to, from, size);
+
+/// Copies the cell at `hole` to `to`, then the cell at `filler` into the hole. One word copies the end of the
+/// cell, the others copy it from its start. They may overlap, so a cell may have any size. The last words are
+/// therefore read before the first is written.
+[[gnu::always_inline]] inline void move_cell(std::byte* to, std::byte* hole, const std::byte* filler,
+                                             std::size_t size) {
+    with_word(size, [&]<class Word>(Word) {
+        const std::size_t end = size - sizeof(Word);
+        const auto moved_end = load<Word>(hole + end), filler_end = load<Word>(filler + end);
+        for (std::size_t i = 0; i < end; i += sizeof(Word)) {
+            const auto moved = load<Word>(hole + i), filling = load<Word>(filler + i);
+            store(to + i, moved);
+            store(hole + i, filling);
+        }
+        store(to + end, moved_end);
+        store(hole + end, filler_end);
+    });
+}
+
+/// Copies a cell. The two may be the same cell.
+[[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
+    with_word(size, [&]<class Word>(Word) {
+        const std::size_t end = size - sizeof(Word);
+        for (std::size_t i = 0; i < end; i += sizeof(Word)) store(to + i, load<Word>(from + i));
+        store(to + end, load<Word>(from + end));
+    });
 }
 
 [[gnu::always_inline]] inline Entity Table::remove(std::uint32_t row) {
     const std::uint32_t last = rows - 1;
     if (row != last) {
         for (const auto& column : columns) {
-            auto* hole = column.cell(row);
-            const auto* filler = column.cell(last);
-            with_size(column.size, [&](auto size) { copy_cell(hole, filler, size); });
+            copy_cell(column.cell(row), column.cell(last), column.size);
         }
     }
     if (!tags.empty()) close_tags(row);
     return close(row);
-}
-
-/// Copies the cell of `row` to `to_row` of the other table, then the cell of `last` into the hole.
-template <std::size_t size>
-[[gnu::always_inline]] inline void move_cell(const ColumnPair& pair, std::size_t row, std::size_t last,
-                                             std::size_t to_row) {
-    constexpr std::integral_constant<std::size_t, size> constant{};
-    auto* hole = pair.from + row * size;
-    copy_cell(pair.to + to_row * size, hole, constant);
-    copy_cell(hole, pair.from + last * size, constant);
 }
 
 [[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Entity entity,
@@ -302,14 +300,11 @@ template <std::size_t size>
     return {to_row, last, filler};
 }
 
-// The loop handles one cell size only. With several sizes the compiler would compute the addresses for each
-// of them before the loop and keep them on the stack.
 [[gnu::always_inline]] inline void Table::move_cells(const TableEdge& edge, std::uint32_t row,
                                                      std::uint32_t last, std::uint32_t to_row) {
-    for (const auto *pair = edge.pairs.data(), *end = pair + edge.pairs.size(); pair != end; ++pair)
-        move_cell<pair_size>(*pair, row, last, to_row);
-    if (!edge.only_pairs) [[unlikely]] {
-        move_other_cells(edge, row, last, to_row);
+    for (const auto& pair : edge.pairs) {
+        const std::size_t size = pair.size;
+        move_cell(pair.to + to_row * size, pair.from + row * size, pair.from + last * size, size);
     }
 }
 

@@ -56,8 +56,8 @@ void World::fail(const char* what, std::uint32_t component, Entity entity) const
     assertion_failed(__FILE__, __LINE__, component_message(what, component, entity));
 }
 
-void World::fail_stale(Entity entity, std::uint32_t component) const {
-    fail("is stale, asked for component", component, entity);
+void World::fail_stale(std::uint32_t index, std::uint32_t generation, std::uint32_t component) const {
+    fail("is stale, asked for component", component, {index, generation});
 }
 
 void World::fail_locked(std::uint32_t component) const {
@@ -91,23 +91,12 @@ std::uint32_t World::table_with(const Mask& mask) {
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }
 
-const TableEdge& World::edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity) {
-    THAUM_ASSERT(tables_[table]->cells[component] == nullptr,
-                 component_message("already has", component, entity));
-    return edge_from(table, component);
-}
-
-const TableEdge& World::edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity) {
-    THAUM_ASSERT(tables_[table]->cells[component] != nullptr,
-                 component_message("has no component", component, entity));
-    return edge_from(table, component);
-}
-
-const TableEdge& World::edge_from(std::uint32_t table, std::uint32_t component) {
+const TableEdge& World::find_edge(std::uint32_t table, std::uint32_t component, bool more, Entity entity) {
     auto& from = *tables_[table];
-    if (from.edges[component] == nullptr) [[unlikely]] {
+    if (from.mask.test(component) == more) fail(more ? "already has" : "has no component", component, entity);
+    if (from.edges[component] == nullptr) {
         Mask mask = from.mask;
-        mask.test(component) ? mask.clear(component) : mask.set(component);
+        more ? mask.set(component) : mask.clear(component);
         const auto number = table_with(mask);
         auto& other = *tables_[number];
         from.join(table, other, number, component);

@@ -42,5 +42,17 @@ TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
         testing::ExitedWithCode(0), "");
 }
 
+TEST(CoreMemory, ALargeArrayStartsAtALargePage) {
+    for (const std::size_t bytes :
+         {std::size_t{1}, large_page_bytes - 1, large_page_bytes, 3 * large_page_bytes + 5}) {
+        auto* const array = static_cast<std::byte*>(allocate_array(bytes));
+        const std::size_t alignment = bytes < large_page_bytes ? 64 : large_page_bytes;
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array) % alignment, 0U) << bytes << " bytes";
+        std::memset(array, 7, bytes);
+        EXPECT_EQ(array[bytes - 1], std::byte{7});
+        free_array(array, bytes);
+    }
+}
+
 }  // namespace
 }  // namespace thaum
