@@ -26,6 +26,7 @@ Expected<input::LogWriter> create_beside(const std::filesystem::path& path, cons
     }
     return log;
 }
+
 /// Path of a match's log; empty: the match is not recorded.
 Expected<std::filesystem::path> log_path(const LogPlace& place) {
     if (!place.named.empty()) return place.named;

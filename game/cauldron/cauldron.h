@@ -37,7 +37,7 @@ struct BrewWork {
     Jobs::Ticket step{};
 };
 
-/// What computes the brew of a match. The simulation owns it.
+/// Solver of a match's brew. The simulation owns it.
 struct BrewSolver {
     Jobs& jobs;                        ///< runs the fluid steps
     std::unique_ptr<BrewWork> work{};  ///< null until a player or a thing touches the brew

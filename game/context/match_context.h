@@ -49,7 +49,7 @@ struct MatchInput {
     input::InputFrame frame;                 ///< input frame of the current tick
 };
 
-/// What ticks give out besides the state. Nothing in it is saved or hashed.
+/// Outputs of a match besides its state: haptic models, events, force traces. They are neither saved nor hashed.
 struct MatchOutput {
     explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world) {}
 

@@ -11,7 +11,7 @@ namespace {
 
 using input::DeviceKind;
 
-// What systems only read cannot be written through a context.
+// A context gives systems no write access to data and input.
 template <class Context>
 concept WritesData = requires(Context& context) {
     context.data.wizard.health = 1;
@@ -107,8 +107,8 @@ std::set<std::string_view> systems_of(Simulation& match) {
     return names;
 }
 
-// The schedule checks every access, so matches in which every system runs show that its declarations suffice for
-// what happens in them.
+// The schedule checks every access. Matches in which every system runs therefore show whether each declaration
+// is wide enough.
 TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     Simulation by_arm(duel_data(), {.devices = {{.player = 0, .kind = DeviceKind::arm, .name = "arm"}}});
     auto idle = systems_of(by_arm);

@@ -397,7 +397,7 @@ Contest create_3(std::uint32_t n, bool reserved) {
 /// Two groups of plain arrays, without and with a Body, that exchange rows.
 struct Groups {
     Arrays plain, solid;
-    Array<Body> bodies;  ///< of `solid`
+    Array<Body> bodies;  ///< bodies of the rows of `solid`
     std::size_t plain_count = 0, solid_count = 0;
 };
 

@@ -54,12 +54,7 @@ DeviceSpec get_old_device(ByteReader& in) {
 Expected<LogHeader> decode_body_1(std::span<const std::byte> body) {
     ByteReader in(body);
     LogHeader h;
-    h.program = in.get_string();
-    h.rules_version = in.get<std::uint32_t>();
-    h.rule_set = in.get_string();
-    h.arena = in.get_string();
-    h.seed = in.get<std::uint64_t>();
-    h.maths_probe = in.get<std::uint64_t>();
+    get_match(in, h);
     h.players = get_strings(in, any_count);
     h.devices = get_list(in, any_count, [&] { return get_old_device(in); });
     h.files = get_list(in, any_count, [&] { return get_file(in); });

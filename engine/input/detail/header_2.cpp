@@ -120,15 +120,6 @@ void put_match(ByteWriter& out, const LogHeader& h) {
     out.put(h.maths_probe);
 }
 
-void get_match(ByteReader& in, LogHeader& h) {
-    h.program = in.get_string();
-    h.rules_version = in.get<std::uint32_t>();
-    h.rule_set = in.get_string();
-    h.arena = in.get_string();
-    h.seed = in.get<std::uint64_t>();
-    h.maths_probe = in.get<std::uint64_t>();
-}
-
 void put_kinds(ByteWriter& out, const std::vector<KindTable>& tables) {
     put_list(out, tables, [&](const KindTable& table) {
         out.put_string(table.group);

@@ -1,4 +1,4 @@
-// input/detail/header_parts.h: lists and records of a log's header.
+// input/detail/header_parts.h: lists and records of a log's header, and what all formats have alike.
 //
 // A record is a value with a tag and its size. A reader can therefore skip a record that it does not know, and a
 // later version adds values without a new format. A record that changes the match is marked as needed, so that no
@@ -42,6 +42,16 @@ inline DataFile get_file(ByteReader& in) {
     auto name = in.get_string();
     const auto hash = in.get<std::uint64_t>();
     return DataFile{std::move(name), hash};
+}
+
+/// Reads program, rules and seed of a match, which stand in the same order in every format.
+inline void get_match(ByteReader& in, LogHeader& h) {
+    h.program = in.get_string();
+    h.rules_version = in.get<std::uint32_t>();
+    h.rule_set = in.get_string();
+    h.arena = in.get_string();
+    h.seed = in.get<std::uint64_t>();
+    h.maths_probe = in.get<std::uint64_t>();
 }
 
 // Records ------------------------------------------------------------------------------------------
