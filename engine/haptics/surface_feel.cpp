@@ -21,9 +21,10 @@ TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x) {
     return {std::max(0.0, depth + relief.height), way / length};
 }
 
-double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding) {
+double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
     double reach = 0;
-    for (const Wall& wall : walls) {
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const Wall& wall = walls.items[i];
         const SurfaceMaterial& m = scene.body_of(wall.surface).material;
         const double friction = sliding ? m.dynamic_friction : m.static_friction;
         if (!(friction > 0)) continue;

@@ -1,7 +1,5 @@
 // haptics/surface_feel.h: depth of the tip behind a textured wall, and the reach of friction.
 #pragma once
-#include <span>
-
 #include "haptics/surface_walls.h"
 
 namespace thaum::haptics {
@@ -15,10 +13,6 @@ struct TexturedPush {
 TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
 /// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
-double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding);
-
-inline double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
-    return friction_reach(scene, std::span(walls.items).first(walls.count), x, sliding);
-}
+double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
 
 }  // namespace thaum::haptics

@@ -5,6 +5,7 @@
 
 #include "haptics/surface_feel.h"
 #include "haptics/surface_sweep.h"
+#include "haptics/surface_texture.h"
 
 namespace thaum::haptics {
 namespace {
@@ -189,6 +190,8 @@ struct Track {
     SurfaceSet own{};  ///< surfaces on which the path lies
     Path path{};
     vec3 tip{};
+    std::array<double, 2> friction{};  ///< friction of each wall while the proxy slides
+    bool textured{};                   ///< a wall has a texture, which changes the depth that is felt
 
     mutable double known_s{-1};  ///< parameter of the last place computed
     /// That place (m), cached because loads, pieces and end ask for the same one.
@@ -205,33 +208,56 @@ struct Track {
     }
 };
 
-/// Sets the depths of the walls at the place y of a path. Two walls share the push that both have together.
-void set_depths(std::span<Wall> walls, const Path& path, vec3 y, vec3 pull) {
-    for (std::size_t i = 0; i < walls.size(); ++i) {
+/// Push of a wall at a place of a path.
+struct WallLoad {
+    vec3 normal{};
+    double depth{};  ///< m
+};
+using WallLoads = std::array<WallLoad, 2>;
+
+/// Loads of the walls at the place y of a path. Two walls share the push that both have together.
+WallLoads wall_loads(const Path& path, vec3 y, vec3 pull) {
+    WallLoads walls;
+    for (std::size_t i = 0; i < path.count; ++i) {
         walls[i].normal = distance_to(path.pieces[i], y).normal;
         walls[i].depth = -glm::dot(pull, walls[i].normal);
     }
-    if (walls.size() < 2) return;
+    if (path.count < 2) return walls;
     const vec3 a = walls[0].normal, b = walls[1].normal, cross = glm::cross(a, b);
     const Depths depths =
         depths_of_two(walls[0].depth, walls[1].depth, glm::dot(a, b), glm::dot(cross, cross));
     walls[0].depth = depths.a;
     walls[1].depth = depths.b;
+    return walls;
+}
+
+/// Largest pull along the walls at which friction holds the proxy at the place y (m).
+double reach_of_friction(const Track& track, const WallLoads& loads, vec3 y) {
+    if (!track.textured) {
+        double reach = 0;
+        for (std::size_t i = 0; i < track.path.count; ++i)
+            if (track.friction[i] > 0) reach += track.friction[i] * loads[i].depth;
+        return reach;
+    }
+    Walls walls = *track.walls;
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        walls.items[i].normal = loads[i].normal;
+        walls.items[i].depth = loads[i].depth;
+    }
+    return friction_reach(*track.scene, walls, y, true);
 }
 
 Loads loads_at(const Track& track, double s) {
     const vec3 y = track.at(s), pull = track.tip - y;
-    std::array<Wall, 2> both{track.walls->items[0], track.walls->items[1]};
-    const auto walls = std::span(both).first(track.walls->count);
-    set_depths(walls, track.path, y, pull);
+    const WallLoads walls = wall_loads(track.path, y, pull);
     vec3 along = pull;
     double least = walls[0].depth;
-    for (const Wall& wall : walls) {
-        along += wall.depth * wall.normal;
-        least = std::min(least, wall.depth);
+    for (std::size_t i = 0; i < track.path.count; ++i) {
+        along += walls[i].depth * walls[i].normal;
+        least = std::min(least, walls[i].depth);
     }
     const double length = glm::length(along);
-    return {least, length, length - friction_reach(*track.scene, walls, y, true)};
+    return {least, length, length - reach_of_friction(track, walls, y)};
 }
 
 /// Value of a function at a place of the path.
@@ -440,6 +466,11 @@ SurfaceSet surfaces_of(const Walls& walls) {
 
 Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& goal) {
     Track track{.scene = &scene, .walls = &walls, .own = surfaces_of(walls), .tip = goal.tip};
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const SurfaceMaterial& material = scene.body_of(walls.items[i].surface).material;
+        track.friction[i] = material.dynamic_friction;
+        track.textured |= top_of(material.texture) != 0;
+    }
     const Piece a = piece_at(scene, walls.items[0], x);
     track.path = walls.count == 1
                      ? path_on_one(a, x, goal.tip)
@@ -490,16 +521,19 @@ void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
     }
     if (!is_round(scene, walls, x)) return;
     std::size_t kept = 0;
+    const auto keep = [&](const Wall& wall) {
+        if (&walls.items[kept] != &wall) walls.items[kept] = wall;
+        ++kept;
+    };
     for (std::size_t i = 0; i < walls.count; ++i) {
-        const Wall wall = walls.items[i];
+        const Wall& wall = walls.items[i];
         const Surface& s = scene.surface(wall.surface);
         if (is_flat(s.kind) || zone_of(scene, wall.surface, x) == not_round) {
-            if (wall.met_here || stands(scene, wall, x)) walls.items[kept++] = wall;
+            if (wall.met_here || stands(scene, wall, x)) keep(wall);
             continue;
         }
         const Distance here = to_solid(s, scene.body_of(wall.surface).orientation, x);
-        if (here.value <= scene.gap[wall.surface] + slack)
-            walls.items[kept++] = wall_at(scene, x, here, wall.surface);
+        if (here.value <= scene.gap[wall.surface] + slack) keep(wall_at(scene, x, here, wall.surface));
     }
     walls.count = kept;
 }
@@ -510,8 +544,7 @@ RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goa
         return RoundEnd::rests;
     if (slide.walls.count > 2) return step_to_corner(scene, slide, goal.tangent);
     if (add_blocking(scene, slide, goal.tangent)) return RoundEnd::moved;
-    const Walls walls = slide.walls;
-    const Track track = track_of(scene, walls, slide.x, goal);
+    const Track track = track_of(scene, slide.walls, slide.x, goal);
     const Loads start = loads_at(track, 0);
     if (start.least <= 0) {
         drop_least(slide.walls);

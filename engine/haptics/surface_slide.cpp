@@ -103,10 +103,9 @@ SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) 
     for (int move = 0; move < most_moves; ++move) {
         refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > place_tolerance);
         last = slide.x;
-        const Walls before = slide.walls;
         const NearestPlace goal = nearest_place(slide.walls, tip);
         if (!goal.found) {  // no room: the proxy stays, held by the walls before
-            slide.walls = held.count != 0 ? held : before;
+            if (held.count != 0) slide.walls = held;
             return slide;
         }
         if (slide.walls.count != 0) held = slide.walls;

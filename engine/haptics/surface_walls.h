@@ -49,7 +49,7 @@ struct NearestPlace {
 };
 
 /// Finds the unique place in front of all walls that is nearest to the tip. Tries every set of up to three
-/// walls. Keeps the walls that push, with their depths.
+/// walls. Keeps the walls that push, with their depths, or all of them if no place was found.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
 }  // namespace thaum::haptics

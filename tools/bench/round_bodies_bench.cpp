@@ -126,10 +126,17 @@ void judge(Slide& run) {
     }
 }
 
-void play(Slide& run, const haptics::Servo& servo, haptics::HapticModel& model) {
+std::vector<vec3> tips_of_all_ticks() {
+    std::vector<vec3> tips;
+    for (int tick = 0; tick < ticks; ++tick) tips.push_back(tip_at(tick));
+    return tips;
+}
+
+/// Runs the servo over the whole slide. The tips are given, since only the servo step is to be timed.
+void play(Slide& run, const haptics::Servo& servo, const haptics::HapticModel& model,
+          const std::vector<vec3>& tips) {
     run.state = {};
-    for (int tick = 0; tick < ticks; ++tick)
-        do_not_optimise(haptics::servo_step(servo, run.state, model, {tip_at(tick), 0}));
+    for (const vec3 tip : tips) do_not_optimise(haptics::servo_step(servo, run.state, model, {tip, 0}));
 }
 
 }  // namespace
@@ -147,6 +154,7 @@ void round_bodies(const Options& options, Report& report) {
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
     const haptics::Servo servo = haptics::servo_of(spec, 1);
+    const std::vector<vec3> tips = tips_of_all_ticks();
     std::vector<haptics::HapticModel> models(runs.size());
     std::vector<Contestant> contestants;
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -155,7 +163,7 @@ void round_bodies(const Options& options, Report& report) {
         models[i].patch_number = 1;
         models[i].start = tip_at(0);
         contestants.push_back(
-            {{}, [&run = runs[i], &servo, &model = models[i]] { play(run, servo, model); }});
+            {{}, [&run = runs[i], &servo, &model = models[i], &tips] { play(run, servo, model, tips); }});
     }
     auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
     for (std::size_t i = 0; i < runs.size(); ++i) {
