@@ -10,4 +10,4 @@ thaum_test(test_haptics
         stability/haptics_safety_hostile_test.cpp stability/haptics_switches_test.cpp stability/haptics_round_test.cpp
         stability/fluid_touch_hostile_test.cpp
     LINK thaum_haptics thaum_fluid
-    NOT_SANITIZED HapticsSwitches.AHundredThousand* HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore*)
+    NOT_SANITIZED HapticsSwitches.TenThousand* HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore* RoundBodies.NoProxyStays*)

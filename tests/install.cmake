@@ -6,5 +6,5 @@ target_link_libraries(install_probe PRIVATE Thaum::physics Thaum::render thaum_f
 if(NOT THAUM_SANITIZE)
     add_test(NAME install.package COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/package.sh
         ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER})
-    set_tests_properties(install.package PROPERTIES TIMEOUT 900)
+    set_tests_properties(install.package PROPERTIES TIMEOUT ${longest_test} COST 50)
 endif()

@@ -23,12 +23,13 @@ if(umockdev_FOUND)
     target_link_libraries(pad_harness PRIVATE thaum_flags PkgConfig::umockdev)
 endif()
 
-# Tests in real time with a screen run one after the other, and not beside tests that load the machine. Their
-# limit ends only tests that hang: with other programs on every core a test takes ten times as long.
+# Tests in real time with a screen. They wait most of the time, so they run beside others, but only one of them at
+# once, and they start first. Their limit ends only tests that hang: with other programs on every core a test takes
+# ten times as long.
 function(thaum_driver_test name)
     add_test(NAME drivers.${name} COMMAND ${ARGN})
     set_tests_properties(drivers.${name} PROPERTIES
-        SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
+        SKIP_RETURN_CODE 77 RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
@@ -64,7 +65,7 @@ set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels drive
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
 add_test(NAME drivers.kill_recording COMMAND kill_recording 8)
-set_tests_properties(drivers.kill_recording PROPERTIES RUN_SERIAL TRUE TIMEOUT ${longest_test})
+set_tests_properties(drivers.kill_recording PROPERTIES RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test})
 add_test(NAME drivers.hostile_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
 if(THAUM_SANITIZE)
     # The sanitizers' shadow memory takes terabytes of address space.
@@ -77,6 +78,7 @@ if(THAUM_SANITIZE)
     set_tests_properties(drivers.outputs PROPERTIES ENVIRONMENT "THAUM_PATIENCE_S=60")
 endif()
 add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)
+set_tests_properties(drivers.hostile_files drivers.outputs drivers.commands PROPERTIES COST 50)
 if(umockdev_FOUND)
     thaum_driver_test(duel_to_death ${CMAKE_CURRENT_SOURCE_DIR}/drivers/duel_to_death.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness>)
