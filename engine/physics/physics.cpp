@@ -16,10 +16,8 @@
 #include "core/assert.h"
 #include "core/text.h"
 #include "physics/bullet_maths.h"
-#include "physics/detail/bound_tree.h"
-#include "physics/detail/bullet_world.h"
-#include "physics/detail/cast.h"
 #include "physics/detail/checks.h"
+#include "physics/detail/physics_impl.h"
 #include "physics/detail/pool.h"
 #include "physics/detail/swept.h"
 
@@ -27,8 +25,10 @@ namespace thaum::physics {
 namespace {
 
 using detail::about;
+using detail::Body;
 using detail::Box;
 using detail::from_bullet;
+using detail::Pair;
 using detail::to_bullet;
 
 /// A body this close to a removed or moved one may have rested on it (m).
@@ -39,32 +39,6 @@ constexpr double push_tolerance = 1e-9;
 /// Bodies this close after a rebuild, which discards the pairs in contact, count as touching before
 /// (m).
 constexpr double touching_gap = 0.002;
-
-struct Body {
-    Key key{};
-    bool was_asleep{};  ///< asleep before the step
-    BodyDesc desc;
-    BodyState state;
-    double reach{};          ///< distance of its farthest point from its position (m)
-    double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
-    double kept_spin{};
-    /// Velocity that gravity gives in such a step, divided by gravity. It is also the path divided by the
-    /// initial velocity (s).
-    double drive_s{};
-    double fall_s2{};       ///< path that gravity gives in such a step, divided by gravity (s^2)
-    vec3 start_velocity{};  ///< velocity at the start of the step (m/s)
-    detail::BulletBody bullet;
-    detail::BoundTree::Leaf leaf{};
-
-    btRigidBody& bt() const { return *bullet.body; }
-    bool dynamic() const { return desc.mass > 0; }
-};
-
-/// Keys of two bodies that touch; the smaller key first.
-struct Pair {
-    Key a, b;
-    auto operator<=>(const Pair&) const = default;
-};
 
 Box box_around(const Body& body) {
     btVector3 low, high;
@@ -81,15 +55,6 @@ bool overlap(const Box& a, const Box& b, double gap) {
 
 bool collide(const BodyDesc& a, const BodyDesc& b) {
     return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
-}
-
-/// Whether a path may touch the body, judged by its bounding sphere.
-bool may_touch(const Body& body, const detail::Path& path) {
-    const vec3 offset = body.state.position - path.from;
-    const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
-    const vec3 apart = offset - along * path.direction;
-    const double meeting = body.reach + path.radius + detail::touching;
-    return glm::dot(apart, apart) <= meeting * meeting;
 }
 
 /// The state with zero velocities if the body is asleep.
@@ -144,45 +109,6 @@ std::vector<detail::Mesh> build_meshes(const std::vector<TriangleMesh>& meshes) 
 }
 
 }  // namespace
-
-struct Physics::Impl {
-    Settings settings;
-    std::vector<detail::Mesh> meshes;
-    std::vector<Body> bodies;  ///< sorted by key
-    detail::BoundTree tree;    ///< bounding boxes of the bodies at their current positions
-    std::unique_ptr<detail::BulletWorld> world;
-    std::vector<Contact> contacts;
-    std::vector<Pair> touching;  ///< pairs that pressed on each other and are still close; sorted
-    std::vector<Pair> touching_next;
-    Counters counters;
-    double damping_dt{};
-    bool skipped{};    ///< the last step returned at once
-    bool unchanged{};  ///< true: the last step changed nothing, and nothing was touched since
-
-    Impl(const Settings& s, const std::vector<TriangleMesh>& m);
-    ~Impl() { world.reset(); }  // the world must go before the bodies in it
-
-    Body* find(Key);
-    Body& at(Key);
-    void enter_world(Body&);
-    void wake(Body&);
-    void wake_near(const Box&);
-    void prepare_damping(Body&) const;
-    void before_step(double dt);
-    void correct_flight(Body&, vec3 from) const;
-    void stop_at_walls(Body&, const BodyState& from) const;
-    double free_share(const Body&, vec3 start, vec3 end, double radius) const;
-    bool after_step();
-    void collect_contacts();
-    void find_touching();
-    std::optional<detail::CastHit> cast_at(const Body&, const detail::Path&) const;
-    /// Adds the body's surfaces within the radius of the point.
-    void gather_from(const Body&, vec3 point, detail::NearestSurfaces&) const;
-    /// Calls `each` for each body whose box comes within the radius, and possibly for others, in the
-    /// order of keys.
-    template <class Each>
-    void each_near(vec3 point, double radius, const Each& each) const;
-};
 
 Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m)
     : settings(s), meshes(build_meshes(m)) {
@@ -375,18 +301,6 @@ void Physics::Impl::find_touching() {
     std::ranges::sort(touching);
 }
 
-std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const detail::Path& path) const {
-    const quat to_local = glm::conjugate(body.state.orientation);
-    detail::Path local = path;
-    local.from = to_local * (path.from - body.state.position);
-    local.direction = to_local * path.direction;
-    auto touch = body.desc.shape == Shape::mesh
-                     ? meshes[body.desc.mesh].cast(local)
-                     : detail::cast(local, [&](vec3 p) { return detail::nearest_to(body.desc, p); });
-    if (touch) touch->normal = body.state.orientation * touch->normal;
-    return touch;
-}
-
 Physics::Physics(const Settings& settings, const std::vector<TriangleMesh>& meshes)
     : impl_(std::make_unique<Impl>(settings, meshes)) {}
 
@@ -507,85 +421,6 @@ void Physics::step(double dt) {
 bool Physics::skipped_last_step() const { return impl_->skipped; }
 
 std::span<const Contact> Physics::contacts() const { return impl_->contacts; }
-
-std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
-    return sweep_sphere(from, to, 0, mask, ignore_key);
-}
-
-std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, Layers mask,
-                                            Key ignore_key) const {
-    THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0,
-                 "ray or sweep: an end is not finite or the radius is negative");
-    const double length = glm::length(to - from);
-    if (length == 0) return std::nullopt;
-    const Impl& in = *impl_;
-    detail::Path path{from, (to - from) / length, length, radius};
-    const Body* nearest = nullptr;
-    detail::CastHit touch{};
-    for (const Body& body : in.bodies) {
-        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
-        if (!may_touch(body, path)) continue;
-        const auto here = in.cast_at(body, path);
-        if (!here || (nearest && here->travelled >= touch.travelled)) continue;
-        nearest = &body;
-        touch = *here;
-        path.length = touch.travelled;  // from here on, only nearer hits count
-    }
-    if (!nearest) return std::nullopt;
-    const vec3 centre = from + touch.travelled * path.direction;
-    return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
-}
-
-void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSurfaces& into) const {
-    const BodyState& s = body.state;
-    const vec3 local = glm::conjugate(s.orientation) * (point - s.position);
-    Nearby surface{.key = body.key, .shape = body.desc.shape, .velocity = velocity_at(s, point)};
-    if (body.desc.shape != Shape::mesh) {
-        surface.distance = std::max(0.0, detail::nearest_to(body.desc, local).distance);
-        surface.a = s.position;
-        surface.b = body.desc.size;
-        if (detail::wanted(into, surface.distance)) detail::add(into, surface);
-        return;
-    }
-    meshes[body.desc.mesh].gather(local, into.found.reach, surface, into);
-    const mat3 turn = glm::mat3_cast(s.orientation);
-    for (std::size_t i = 0; i < into.found.count; ++i) {
-        Nearby& t = into.into[i];
-        if (t.key != body.key) continue;
-        for (vec3* corner : {&t.a, &t.b, &t.c}) *corner = s.position + turn * *corner;
-    }
-}
-
-template <class Each>
-void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const {
-    const double size = radius + detail::touching;
-    detail::NearKeys keys;
-    const auto near = tree.near({point - size, point + size}, keys);
-    if (!near) {
-        for (const Body& body : bodies) each(body);
-        return;
-    }
-    auto from = bodies.begin();
-    for (const Key key : *near) {
-        from = std::ranges::lower_bound(from, bodies.end(), key, {}, &Body::key);
-        each(*from);
-    }
-}
-
-NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
-                             Key ignore_key) const {
-    THAUM_ASSERT(is_finite(point) && radius >= 0,
-                 "nearby: the point is not finite or the radius is negative");
-    const Impl& in = *impl_;
-    detail::NearestSurfaces gathering{into, {0, radius}};
-    in.each_near(point, radius, [&](const Body& body) {
-        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
-        const vec3 apart = body.state.position - point;
-        const double meeting = body.reach + radius;
-        if (glm::dot(apart, apart) <= meeting * meeting) in.gather_from(body, point, gathering);
-    });
-    return gathering.found;
-}
 
 void Physics::rebuild() {
     Impl& in = *impl_;

@@ -1,0 +1,103 @@
+// Rays, swept spheres, and surfaces near a point. They use the states of the bodies. Of Bullet's data they use
+// only the search tree of bounding boxes, whose structure changes no result.
+#include <algorithm>
+
+#include "core/assert.h"
+#include "physics/detail/physics_impl.h"
+
+namespace thaum::physics {
+
+using detail::Body;
+
+std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const detail::Path& path) const {
+    const quat to_local = glm::conjugate(body.state.orientation);
+    detail::Path local = path;
+    local.from = to_local * (path.from - body.state.position);
+    local.direction = to_local * path.direction;
+    auto touch = body.desc.shape == Shape::mesh
+                     ? meshes[body.desc.mesh].cast(local)
+                     : detail::cast(local, [&](vec3 p) { return detail::nearest_to(body.desc, p); });
+    if (touch) touch->normal = body.state.orientation * touch->normal;
+    return touch;
+}
+
+std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
+    return sweep_sphere(from, to, 0, mask, ignore_key);
+}
+
+std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, Layers mask,
+                                            Key ignore_key) const {
+    THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0,
+                 "ray or sweep: an end is not finite or the radius is negative");
+    const double length = glm::length(to - from);
+    if (length == 0) return std::nullopt;
+    const Impl& in = *impl_;
+    detail::Path path{from, (to - from) / length, length, radius};
+    const Body* nearest = nullptr;
+    detail::CastHit touch{};
+    for (const Body& body : in.bodies) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
+        if (!may_touch(body, path)) continue;
+        const auto here = in.cast_at(body, path);
+        if (!here || (nearest && here->travelled >= touch.travelled)) continue;
+        nearest = &body;
+        touch = *here;
+        path.length = touch.travelled;  // from here on, only nearer hits count
+    }
+    if (!nearest) return std::nullopt;
+    const vec3 centre = from + touch.travelled * path.direction;
+    return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
+}
+
+void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSurfaces& into) const {
+    const BodyState& s = body.state;
+    const vec3 local = glm::conjugate(s.orientation) * (point - s.position);
+    Nearby surface{.key = body.key, .shape = body.desc.shape, .velocity = velocity_at(s, point)};
+    if (body.desc.shape != Shape::mesh) {
+        surface.distance = std::max(0.0, detail::nearest_to(body.desc, local).distance);
+        surface.a = s.position;
+        surface.b = body.desc.size;
+        if (detail::wanted(into, surface.distance)) detail::add(into, surface);
+        return;
+    }
+    meshes[body.desc.mesh].gather(local, into.found.reach, surface, into);
+    const mat3 turn = glm::mat3_cast(s.orientation);
+    for (std::size_t i = 0; i < into.found.count; ++i) {
+        Nearby& t = into.into[i];
+        if (t.key != body.key) continue;
+        for (vec3* corner : {&t.a, &t.b, &t.c}) *corner = s.position + turn * *corner;
+    }
+}
+
+template <class Each>
+void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const {
+    const double size = radius + detail::touching;
+    detail::NearKeys keys;
+    const auto near = tree.near({point - size, point + size}, keys);
+    if (!near) {
+        for (const Body& body : bodies) each(body);
+        return;
+    }
+    auto from = bodies.begin();
+    for (const Key key : *near) {
+        from = std::ranges::lower_bound(from, bodies.end(), key, {}, &Body::key);
+        each(*from);
+    }
+}
+
+NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
+                             Key ignore_key) const {
+    THAUM_ASSERT(is_finite(point) && radius >= 0,
+                 "nearby: the point is not finite or the radius is negative");
+    const Impl& in = *impl_;
+    detail::NearestSurfaces gathering{into, {0, radius}};
+    in.each_near(point, radius, [&](const Body& body) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
+        const vec3 apart = body.state.position - point;
+        const double meeting = body.reach + radius;
+        if (glm::dot(apart, apart) <= meeting * meeting) in.gather_from(body, point, gathering);
+    });
+    return gathering.found;
+}
+
+}  // namespace thaum::physics
