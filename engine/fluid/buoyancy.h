@@ -1,5 +1,5 @@
-// fluid/buoyancy.h: the weight of substances: its motion within a step, and the energy that diffusion
-// adds by lifting it.
+// fluid/buoyancy.h: the weight of substances: its force, its motion within a step, and the energy that
+// diffusion adds by lifting it.
 //
 // If the buoyancy force used the densities at the start of a step, waves would grow: an oscillation of
 // frequency w would gain (w dt)^2 / 2 of its kinetic energy in each step. With the densities half a
@@ -11,6 +11,12 @@
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
+
+/// Adds gravity on `weight`, whose ghosts must be filled, to the forces on the open faces. Along the
+/// vertical, the mean of every level is left out, because pressure balances it. `open` holds the open shares
+/// of faces; null means all are open.
+void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
+                const Samples& weight, std::array<Samples, 3>& force);
 
 /// Moves `weight` by the velocity for `time` (s), in one step of first order with central differences.
 /// The ghosts of `weight` must be filled. The result is only a prediction: the amount is not conserved,

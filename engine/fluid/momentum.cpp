@@ -43,6 +43,11 @@ struct FluxFactors {
     float near, far, spread;
 };
 
+template <bool fourth>
+FluxFactors flux_factors(float h, float viscosity) {
+    return {-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h, viscosity / (h * h) / (fourth ? 12 : 1)};
+}
+
 /// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
 template <bool fourth, bool viscous>
 inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
@@ -91,6 +96,38 @@ template <bool fourth, bool viscous>
     }
 }
 
+/// Index in a plane of the advecting velocity.
+inline std::ptrdiff_t place_in_plane(const Lattice& lattice, int i, int j) {
+    return (j + ghosts) * lattice.stride[1] + i + ghosts;
+}
+
+/// Number of the plane with the advecting velocity along z at layer k: one of a ring of four.
+inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k + 1) % 4; }
+
+/// Rows of the advecting velocity along x, y and z around the row that starts at `place` in layer k.
+[[gnu::always_inline]] inline std::array<CarryingRows, 3> carrying_rows(const std::array<Samples, 6>& planes,
+                                                                        const Lattice& lattice,
+                                                                        std::ptrdiff_t place, int k) {
+    const auto& stride = lattice.stride;
+    const float* x = planes[0].data() + place;
+    const float* y = planes[1].data() + place;
+    const auto z = [&](int layer) { return planes[plane_along_z(layer)].data() + place; };
+    return {CarryingRows{x - 1, x, x + 1, x + 2, 1},
+            CarryingRows{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
+            CarryingRows{z(k - 1), z(k), z(k + 1), z(k + 2), stride[2]}};
+}
+
+/// Arrays of one component from index `at` on.
+[[gnu::always_inline]] inline RowTargets row_targets(const RungeKuttaStage& stage, const Solids* solids,
+                                                     std::size_t axis, std::ptrdiff_t at) {
+    return {.start = stage.start[axis].data() + at,
+            .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
+            .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+            .open = solids != nullptr ? solids->open()[axis].data() + at : nullptr,
+            .sum = stage.sum[axis].data() + at,
+            .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
+}
+
 }  // namespace
 
 Momentum::Momentum(const Lattice& lattice, int order, const Solids* solids)
@@ -118,55 +155,46 @@ Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
     return bounds;
 }
 
+/// Interpolates the advecting velocity along z on the low faces of layer k, for all its rows.
+template <bool fourth>
+void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k) {
+    float* plane = planes_[plane_along_z(k)].data();
+    for (int j = 0; j < lattice_.cells[1]; ++j)
+        interpolate_row<fourth>(velocity_z.data() + lattice_.at(0, j, k), step, lattice_.cells[0],
+                                plane + place_in_plane(lattice_, 0, j));
+}
+
+/// Interpolates the advecting velocities along x and y within the bounds of layer k.
+template <bool fourth>
+void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k) {
+    const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
+    const auto start = static_cast<int>(bounds.start);
+    for (int j = bounds.first; j < bounds.end; ++j)
+        interpolate_row<fourth>(velocity[0].data() + lattice_.at(start - 1, j, k), step,
+                                round_up_to_8(bounds.count + 3),
+                                planes_[0].data() + place_in_plane(lattice_, start - 1, j));
+    for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
+        interpolate_row<fourth>(velocity[1].data() + lattice_.at(start, j, k), step, bounds.count,
+                                planes_[1].data() + place_in_plane(lattice_, start, j));
+}
+
 template <bool fourth, bool viscous, std::size_t axis>
 void Momentum::component(const RungeKuttaStage& stage, float viscosity) {
-    const int nx = lattice_.cells[0];
-    const int ny = lattice_.cells[1];
-    const int nz = lattice_.cells[2];
-    const auto& stride = lattice_.stride;
-    const auto along = stride[axis];
-    const auto h = static_cast<float>(lattice_.h);
-    const FluxFactors factors{-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h,
-                              viscosity / (h * h) / (fourth ? 12 : 1)};
-    const auto in_plane = [&](int i, int j) { return (j + ghosts) * stride[1] + i + ghosts; };
-    const auto ring = [&](int k) { return planes_[2 + static_cast<std::size_t>(k + 1) % 4].data(); };
-    const auto lift = [&](int k) {
-        for (int j = 0; j < ny; ++j)
-            interpolate_row<fourth>(stage.from[2].data() + lattice_.at(0, j, k), along, nx,
-                                    ring(k) + in_plane(0, j));
-    };
-    for (int k = -1; k < 2; ++k) lift(k);
-    for (int k = 0; k < nz; ++k) {
-        lift(k + 2);
+    const auto step = lattice_.stride[axis];
+    const auto factors = flux_factors<fourth>(static_cast<float>(lattice_.h), viscosity);
+    for (int k = -1; k < 2; ++k) interpolate_between_layers<fourth>(stage.from[2], step, k);
+    for (int k = 0; k < lattice_.cells[2]; ++k) {
+        interpolate_between_layers<fourth>(stage.from[2], step, k + 2);
         const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
         if (bounds.count == 0) continue;
-        const auto start = static_cast<int>(bounds.start);
-        for (int j = bounds.first; j < bounds.end; ++j)
-            interpolate_row<fourth>(stage.from[0].data() + lattice_.at(start - 1, j, k), along,
-                                    round_up_to_8(bounds.count + 3),
-                                    planes_[0].data() + in_plane(start - 1, j));
-        for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
-            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(start, j, k), along, bounds.count,
-                                    planes_[1].data() + in_plane(start, j));
+        interpolate_in_layer<fourth>(stage.from, step, k);
         for (int j = bounds.first; j < bounds.end; ++j) {
-            const std::ptrdiff_t at = rows_.at(j, k).at, count = rows_.at(j, k).count;
-            const auto here = in_plane(static_cast<int>(at - lattice_.at(0, j, k)), j);
-            const float* x = planes_[0].data() + here;
-            const float* y = planes_[1].data() + here;
-            const std::array<CarryingRows, 3> by{
-                CarryingRows{x - 1, x, x + 1, x + 2, 1},
-                CarryingRows{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
-                CarryingRows{ring(k - 1) + here, ring(k) + here, ring(k + 1) + here, ring(k + 2) + here,
-                             stride[2]}};
-            const RowTargets row{.start = stage.start[axis].data() + at,
-                                 .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
-                                 .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
-                                 .open = solids_ != nullptr ? solids_->open()[axis].data() + at : nullptr,
-                                 .sum = stage.sum[axis].data() + at,
-                                 .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
-            take_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
-                                      stage.from[axis].data() + at, count, factors, row, stage.sum_part,
-                                      stage.next_part);
+            const Row row = rows_.at(j, k);
+            const auto i = static_cast<int>(row.at - lattice_.at(0, j, k));
+            const auto by = carrying_rows(planes_, lattice_, place_in_plane(lattice_, i, j), k);
+            take_row<fourth, viscous>(
+                by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3], stage.from[axis].data() + row.at, row.count,
+                factors, row_targets(stage, solids_, axis, row.at), stage.sum_part, stage.next_part);
         }
     }
 }

@@ -46,6 +46,10 @@ private:
     void components(const RungeKuttaStage& stage, float viscosity);
     template <bool fourth, bool viscous, std::size_t axis>
     void component(const RungeKuttaStage& stage, float viscosity);
+    template <bool fourth>
+    void interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k);
+    template <bool fourth>
+    void interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k);
 
     /// Bounding rectangle of the rows of a layer that hold fluid: rows first to end - 1, `count` cells
     /// from `start`.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "fluid/buoyancy.h"
 #include "fluid/floats8.h"
@@ -183,81 +182,8 @@ void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& no
 
 /// Adds gravity on the weight in mixed_property_ to the forces.
 void StaggeredSolver::add_gravity(const Settings& settings) {
-    const vec3& pull = settings.gravity;
-    const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto of_axis = static_cast<float>(pull[static_cast<int>(axis)]);
-        if (of_axis != 0) add_gravity_along(axis, of_axis, axis == down);
-    }
-}
-
-/// Adds the force along one axis to the open faces across it, from the mean of mixed_property_ on their two
-/// sides.
-void StaggeredSolver::add_gravity_along(std::size_t axis, float pull, bool without_mean) {
-    // Rows across x contain all levels, so they form one group.
-    const int groups = axis == 0 ? 1 : lattice_.cells[axis];
-    for (int group = 0; group < groups; ++group) {
-        Cells first{}, end = lattice_.cells;
-        if (axis != 0) {
-            first[axis] = group;
-            end[axis] = group + 1;
-        }
-        add_gravity_to_rows(axis, first, end, pull, without_mean);
-    }
-}
-
-/// The same for one level, or for all levels across x.
-void StaggeredSolver::add_gravity_to_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
-                                          bool without_mean) {
-    const auto s = lattice_.stride[axis];
-    const float* mixed = mixed_property_.data();
-    const float* open = solids_ ? solids_->open()[axis].data() : nullptr;
-    float* force = force_[axis].data();
-    // Calls `visit` with the index of each group of eight faces, and its position along x.
-    const auto each_8_faces = [&](auto&& visit) {
-        for (int k = first[2]; k < end[2]; ++k) {
-            for (int j = first[1]; j < end[1]; ++j) {
-                const Row row = rows_.at(j, k);
-                const auto x = row.at - lattice_.at(0, j, k);
-                for (std::ptrdiff_t i = 0; i < row.count; i += 8) visit(row.at + i, x + i);
-            }
-        }
-    };
-    const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : zero8 + 1.0F; };
-    // At order 4 the flow through a face is (26 u[0] - u[-1] - u[1]) / 24. The densities beside the
-    // face get the same weights. Force times velocity then equals the potential energy that the flow
-    // carries down.
-    const auto both_sides = [&](std::ptrdiff_t at) {
-        const Floats8 near = load(mixed + at) + load(mixed + at - s);
-        if (order_ == 2) return near;
-        return (25.0F / 24) * near - (1.0F / 24) * (load(mixed + at + s) + load(mixed + at - 2 * s));
-    };
-    // For each position along x: sum of both sides of the open faces, number of open faces, mean.
-    std::array<double, cells_most> sums{};
-    std::array<float, cells_most> counts{}, means{};
-    if (without_mean) {
-        each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-            const Floats8 share = open_at(at);
-            const Floats8 both = share > zero8 ? both_sides(at) : zero8;
-            for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
-                sums[static_cast<std::size_t>(x + lane)] += static_cast<double>(both[lane]);
-            float* count = counts.data() + x;
-            store(count, load(count) + (share > zero8 ? zero8 + 1.0F : zero8));
-        });
-        const auto nx = lattice_.cells[0];
-        if (axis != 0) {
-            std::fill_n(sums.begin(), nx, std::accumulate(sums.begin(), sums.begin() + nx, 0.0));
-            std::fill_n(counts.begin(), nx, std::accumulate(counts.begin(), counts.begin() + nx, 0.0F));
-        }
-        std::transform(sums.begin(), sums.begin() + nx, counts.begin(), means.begin(),
-                       [](double sum, float count) {
-                           return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 0.0F;
-                       });
-    }
-    each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-        const Floats8 more = 0.5F * pull * (both_sides(at) - load(means.data() + x));
-        store(force + at, load(force + at) + (open_at(at) > zero8 ? more : zero8));
-    });
+    add_weight(rows_, order_, solids_ ? &solids_->open() : nullptr, settings.gravity, mixed_property_,
+               force_);
 }
 
 /// Removes the divergence if there are no solids, and fills the ghosts.
@@ -491,23 +417,28 @@ void StaggeredSolver::clear_divergence(const Settings& settings, State& now, Ste
     }
 }
 
+/// Gathers the forces and returns how many sub-steps the remaining time needs, at least 1.
+double StaggeredSolver::plan_substeps(const Settings& settings, State& now, double left, double whole,
+                                      int allowed) {
+    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
+    gather_forces(settings, now, 1 / whole);
+    const double wanted = std::max(1.0, substeps_wanted(settings, left));
+    if (!solids_ || wanted <= allowed) return wanted;
+    // A collision within a shorter step left a pressure that would push much too hard over a longer step.
+    // Without it the step is of first order, and stable.
+    std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
+    gather_forces(settings, now, 1 / whole);
+    return std::max(1.0, substeps_wanted(settings, left));
+}
+
 StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
     current_norms_.reset();
     find_pushed_rows(now);
     while (left > 0) {
-        start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
-        gather_forces(settings, now, 1 / dt);
-        double wanted = std::max(1.0, substeps_wanted(settings, left));
         const int allowed = substeps_most - report.substeps;
-        if (solids_ && wanted > allowed) {
-            // A collision within a shorter step left a pressure that would push much too hard over a
-            // longer step. Without it the step is of first order, and stable.
-            std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
-            gather_forces(settings, now, 1 / dt);
-            wanted = std::max(1.0, substeps_wanted(settings, left));
-        }
+        const double wanted = plan_substeps(settings, now, left, dt, allowed);
         if (wanted > allowed) {
             // The semi-Lagrangian step covers all remaining time at once, because sub-steps before it
             // gain little. Relative error after twenty steps that follow a push, against fine steps: if

@@ -41,15 +41,13 @@ private:
     bool viscosity_varies(const Settings& settings) const;
     static bool has_weight(const Settings& settings);
     double substeps_wanted(const Settings& settings, double dt) const;
+    double plan_substeps(const Settings& settings, State& now, double left, double whole, int allowed);
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
     void mix_property(const Settings& settings, const State& now, double base, double Substance::*part);
     void add_buoyancy(const Settings& settings, const State& now);
     void predict_buoyancy(const Settings& settings, const State& now, double dt);
     void add_gravity(const Settings& settings);
-    void add_gravity_along(std::size_t axis, float pull, bool without_mean);
-    void add_gravity_to_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
-                             bool without_mean);
     void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);

@@ -75,6 +75,23 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Float
     return explicit_part(whole, most);
 }
 
+/// The lines along one direction that carry one component of the velocity. Each slab sets their arrays.
+Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
+    const Slabs slabs = slabs_along(lattice, across);
+    const bool adjacent = lattice.stride[slabs.beside] == 1;  // else the slab is transposed first
+    return {.value = nullptr,
+            .coefficient = nullptr,
+            .row = adjacent ? lattice.stride[across] : slabs.pitch,
+            .count = lattice.cells[across],
+            .pitch = slabs.pitch,
+            .edge = lattice.edges[across],
+            .through = axis == across,
+            .no_slip_at_solids = step.no_slip_at_solids,
+            .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
+            .cuts = {},
+            .skipped = 0};
+}
+
 /// Scratch rows with one value for each line.
 struct RowBuffers {
     float* closed;   ///< coefficients of closed places
@@ -153,48 +170,78 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     }
 }
 
+/// One place on each of the parallel lines.
+struct PlaceRows {
+    std::ptrdiff_t index;
+    float* value;
+    const float* coefficient;
+    const float* next_coefficient;  ///< coefficients of the next place; null at the last one
+    float wall_multiple;  ///< link to the wall at the high end, by links_to_walls; 0 before the last
+};
+
+template <bool last>
+PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    return {.index = r,
+            .value = lines.value + r * lines.row,
+            .coefficient = coefficients_at(lines, buffers, r),
+            .next_coefficient = last ? nullptr : lines.coefficient + (r + 1) * lines.row,
+            .wall_multiple = last ? links_to_walls(lines)[1] : 0};
+}
+
+/// Eight lines at one place after the explicit half.
+struct ExplicitHalf {
+    Floats8 value;
+    Floats8 to_next;        ///< explicit flux to the next place, or to the wall
+    Floats8 implicit_link;  ///< implicit part of that link
+};
+
+template <bool ring, bool last>
+[[gnu::always_inline]] inline ExplicitHalf explicit_half(const Lines& lines, const RowBuffers& buffers,
+                                                         const PlaceRows& place, std::ptrdiff_t i) {
+    const Floats8 here = load(place.value + i), coefficient = load(place.coefficient + i);
+    Floats8 whole, part, to_next;
+    if constexpr (last) {
+        whole = place.wall_multiple * larger(coefficient, zero8);
+        part = explicit_part(whole, zero8 + explicit_wall_link_most);
+        to_next = part * here;
+    } else {
+        whole = load(buffers.link + i);
+        part = explicit_part(whole, coefficient, load(place.next_coefficient + i));
+        to_next = part * (here - load(place.value + lines.row + i));
+    }
+    Floats8 given = here + (load(buffers.flux + i) - to_next);
+    if constexpr (last)
+        if (lines.lid != 0) given += lines.lid * whole;
+    if constexpr (ring) {
+        if (place.index == 0) given -= load(buffers.ring + i);
+        if constexpr (last) given += load(buffers.ring + i);
+    }
+    return {given, to_next, whole - part};
+}
+
 /// Explicit half of one place on each line, and its elimination from the system of the implicit half.
 template <bool ring, bool last>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
     const auto w = lines.pitch;
-    const float multiple = last ? links_to_walls(lines)[1] : 0;
-    const float* own = coefficients_at(lines, buffers, r);
-    const float* next = last ? nullptr : lines.coefficient + (r + 1) * lines.row;
-    float* value = lines.value + r * lines.row;
+    const PlaceRows place = place_at<last>(lines, buffers, r);
     // No place precedes the first one.
-    const float* before = r == 0 ? buffers.zeros : value - lines.row;
+    const float* before = r == 0 ? buffers.zeros : place.value - lines.row;
     const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Floats8 here = load(value + i), coefficient = load(own + i);
-        Floats8 whole, part, to_next, more = load(low_end + i);
-        if constexpr (last) {
-            whole = multiple * larger(coefficient, zero8);
-            part = explicit_part(whole, zero8 + explicit_wall_link_most);
-            to_next = part * here;
-        } else {
-            whole = load(buffers.link + i);
-            part = explicit_part(whole, coefficient, load(next + i));
-            to_next = part * (here - load(value + lines.row + i));
-        }
-        Floats8 given = here + (load(buffers.flux + i) - to_next);
-        if constexpr (last)
-            if (lines.lid != 0) given += lines.lid * whole;
-        if constexpr (ring) {
-            if (r == 0) given -= load(buffers.ring + i);
-            if constexpr (last) given += load(buffers.ring + i);
-        }
-        const Floats8 to_wall = whole - part;
-        const Floats8 above = last ? zero8 : to_wall;
-        if constexpr (last) more = more + to_wall;
+        const ExplicitHalf half = explicit_half<ring, last>(lines, buffers, place, i);
+        const Floats8 coefficient = load(place.coefficient + i);
+        const Floats8 above = last ? zero8 : half.implicit_link;
+        Floats8 to_walls = load(low_end + i);
+        if constexpr (last) to_walls = to_walls + half.implicit_link;
         const Floats8 below = load(buffers.below + i);
         const Floats8 kept = 1.0F - load(left.upper + (r - 1) * w + i);
-        const Floats8 per = 1.0F / (1.0F + below * kept + above + more);
+        const Floats8 per = 1.0F / (1.0F + below * kept + above + to_walls);
         const Floats8 open = coefficient < zero8 ? zero8 : per;
-        const Floats8 found = (given + below * load(before + i)) * open;
-        store(value + i, coefficient < zero8 ? zero8 : found);
+        const Floats8 found = (half.value + below * load(before + i)) * open;
+        store(place.value + i, coefficient < zero8 ? zero8 : found);
         store(left.upper + r * w + i, above * open);
-        store(buffers.flux + i, to_next);
+        store(buffers.flux + i, half.to_next);
         store(buffers.below + i, above);
         if constexpr (ring) {
             float* corner = left.corner + r * w + i;
@@ -436,17 +483,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     const auto [beside, outer, w] = slabs_along(lattice_, across);
     const auto place = lattice_.stride[across], line = lattice_.stride[beside];
     const std::ptrdiff_t width = lattice_.cells[beside];
-    Lines lines{.value = nullptr,
-                .coefficient = nullptr,
-                .row = line == 1 ? place : w,
-                .count = lattice_.cells[across],
-                .pitch = w,
-                .edge = lattice_.edges[across],
-                .through = axis == across,
-                .no_slip_at_solids = step.no_slip_at_solids,
-                .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
-                .cuts = {},
-                .skipped = 0};
+    Lines lines = lines_along(lattice_, step, axis, across);
     const bool ring = lines.edge == Edge::periodic;
     if (ring && lines.count == 1) return;
     auto& [zeros, link, below, flux, to_wall, ends] = rows_of_lines_;
