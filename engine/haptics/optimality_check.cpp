@@ -29,6 +29,40 @@ double worst_misfit(const Problem& problem, vec3 x) {
     return worst;
 }
 
+/// Force by which an active term can still grow in each of its directions (N).
+double remaining_strength(const Term& term) { return 1.01 * term.strength - glm::length(term.dual); }
+
+/// Force that the present terms leave, and the strength by which the active ones could still exert it.
+struct Shortfall {
+    vec3 force{};      ///< missing force (N)
+    Symmetric room{};  ///< sum of the active terms' projectors, weighted by their remaining strength (N)
+    double most{};     ///< sum of the remaining strengths (N)
+};
+
+Shortfall shortfall(Problem& problem, vec3 gradient) {
+    Shortfall result{.force = gradient};
+    for (Term& term : terms_of(problem)) {
+        result.force += term.dual;
+        if (!term.active) continue;
+        const double left = remaining_strength(term);
+        add_projector(result.room, term, left);
+        result.most += left;
+    }
+    return result;
+}
+
+/// Adds the missing force to the active terms, in proportion to their remaining strength.
+void distribute(Problem& problem, const Shortfall& missing) {
+    Symmetric room = missing.room;
+    add_identity(room, 1e-14 * missing.most);
+    const vec3 share = solve(room, missing.force, 1e-14 * missing.most);
+    for (Term& term : terms_of(problem)) {
+        if (!term.active) continue;
+        term.dual -= remaining_strength(term) * project(term, share);
+        limit_dual(term);
+    }
+}
+
 }  // namespace
 
 void keep_if_better(Solution& best, const Problem& problem, vec3 x, double residual) {
@@ -121,27 +155,11 @@ vec3 balance_active(Problem& problem, vec3 x) {
     }
     double before = std::numeric_limits<double>::infinity();
     for (;;) {
-        missing = gradient;
-        Symmetric room;
-        double most = 0;
-        for (Term& term : terms_of(problem)) {
-            missing += term.dual;
-            if (!term.active) continue;
-            const double left = 1.01 * term.strength - glm::length(term.dual);
-            add_projector(room, term, left);
-            most += left;
-        }
-        const double size = glm::length(missing);
-        if (size <= rounding || most == 0 || size > 0.7 * before) return missing;
+        const Shortfall now = shortfall(problem, gradient);
+        const double size = glm::length(now.force);
+        if (size <= rounding || now.most == 0 || size > 0.7 * before) return now.force;
         before = size;
-        add_identity(room, 1e-14 * most);
-        const vec3 share = solve(room, missing, 1e-14 * most);
-        for (Term& term : terms_of(problem)) {
-            if (!term.active) continue;
-            const double left = 1.01 * term.strength - glm::length(term.dual);
-            term.dual -= left * project(term, share);
-            limit_dual(term);
-        }
+        distribute(problem, now);
     }
 }
 

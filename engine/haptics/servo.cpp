@@ -101,6 +101,20 @@ bool detect_patch_switch(ServoState& state, const HapticModel& model) {
     return jumped || ended;
 }
 
+/// Sources that appeared, ended or jumped with the model of this tick.
+struct Switches {
+    bool patch{};  ///< true: the patch of surfaces is one of them
+    bool any{};    ///< true: there is at least one
+};
+
+Switches detect_switches(ServoState& state, const HapticModel& model) {
+    const bool set = detect_set_switch(state, model);
+    const bool source = detect_source_switch(state, model);
+    const bool patch = detect_patch_switch(state, model);
+    const bool fluid = detect_fluid_switch(state.fluid, model.fluid);
+    return {.patch = patch, .any = set || source || patch || fluid};
+}
+
 struct Tip {
     vec3 position{}, velocity{};
     bool switched{};  ///< a source appeared, ended or jumped
@@ -193,6 +207,17 @@ bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
     return std::none_of(items.begin(), items.end(),
                         [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
+}
+
+/// Adds the force of the primitives to the sources. Without primitives, the proxy follows the tip.
+void add_primitives(ServoState& state, const HapticModel& model, const Tip& tip, Sources& sources) {
+    if (model.primitives.items().empty()) {
+        state.proxy = tip.position;
+        state.primitives = 0;
+        return;
+    }
+    const vec3 force = feel_primitives(state, model, tip.position, tip.velocity);
+    (conservative(model.primitives) ? sources.passive : sources.active) += force;
 }
 
 /// Potential of a primitive, above its minimum (J).
@@ -391,25 +416,16 @@ double path_speed(const ServoState& state, double quantum) {
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
     const vec3 velocity = store_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
-    const bool set_jumped = detect_set_switch(state, model);
-    const bool source_jumped = detect_source_switch(state, model);
-    const bool patch_jumped = detect_patch_switch(state, model);
-    const bool fluid_jumped = detect_fluid_switch(state.fluid, model.fluid);
-    const bool switched = set_jumped || source_jumped || patch_jumped || fluid_jumped;
+    const Switches switches = detect_switches(state, model);
     const SurfaceForces surfaces =
-        feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
+        feel_surfaces(state, model, sample.model_age, {sample.position, velocity, switches.patch});
     const Tether tether = moved_on(model.tether, sample.model_age);
     const vec3 spring = tether_force(tether, sample.position, velocity);
     Sources sources{.active = play_pulses(state) + model.steady_force.force, .world = spring};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
-    if (model.primitives.items().empty()) {
-        state.proxy = sample.position;
-        state.primitives = 0;
-    } else {
-        const vec3 force = feel_primitives(state, model, sample.position, velocity);
-        (conservative(model.primitives) ? sources.passive : sources.active) += force;
-    }
+    const Tip tip{sample.position, velocity, switches.any};
+    add_primitives(state, model, tip, sources);
     FluidForces fluid;
     if (state.fluid.number != 0) {
         fluid = feel_fluid(model.fluid, state.fluid,
@@ -417,8 +433,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         sources.passive += fluid.passive;
         sources.active += fluid.active;
     }
-    const vec3 brake = update_energy(servo, state, model, tether, {sample.position, velocity, switched},
-                                     surfaces, fluid, sources);
+    const vec3 brake = update_energy(servo, state, model, tether, tip, surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .spring = spring,
@@ -427,7 +442,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
                                    .velocity = velocity,
                                    .path_speed = path_speed(state, servo.quantum),
                                    .model_age = sample.model_age,
-                                   .switched = cut_off || switched,
+                                   .switched = cut_off || switches.any,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});
