@@ -345,6 +345,66 @@ vec3 held_back(vec3 velocity, vec3 blow) {
     return way * std::clamp(-glm::dot(velocity, way), 0.0, size);
 }
 
+/// Motion of the hand's point and of its base, which is the point without the motion of the device (world).
+struct HandMotion {
+    vec3 hip{}, base{};                    ///< positions (m)
+    vec3 hip_velocity{}, base_velocity{};  ///< velocities (m/s)
+};
+
+HandMotion motion_of(const haptics::CouplingFrame& frame, vec3 device, const LiftHand& hand) {
+    const vec3 hip = haptics::interface_point(frame, device);
+    const vec3 base = haptics::interface_point(frame, hand.taken_device);
+    return {.hip = hip,
+            .base = base,
+            .hip_velocity = (hip - hand.hip) / physics_dt,
+            .base_velocity = (base - hand.base) / physics_dt};
+}
+
+/// The thing in the hand.
+struct HeldThing {
+    const physics::BodyState& body;
+    double mass{};  ///< mass (kg)
+    int holders{};  ///< number of wizards who hold it
+};
+
+/// Solves the spring between hand and thing for the coming step.
+haptics::CouplingResult couple_thing(const physics::Physics& physics, const LiftData& data,
+                                     const LiftHand& hand, const HandMotion& motion, const HeldThing& thing) {
+    const double mass = thing.mass;
+    const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
+    const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
+    const vec3 carry = limited(mass * (motion.base_velocity - hand.base_velocity) / physics_dt, data.carry);
+    return haptics::couple(
+        step, {.hand = hand.hip,
+               .hand_velocity = motion.hip_velocity,
+               .object = thing.body.position,
+               .object_velocity = coupled_velocity(physics, hand.held.index, hand.coupling),
+               .drag_velocity = motion.base_velocity,
+               .object_acceleration = carry / mass + physics.settings().gravity * (1 - 1.0 / thing.holders)});
+}
+
+/// Gives the thing the impulse of the spring and keeps its orientation. A thing that touches its holder gets
+/// neither, because a wizard could otherwise ride on it.
+void move_thing(physics::Physics& physics, const LiftData& data, ecs::Entity wizard,
+                const haptics::CouplingResult& result, LiftHand& hand) {
+    const auto key = hand.held.index;
+    if (touches_holder(physics, wizard, hand.held)) {
+        end_coupling(physics, key, hand.coupling);
+        hand.coupling.expected = physics.state(key).velocity + physics.settings().gravity * physics_dt;
+    } else {
+        hand.impulse += glm::length(result.impulse);
+        apply_coupling(physics, key, result, physics_dt, hand.coupling);
+        hold_turned(physics, data, hand);
+    }
+}
+
+void feel_weight(MatchContext& context, const LiftData& data, ecs::Entity wizard, double mass) {
+    const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
+    const double share = context.input.haptic_setup.weight[player];
+    set_steady_force(context, wizard, vec3(0, -data.weight * share * mass, 0));
+}
+
+/// One tick of holding: spring and thing act on each other, and the hand feels the spring until the next tick.
 void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
     auto& physics = context.physics.write();
@@ -352,44 +412,22 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     const vec3 device = now.get<HandState>(wizard).device.position;
     follow(data, now.get<Gaze>(wizard), hand);
     const auto frame = frame_of(context, data, wizard, hand);
-    const vec3 hip = haptics::interface_point(frame, device);
-    const vec3 base = haptics::interface_point(frame, hand.taken_device);
-    const auto& body = physics.state(key);
-    const int sharing = holders(now, hand.held);
-    const double mass = physics.desc(key).mass;
-    const vec3 blow = body.velocity - hand.coupling.expected;
-    if (sharing == 1) feel_blow(context, data, frame, wizard, tick, mass * blow, hand);
-    const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
-    const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
-    const vec3 base_velocity = (base - hand.base) / physics_dt;
-    const vec3 carry = limited(mass * (base_velocity - hand.base_velocity) / physics_dt, data.carry);
-    const vec3 gravity = physics.settings().gravity;
-    const auto result =
-        haptics::couple(step, {.hand = hand.hip,
-                               .hand_velocity = (hip - hand.hip) / physics_dt,
-                               .object = body.position,
-                               .object_velocity = coupled_velocity(physics, key, hand.coupling),
-                               .drag_velocity = base_velocity,
-                               .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
+    const HandMotion motion = motion_of(frame, device, hand);
+    const HeldThing thing{
+        .body = physics.state(key), .mass = physics.desc(key).mass, .holders = holders(now, hand.held)};
+    const vec3 blow = thing.body.velocity - hand.coupling.expected;
+    if (thing.holders == 1) feel_blow(context, data, frame, wizard, tick, thing.mass * blow, hand);
+    const auto result = couple_thing(physics, data, hand, motion, thing);
     const vec3 back = held_back(result.displacement / physics_dt, blow);
-    const vec3 object = body.position + result.displacement + back * physics_dt;
-    hand.hip = hip;
-    hand.base = base;
-    hand.base_velocity = base_velocity;
-    if (touches_holder(physics, wizard, hand.held)) {  // otherwise a wizard could ride on the thing
-        end_coupling(physics, key, hand.coupling);
-        hand.coupling.expected = body.velocity + gravity * physics_dt;
-    } else {
-        hand.impulse += glm::length(result.impulse);
-        apply_coupling(physics, key, result, physics_dt, hand.coupling);
-        hold_turned(physics, data, hand);
-    }
+    const vec3 object = thing.body.position + result.displacement + back * physics_dt;
+    hand.hip = motion.hip;
+    hand.base = motion.base;
+    hand.base_velocity = motion.base_velocity;
+    move_thing(physics, data, wizard, result, hand);
     const vec3 moving = hand.coupling.expected + held_back(hand.coupling.expected, blow);
-    tether(context, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
-    set_steady_force(
-        context, wizard,
-        vec3(0, -data.weight * context.input.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
-    if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
+    tether(context, wizard, tether_to(data, frame, hand, device, object, moving, motion.base_velocity));
+    feel_weight(context, data, wizard, thing.mass);
+    if (glm::distance(motion.hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 
 void add_force_systems(const WandSystems& to, const LiftData& data) {
