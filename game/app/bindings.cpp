@@ -61,6 +61,39 @@ bool may_share(Slot a, Slot b) {
 /// sheet never conflicts with one of another sheet.
 bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
 
+constexpr std::array<std::string_view, 5> mouse_button_labels{
+    "Left mouse button", "Right mouse button", "Middle mouse button", "Mouse button 4", "Mouse button 5"};
+
+constexpr std::array<std::string_view, 15> pad_button_labels{"A",
+                                                             "B",
+                                                             "X",
+                                                             "Y",
+                                                             "LB",
+                                                             "RB",
+                                                             "Back",
+                                                             "Start",
+                                                             "Guide",
+                                                             "Left stick in",
+                                                             "Right stick in",
+                                                             "Pad up",
+                                                             "Pad right",
+                                                             "Pad down",
+                                                             "Pad left"};
+
+/// Two labels for each axis of a pad: its low and its high end.
+constexpr std::array<std::string_view, 12> pad_axis_labels{"Left stick left",
+                                                           "Left stick right",
+                                                           "Left stick down",
+                                                           "Left stick up",
+                                                           "Right stick left",
+                                                           "Right stick right",
+                                                           "Right stick down",
+                                                           "Right stick up",
+                                                           "LT",
+                                                           "LT",
+                                                           "RT",
+                                                           "RT"};
+
 std::string label_of_key(int code) {
     const auto words = capitalised_words(key_name_of(code));
     return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
@@ -126,43 +159,14 @@ std::string label_of(Slot slot) {
 }
 
 std::string label_of(const Control& control) {
-    constexpr std::array<std::string_view, 5> mouse{
-        "Left mouse button", "Right mouse button", "Middle mouse button", "Mouse button 4", "Mouse button 5"};
-    constexpr std::array<std::string_view, 15> buttons{"A",
-                                                       "B",
-                                                       "X",
-                                                       "Y",
-                                                       "LB",
-                                                       "RB",
-                                                       "Back",
-                                                       "Start",
-                                                       "Guide",
-                                                       "Left stick in",
-                                                       "Right stick in",
-                                                       "Pad up",
-                                                       "Pad right",
-                                                       "Pad down",
-                                                       "Pad left"};
-    constexpr std::array<std::string_view, 12> axes{"Left stick left",
-                                                    "Left stick right",
-                                                    "Left stick down",
-                                                    "Left stick up",
-                                                    "Right stick left",
-                                                    "Right stick right",
-                                                    "Right stick down",
-                                                    "Right stick up",
-                                                    "LT",
-                                                    "LT",
-                                                    "RT",
-                                                    "RT"};
     const auto code = static_cast<std::size_t>(control.code);
     switch (control.source) {
         case Control::Source::key: return label_of_key(control.code);
-        case Control::Source::mouse_button: return std::string(mouse.at(code));
+        case Control::Source::mouse_button: return std::string(mouse_button_labels.at(code));
         case Control::Source::wheel: return control.direction > 0 ? "Wheel up" : "Wheel down";
-        case Control::Source::pad_button: return std::string(buttons.at(code));
+        case Control::Source::pad_button: return std::string(pad_button_labels.at(code));
         case Control::Source::pad_axis:
-            return std::string(axes.at(2 * code + (control.direction > 0 ? 1 : 0)));
+            return std::string(pad_axis_labels.at(2 * code + (control.direction > 0 ? 1 : 0)));
     }
     return {};
 }

@@ -138,6 +138,27 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     state.scene = scene;
 }
 
+/// Times that the render thread reports when it ends.
+struct RenderTimes {
+    Timings frames;  ///< durations of drawing a picture (ms)
+    Timings inputs;  ///< delays from an input event to its picture (ms)
+};
+
+/// Counts a picture that was just shown. Its duration decides on the quality of the next one.
+void count_picture(std::int64_t begun_ns, LiveShared& shared, RenderState& state, RenderTimes& times) {
+    const auto shown_ns = monotonic_ns();
+    const double frame_ms = static_cast<double>(shown_ns - begun_ns) * 1e-6;
+    auto& quality = state.quality;
+    quality.found = render::after_frame(quality.found, frame_ms);
+    shared.report.quality = state.memory.frame.quality;
+    times.frames.add(frame_ms);
+    take_due(shared.stamps, state.buffer.shown_due_ns, [&](const InputStamp& stamp) {
+        times.inputs.add(static_cast<double>(shown_ns - stamp.came_ns) * 1e-6);
+        ++shared.report.inputs;
+    });
+    ++shared.report.frames;
+}
+
 void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window& window,
                         render::Renderer& renderer) {
     RenderState state{.scene = plan.data, .arena_scene = arena_scene_of(renderer, *plan.data)};
@@ -145,7 +166,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
     render::Pacer pacer(frames_per_second);
     Staller staller{plan.stall};
     state.quality.first = render::first_quality(renderer.device());
-    Timings times, inputs;
+    RenderTimes times;
     shared.ready = true;
     while (!shared.stop) {
         pacer.wait();
@@ -163,25 +184,15 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
             continue;
         }
         if (!due(state, screen, changed)) continue;
-        const auto before = monotonic_ns();
+        const auto begun_ns = monotonic_ns();
         renderer.draw(frame_of(state, screen, plan.speed, size));
         window.present();
-        const auto after = monotonic_ns();
-        const double frame_ms = static_cast<double>(after - before) * 1e-6;
-        auto& quality = state.quality;
-        quality.found = render::after_frame(quality.found, frame_ms);
-        shared.report.quality = state.memory.frame.quality;
-        times.add(frame_ms);
-        take_due(shared.stamps, state.buffer.shown_due_ns, [&](const InputStamp& stamp) {
-            inputs.add(static_cast<double>(after - stamp.came_ns) * 1e-6);
-            ++shared.report.inputs;
-        });
-        ++shared.report.frames;
+        count_picture(begun_ns, shared, state, times);
     }
-    shared.report.frame_ms_median = times.at(0.5);
-    shared.report.frame_ms_p99 = times.at(0.99);
-    shared.report.input_ms_median = inputs.at(0.5);
-    shared.report.input_ms_p99 = inputs.at(0.99);
+    shared.report.frame_ms_median = times.frames.at(0.5);
+    shared.report.frame_ms_p99 = times.frames.at(0.99);
+    shared.report.input_ms_median = times.inputs.at(0.5);
+    shared.report.input_ms_p99 = times.inputs.at(0.99);
 }
 
 }  // namespace

@@ -72,31 +72,43 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     return std::array{static_cast<int>(*first), static_cast<int>(*second)};
 }
 
+/// Reads who plays: two people, one against a bot, or two bots.
+Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
+    options.headless = arguments.has("--headless");
+    options.demo = arguments.has("--demo");
+    const auto level = arguments.whole("--solo", 1, game::bot_levels, 1);
+    if (!level) return tl::unexpected(level.error());
+    if (arguments.has("--solo")) options.solo = static_cast<int>(*level);
+    options.vs = arguments.has("--vs");
+    const int ways = (options.vs ? 1 : 0) + (options.demo ? 1 : 0) + (options.solo ? 1 : 0);
+    if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
+    if (options.headless && (options.vs || options.solo))
+        return fail("--headless plays two bots: no --vs or --solo");
+    return {};
+}
+
+/// Reads the players' devices. The mode must be read before.
+Expected<void> read_hands(const Arguments& arguments, PlayOptions& options) {
+    const auto words = arguments.value("--hands");
+    if (!words) return {};
+    const auto hands = hands_named(*words);
+    if (!hands) return tl::unexpected(hands.error());
+    options.hands = *hands;
+    const bool only_arms =
+        std::all_of(hands->begin(), hands->end(), [](const Seat& seat) { return seat.arm; });
+    const bool start_screen = !options.mode() && !options.headless && only_arms;
+    if (!options.vs && !options.solo && !start_screen) return fail("--hands goes with --vs or --solo");
+    if (options.solo && options.hands.size() > 1) return fail("--solo has one player: one hand");
+    return {};
+}
+
 Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, play_options);
     if (!arguments) return tl::unexpected(arguments.error());
     if (!arguments->plain().empty()) return fail(text("play takes no '", arguments->plain()[0], "'"));
     PlayOptions options;
-    options.headless = arguments->has("--headless");
-    options.demo = arguments->has("--demo");
-    const auto level = arguments->whole("--solo", 1, game::bot_levels, 1);
-    if (!level) return tl::unexpected(level.error());
-    if (arguments->has("--solo")) options.solo = static_cast<int>(*level);
-    options.vs = arguments->has("--vs");
-    const int ways = (options.vs ? 1 : 0) + (options.demo ? 1 : 0) + (options.solo ? 1 : 0);
-    if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
-    if (options.headless && (options.vs || options.solo))
-        return fail("--headless plays two bots: no --vs or --solo");
-    if (const auto words = arguments->value("--hands")) {
-        const auto hands = hands_named(*words);
-        if (!hands) return tl::unexpected(hands.error());
-        options.hands = *hands;
-        const bool only_arms =
-            std::all_of(hands->begin(), hands->end(), [](const Seat& seat) { return seat.arm; });
-        const bool start_screen = !options.mode() && !options.headless && only_arms;
-        if (!options.vs && !options.solo && !start_screen) return fail("--hands goes with --vs or --solo");
-        if (options.solo && options.hands.size() > 1) return fail("--solo has one player: one hand");
-    }
+    if (const auto mode = read_mode(*arguments, options); !mode) return tl::unexpected(mode.error());
+    if (const auto hands = read_hands(*arguments, options); !hands) return tl::unexpected(hands.error());
     const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
     if (!bots) return tl::unexpected(bots.error());
     options.bots = *bots;

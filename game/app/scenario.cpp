@@ -66,30 +66,40 @@ void print_result(const game::ScenarioResult& result) {
                 static_cast<unsigned long long>(result.ticks), result.message.c_str());
 }
 
+game::ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
+    game::ScenarioOptions chosen;
+    chosen.assets = game::find_assets();
+    chosen.scripts = game::scenarios_beside(chosen.assets);
+    chosen.out = arguments.value("--out").value_or("out/scenarios");
+    chosen.take_picture = [&painter](const auto& match, auto split, const auto& file) {
+        return painter.take(match, split, file);
+    };
+    chosen.once = arguments.has("--once");
+    chosen.read_screen = game::words_over_views;
+    if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
+    return chosen;
+}
+
+/// Protects the scripts and the force traces that they are compared with from being overwritten.
+void protect_scripts(const std::vector<std::filesystem::path>& scripts, const game::ScenarioOptions& chosen) {
+    for (const auto& script : scripts) {
+        protect_input(script);
+        if (const auto forces = game::forces_folder(script, chosen);
+            chosen.keep_forces.empty() && !forces.empty())
+            protect_input(forces);
+    }
+}
+
 int run_scenario(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--json", 1}, {"--out", 1}, {"--once"}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto json = arguments->value("--json");
     Painter painter;
-    game::ScenarioOptions chosen;
-    chosen.assets = game::find_assets();
-    chosen.scripts = game::scenarios_beside(chosen.assets);
-    chosen.out = arguments->value("--out").value_or("out/scenarios");
-    chosen.take_picture = [&](const auto& match, auto split, const auto& file) {
-        return painter.take(match, split, file);
-    };
-    chosen.once = arguments->has("--once");
-    chosen.read_screen = game::words_over_views;
-    if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
+    const auto chosen = options_of(*arguments, painter);
     const auto scripts = game::find_scenarios(arguments->plain(), chosen);
     if (!scripts) return refuse(scripts.error());
-    for (const auto& script : *scripts) {
-        protect_input(script);
-        if (const auto forces = game::forces_folder(script, chosen);
-            chosen.keep_forces.empty() && !forces.empty())
-            protect_input(forces);
-    }
+    protect_scripts(*scripts, chosen);
     if (const auto made = make_folder(chosen.out); !made) return refuse(made.error());
     if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
         return refuse(free.error());

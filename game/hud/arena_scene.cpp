@@ -123,6 +123,39 @@ void add_light_of(const Thing& thing, ArenaScene& arena_scene) {
         arena_scene.lights.push_back({at + fvec3(0, 0.6F, 0), 1.8F * colour(0x50D0F0), 7});
 }
 
+/// Adds a thing with its meshes, its light, the block with which it hides others, and the ground on it.
+void add_thing(render::Renderer& renderer, const Arena& arena, const Thing& thing, render::Patchwork& stone,
+               ArenaScene& arena_scene) {
+    if (thing.prop)
+        add_kind(renderer, key_of(thing), arena_scene);
+    else
+        arena_scene.solids.push_back(make_solid(renderer, arena_scene.shade, arena, thing, stone));
+    if (thing.surface == Surface::bowl && thing.body.shape == physics::Shape::mesh)
+        arena_scene.painted_brew = upload(renderer, cauldron(arena.meshes[thing.body.mesh]).glowing);
+    add_light_of(thing, arena_scene);
+    if (is_masonry(thing)) add_block(thing, arena_scene);
+    if (thing.surface == Surface::floor || thing.surface == Surface::pit)
+        arena_scene.grounds.push_back(ground_of(thing, arena));
+}
+
+/// Adds the meshes of effects, the same in every arena.
+void add_effects(render::Renderer& renderer, ArenaScene& arena_scene) {
+    arena_scene.runes = renderer.upload_with_copies(rune_circle(2.1F));
+    arena_scene.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));
+    arena_scene.beam = renderer.upload_with_copies(beam_of_light());
+    arena_scene.bead = renderer.upload_with_copies(render::sphere(1, 8, fvec3(1)));
+    arena_scene.ember = renderer.upload_with_copies(render::sphere(1, 5, colour(0xFFA040)));
+    arena_scene.contact = renderer.upload_with_copies(contact_shade(0.42F));
+}
+
+std::array<render::MeshId, 4> unit_shapes(render::Renderer& renderer) {
+    const fvec3 grey = colour(0x807890);
+    return {renderer.upload_with_copies(render::box(fvec3(1), grey, 0.06F)),
+            renderer.upload_with_copies(render::sphere(1, 14, grey)),
+            renderer.upload_with_copies(render::capsule(0.5F, 1, 12, grey)),
+            renderer.upload_with_copies(render::cylinder(1, 2, 16, grey))};
+}
+
 fvec3 light_of(const Tint& tint) { return static_cast<float>(tint.strength) * colour(tint.colour); }
 
 render::Environment environment_of(const ArenaLook& look) {
@@ -158,18 +191,7 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     arena_scene.shade = make_shade(arena, data.look);
     const auto& shade = arena_scene.shade;
     render::Patchwork stone;
-    for (const auto& thing : arena.things) {
-        if (thing.prop)
-            add_kind(renderer, key_of(thing), arena_scene);
-        else
-            arena_scene.solids.push_back(make_solid(renderer, shade, arena, thing, stone));
-        if (thing.surface == Surface::bowl && thing.body.shape == physics::Shape::mesh)
-            arena_scene.painted_brew = upload(renderer, cauldron(arena.meshes[thing.body.mesh]).glowing);
-        add_light_of(thing, arena_scene);
-        if (is_masonry(thing)) add_block(thing, arena_scene);
-        if (thing.surface == Surface::floor || thing.surface == Surface::pit)
-            arena_scene.grounds.push_back(ground_of(thing, arena));
-    }
+    for (const auto& thing : arena.things) add_thing(renderer, arena, thing, stone, arena_scene);
     for (std::uint32_t team = 0; team < players; ++team)
         arena_scene.teams[team] = make_team(renderer, *data.presentation, team);
     arena_scene.power_ups = make_power_up_meshes(renderer);
@@ -181,17 +203,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     arena_scene.skyline = renderer.upload(skyline(data.look));
     for (const auto& wand : data.presentation->wands)
         arena_scene.wands.push_back(renderer.upload_with_copies(wand_mesh(wand.look)));
-    arena_scene.runes = renderer.upload_with_copies(rune_circle(2.1F));
-    arena_scene.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));
-    arena_scene.beam = renderer.upload_with_copies(beam_of_light());
-    arena_scene.bead = renderer.upload_with_copies(render::sphere(1, 8, fvec3(1)));
-    arena_scene.ember = renderer.upload_with_copies(render::sphere(1, 5, colour(0xFFA040)));
-    arena_scene.contact = renderer.upload_with_copies(contact_shade(0.42F));
-    const fvec3 grey = colour(0x807890);
-    arena_scene.unit_shapes = {renderer.upload_with_copies(render::box(fvec3(1), grey, 0.06F)),
-                               renderer.upload_with_copies(render::sphere(1, 14, grey)),
-                               renderer.upload_with_copies(render::capsule(0.5F, 1, 12, grey)),
-                               renderer.upload_with_copies(render::cylinder(1, 2, 16, grey))};
+    add_effects(renderer, arena_scene);
+    arena_scene.unit_shapes = unit_shapes(renderer);
     return arena_scene;
 }
 

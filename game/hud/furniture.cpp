@@ -185,6 +185,62 @@ std::vector<fvec2> profile_of(const physics::TriangleMesh& solid) {
     return profile;
 }
 
+/// Extent of the cauldron (m, body frame).
+struct CauldronExtent {
+    float rim = 0, top = -1e9F, bottom = 1e9F;  ///< radius of the rim, heights of the ends
+    float height_at(float share) const { return bottom + share * (top - bottom); }
+};
+
+CauldronExtent extent_of(const std::vector<fvec2>& profile) {
+    CauldronExtent extent;
+    for (const auto& p : profile) {
+        extent.rim = std::max(extent.rim, p.x);
+        extent.top = std::max(extent.top, p.y);
+        extent.bottom = std::min(extent.bottom, p.y);
+    }
+    return extent;
+}
+
+/// A copper band around the cauldron, from y - high to y + high.
+MeshData band(float radius, float y, float high) {
+    const std::array<fvec2, 5> ring{fvec2(radius, y - high),
+                                    {radius + 0.045F, y - 0.6F * high},
+                                    {radius + 0.045F, y + 0.6F * high},
+                                    {radius - 0.02F, y + high},
+                                    {radius - 0.1F, y + high}};
+    return render::revolve(ring, 28, colour(0xC87A3A));
+}
+
+/// Adds eight rivets on the lower band.
+void add_rivets(const CauldronExtent& extent, MeshData& mesh) {
+    for (int i = 0; i < 8; ++i) {
+        const float angle = whole * (static_cast<float>(i) + 0.5F) / 8;
+        const fvec3 at(1.015F * extent.rim * std::cos(angle), extent.height_at(0.6F),
+                       1.015F * extent.rim * std::sin(angle));
+        append(mesh, render::sphere(0.09F, 8, colour(0xE0A050)), translated(at));
+    }
+}
+
+/// The brew for a bowl without a simulated one. It is brightest in the middle and has the arms of a swirl.
+MeshData painted_brew(const CauldronExtent& extent) {
+    const float level = extent.height_at(0.97F);
+    const float radius = 0.885F * extent.rim;
+    std::vector<fvec2> surface;
+    for (int i = 0; i <= 10; ++i) {
+        const float share = 1 - static_cast<float>(i) / 10;
+        surface.emplace_back(share * radius,
+                             level + 0.30F * (1 - share * share) + 0.02F * std::sin(9 * share));
+    }
+    auto brew = render::revolve(surface, 36, fvec3(1), 3);
+    for (auto& v : brew.vertices) {
+        const float share = glm::length(fvec2(v.position.x, v.position.z)) / radius;
+        const float arm = 0.5F + 0.5F * std::sin(3 * std::atan2(v.position.z, v.position.x) + 7 * share);
+        const fvec3 hot = colour(0xFFD060), warm = colour(0xFF7A18), deep = colour(0xC82A30);
+        v.colour = glm::mix(glm::mix(hot, warm, share), deep, 0.75F * arm * share);
+    }
+    return brew;
+}
+
 }  // namespace
 
 FurnitureMesh furniture(const ShapeKey& key) {
@@ -221,44 +277,14 @@ FurnitureMesh cauldron(const physics::TriangleMesh& solid) {
     FurnitureMesh out;
     const auto profile = profile_of(solid);
     if (profile.size() < 3) return out;
-    float rim = 0, top = -1e9F, bottom = 1e9F;
-    for (const auto& p : profile)
-        rim = std::max(rim, p.x), top = std::max(top, p.y), bottom = std::min(bottom, p.y);
+    const CauldronExtent extent = extent_of(profile);
     out.lit = render::revolve(profile, 28, colour(0x5E4A50), 1.0F);
-    const fvec3 copper = colour(0xC87A3A);
-    append(out.lit, render::cylinder(1.015F * rim, 0.001F, 28, colour(0x70442A)), translated({0, bottom, 0}));
-    const auto band = [&](float radius, float y, float high) {
-        const std::array<fvec2, 5> ring{fvec2(radius, y - high),
-                                        {radius + 0.045F, y - 0.6F * high},
-                                        {radius + 0.045F, y + 0.6F * high},
-                                        {radius - 0.02F, y + high},
-                                        {radius - 0.1F, y + high}};
-        append(out.lit, render::revolve(ring, 28, copper));
-    };
-    band(rim, top - 0.05F, 0.06F);
-    band(rim, bottom + 0.6F * (top - bottom), 0.05F);
-    for (int i = 0; i < 8; ++i) {
-        const float angle = whole * (static_cast<float>(i) + 0.5F) / 8;
-        const fvec3 at(1.015F * rim * std::cos(angle), bottom + 0.6F * (top - bottom),
-                       1.015F * rim * std::sin(angle));
-        append(out.lit, render::sphere(0.09F, 8, colour(0xE0A050)), translated(at));
-    }
-    // The brew is brightest in the middle and has the arms of a swirl.
-    const float level = bottom + 0.97F * (top - bottom);
-    const float radius = 0.885F * rim;
-    std::vector<fvec2> surface;
-    for (int i = 0; i <= 10; ++i) {
-        const float share = 1 - static_cast<float>(i) / 10;
-        surface.emplace_back(share * radius,
-                             level + 0.30F * (1 - share * share) + 0.02F * std::sin(9 * share));
-    }
-    out.glowing = render::revolve(surface, 36, fvec3(1), 3);
-    for (auto& v : out.glowing.vertices) {
-        const float share = glm::length(fvec2(v.position.x, v.position.z)) / radius;
-        const float arm = 0.5F + 0.5F * std::sin(3 * std::atan2(v.position.z, v.position.x) + 7 * share);
-        const fvec3 hot = colour(0xFFD060), warm = colour(0xFF7A18), deep = colour(0xC82A30);
-        v.colour = glm::mix(glm::mix(hot, warm, share), deep, 0.75F * arm * share);
-    }
+    append(out.lit, render::cylinder(1.015F * extent.rim, 0.001F, 28, colour(0x70442A)),
+           translated({0, extent.bottom, 0}));
+    append(out.lit, band(extent.rim, extent.top - 0.05F, 0.06F));
+    append(out.lit, band(extent.rim, extent.height_at(0.6F), 0.05F));
+    add_rivets(extent, out.lit);
+    out.glowing = painted_brew(extent);
     return out;
 }
 

@@ -62,49 +62,33 @@ bool PatternMatch::match_at(std::size_t begin) {
 /// Matches the pattern from `p` against the subject from `s`. Returns the end of the match.
 std::size_t PatternMatch::match(std::size_t s, std::size_t p) {
     if (++depth_ > most_depth) return wrong("pattern too complex");
-    std::size_t found = s;
-    while (p < pattern_.size() && fault_ == nullptr) {
-        if (!spend(1)) break;
-        const char c = pattern_[p];
-        const char next = p + 1 < pattern_.size() ? pattern_[p + 1] : '\0';
-        if (c == '(') {
-            const bool position = next == ')';
-            found = open_capture(s, p + (position ? 2 : 1),
-                                 position ? Capture::Kind::position : Capture::Kind::open);
-            break;
-        }
-        if (c == ')') {
-            found = close_capture(s, p + 1);
-            break;
-        }
-        if (c == '$' && p + 1 == pattern_.size()) {
-            found = s == subject_.size() ? s : no_match;
-            break;
-        }
-        if (c == '%' && (next == 'b' || next == 'f' || is_digit(static_cast<unsigned char>(next)))) {
-            found = s = next == 'b'   ? balanced(s, p + 2)
-                        : next == 'f' ? frontier(s, p + 2)
-                                      : same_again(s, p + 1);
-            if (s == no_match) break;
-            p = next == 'b' ? p + 4 : next == 'f' ? item_end(p + 2) : p + 2;
-            continue;
-        }
-        const auto end = item_end(p);
-        if (fault_ != nullptr) break;
-        const char suffix = end < pattern_.size() ? pattern_[end] : '\0';
-        if (suffix == '*' || suffix == '+' || suffix == '-' || suffix == '?') {
-            found = repeated(s, p, end);
-            break;
-        }
-        if (!item_matches(s, p, end)) {
-            found = no_match;
-            break;
-        }
-        found = ++s;
-        p = end;
-    }
+    Progress at{s, p};
+    while (!at.ended && at.p < pattern_.size() && fault_ == nullptr && spend(1)) at = match_item(at.s, at.p);
     --depth_;
-    return fault_ == nullptr ? found : no_match;
+    return fault_ == nullptr ? at.s : no_match;
+}
+
+/// Matches the item of the pattern at `p`. A capture, a repetition and the last `$` also match all that follows
+/// them, so they end the match.
+PatternMatch::Progress PatternMatch::match_item(std::size_t s, std::size_t p) {
+    const char c = pattern_[p];
+    const char next = p + 1 < pattern_.size() ? pattern_[p + 1] : '\0';
+    if (c == '(' && next == ')') return ended_at(open_capture(s, p + 2, Capture::Kind::position));
+    if (c == '(') return ended_at(open_capture(s, p + 1, Capture::Kind::open));
+    if (c == ')') return ended_at(close_capture(s, p + 1));
+    if (c == '$' && p + 1 == pattern_.size()) return ended_at(s == subject_.size() ? s : no_match);
+    if (c == '%' && next == 'b') return went_on(balanced(s, p + 2), p + 4);
+    if (c == '%' && next == 'f') {
+        const auto border = frontier(s, p + 2);
+        return border == no_match ? ended_at(no_match) : went_on(border, item_end(p + 2));
+    }
+    if (c == '%' && is_digit(static_cast<unsigned char>(next))) return went_on(same_again(s, p + 1), p + 2);
+    const auto end = item_end(p);
+    if (fault_ != nullptr) return ended_at(no_match);
+    const char suffix = end < pattern_.size() ? pattern_[end] : '\0';
+    if (suffix == '*' || suffix == '+' || suffix == '-' || suffix == '?')
+        return ended_at(repeated(s, p, end));
+    return item_matches(s, p, end) ? went_on(s + 1, end) : ended_at(no_match);
 }
 
 std::size_t PatternMatch::repeated(std::size_t s, std::size_t p, std::size_t after) {

@@ -44,7 +44,16 @@ public:
 private:
     static constexpr std::size_t no_match = ~std::size_t{0};
 
+    /// Places in subject and pattern after an item.
+    struct Progress {
+        std::size_t s{}, p{};
+        bool ended{};  ///< the match ends at `s`, or there is none
+    };
+    static Progress ended_at(std::size_t s) { return {s, 0, true}; }
+    static Progress went_on(std::size_t s, std::size_t p) { return {s, p, s == no_match}; }
+
     std::size_t match(std::size_t s, std::size_t p);
+    Progress match_item(std::size_t s, std::size_t p);
     std::size_t repeated(std::size_t s, std::size_t p, std::size_t after);
     std::size_t most_first(std::size_t s, std::size_t p, std::size_t after);
     std::size_t least_first(std::size_t s, std::size_t p, std::size_t after);

@@ -56,6 +56,26 @@ std::uint64_t key_of(std::span<const Instance> fixed, fvec3 towards_sun, std::ui
 
 bool same_place(const Instance& a, const Instance& b) { return a.mesh == b.mesh && a.model == b.model; }
 
+/// Sets what OpenGL does with the triangles of casters. finish_drawing() undoes what others do not expect.
+void prepare_drawing() {
+    glViewport(0, 0, side, side);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    // Walls have no outer faces and no mesh has holes, so both sides of a triangle cast a shadow.
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4);
+    // Objects between the sun and the map's near plane still cast.
+    glEnable(GL_DEPTH_CLAMP);
+}
+
+void finish_drawing() {
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
 void copy_depth(GLint x0, GLint y0, GLint x1, GLint y1) {
     glBlitFramebuffer(x0, y0, x1, y1, x0, y0, x1, y1, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
@@ -146,17 +166,7 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     }
     find_changes(casters.moving, mesh_bounds);
     if (!anew && left_.empty() && drawn_.empty()) return {};
-    glViewport(0, 0, side, side);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glDisable(GL_BLEND);
-    // Walls have no outer faces and no mesh has holes, so both sides of a triangle cast a shadow.
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.5F, 4);
-    // Objects between the sun and the map's near plane still cast.
-    glEnable(GL_DEPTH_CLAMP);
+    prepare_drawing();
     Counts counts;
     if (anew) {
         glBindFramebuffer(GL_FRAMEBUFFER, fixed_target_.get());
@@ -172,8 +182,7 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     const auto moving = draw(drawn_, meshes, mesh_bounds, program);
     moving_.assign(casters.moving.begin(), casters.moving.end());
     std::swap(prints_, new_prints_);
-    glDisable(GL_DEPTH_CLAMP);
-    glDisable(GL_POLYGON_OFFSET_FILL);
+    finish_drawing();
     return {counts.draws + moving.draws, counts.triangles + moving.triangles};
 }
 
