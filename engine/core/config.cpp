@@ -9,18 +9,18 @@
 // Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. We report them like any other
 // fault: in every build the library's assertions throw, and Config::parse catches the exception.
 namespace {
-struct ParserLost {};
+struct ParserAsserted {};  // an assertion of the parser failed
 }  // namespace
 #undef NDEBUG
-#define TOML_ASSERT(condition)                \
-    do {                                      \
-        if (!(condition)) throw ParserLost(); \
+#define TOML_ASSERT(condition)                    \
+    do {                                          \
+        if (!(condition)) throw ParserAsserted(); \
     } while (false)
 #define TOML_EXCEPTIONS 0
 #define TOML_MAX_NESTED_VALUES 16
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
-#if !defined(__clang__)  // which does not have this warning
+#if !defined(__clang__)  // clang has no such warning
 #pragma GCC diagnostic ignored "-Wterminate"
 #endif
 // The white-space and letter tables of toml++ mark a letter such as U+00E9 in place of white space as
@@ -179,7 +179,7 @@ Expected<toml::table> parse_toml(std::string_view source, const std::string& nam
         if (result) return std::move(result).table();
         const auto& error = result.error();
         return fail(text(name, ":", error.source().begin.line, ": ", in_one_line(error.description())));
-    } catch (const ParserLost&) {
+    } catch (const ParserAsserted&) {
         return fail(text(name, ": cannot be read as TOML; look for a wrong date or time"));
     }
 }

@@ -109,7 +109,7 @@ struct SnapshotAccess {
         world.memory_.release();
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
-        std::fill_n(world.counts_.begin(), world.infos_.size(), 0);  // those of resources stay
+        std::fill_n(world.counts_.begin(), world.infos_.size(), 0);  // the counts of resources stay
         for (auto& blob : world.blobs_) blob.clear();
         for (auto& query : world.queries_) query.reset();
         world.forget_packs();

@@ -38,7 +38,8 @@ void TableEdge::aim() {
     }
 }
 
-void Table::join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component) {
+void Table::add_edge(std::uint32_t number, Table& other, std::uint32_t other_number,
+                     std::uint32_t component) {
     auto edge = make_pooled<TableEdge>(*memory);
     edge->key = edge_key(number, component, !mask.test(component));
     edge->from = this;

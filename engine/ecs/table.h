@@ -112,7 +112,7 @@ struct ColumnPair {
     std::uint32_t component;
 };
 
-/// Leads from one table to the table with one component more or less.
+/// Leads from one table to the table that has one component more, or one fewer.
 struct TableEdge {
     std::uint64_t key = ~std::uint64_t{0};  ///< result of edge_key; the default matches no table
     Table* from = nullptr;
@@ -143,7 +143,7 @@ struct Table {
 
     std::array<std::byte*, max_components> cells;     ///< array of each data component; null: no such column
     std::array<std::uint8_t, max_components> tag_of;  ///< index of each tag in `tags`; no_tag: none
-    /// Edge to the table with this component more or less. Null: not known yet.
+    /// Edge for each component: to the table that has it besides, or that lacks only it. Null: not known yet.
     std::array<Pooled<TableEdge>, max_components> edges;
     /// Edges from or to this table, which hold the addresses of its arrays.
     std::pmr::vector<TableEdge*> incident;
@@ -190,7 +190,7 @@ struct Table {
                            std::uint32_t to_row);
     /// Creates the edge to `other`, which differs from this table in `component` only. Called once per pair
     /// and direction.
-    void join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
+    void add_edge(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// Returns the bit column of a tag and creates it on first use.
     TagColumn& tag_column(std::uint32_t component) {
         const auto at = tag_of[component];

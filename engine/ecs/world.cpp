@@ -99,8 +99,8 @@ const TableEdge& World::find_edge(std::uint32_t table, std::uint32_t component, 
         more ? mask.set(component) : mask.clear(component);
         const auto number = table_with(mask);
         auto& other = *tables_[number];
-        from.join(table, other, number, component);
-        other.join(number, from, table, component);
+        from.add_edge(table, other, number, component);
+        other.add_edge(number, from, table, component);
     }
     last_edge_ = from.edges[component].get();
     return *last_edge_;

@@ -244,7 +244,7 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    /// The edge to the table with this component more or less.
+    /// The edge to the table that has this component besides (`more`), or that lacks only it.
     const TableEdge& edge_from(std::uint32_t table, std::uint32_t component, bool more, Entity entity) {
         const auto* edge = last_edge_;
         if (edge->key != edge_key(table, component, more)) [[unlikely]] {

@@ -13,7 +13,7 @@ namespace {
 using namespace thaum;
 
 constexpr double cell = 0.01;             ///< edge of a cell (m)
-constexpr vec3 centre{0.16, 0.16, 0.16};  ///< of the bowl, a sphere (m)
+constexpr vec3 centre{0.16, 0.16, 0.16};  ///< centre of the bowl, a sphere (m)
 
 fluid::Settings bowl() {
     fluid::Settings settings{.cells = {32, 32, 32}, .h = cell, .viscosity = 1e-4};

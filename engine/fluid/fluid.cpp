@@ -29,7 +29,7 @@ constexpr double lid_most = 1e3;      // m/s
 constexpr double gravity_most = 1e3;  // m/s^2
 constexpr double weight_most = 1e3;
 constexpr double diffusion_most = 1e3;  // m^2/s
-constexpr double density_most = 1e6;    // of one cell
+constexpr double density_most = 1e6;    // density in one cell
 constexpr int sweeps_most = 1000;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }

@@ -34,8 +34,10 @@ struct Waves {
     std::vector<double> angle{};     ///< phase per cell of each wave (rad)
     std::vector<CellRange> folds{};  ///< ranges to fold, in this order; the first is the whole axis
     std::vector<CellRange> dense{};
-    std::vector<std::vector<float>> forth{};   ///< to waves, one matrix for each dense range: [place][wave]
-    std::vector<std::vector<float>> back{};    ///< from waves: [wave][place]
+    std::vector<std::vector<float>>
+        forth{};  ///< places to waves, a matrix for each dense range: [place][wave]
+    std::vector<std::vector<float>>
+        back{};  ///< waves to places, a matrix for each dense range: [wave][place]
     std::vector<std::vector<double>> exact{};  ///< `back` before it was rounded
 };
 

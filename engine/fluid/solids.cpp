@@ -17,8 +17,8 @@ constexpr double open_least = 0.02;
 // / d - 1 / own_below). With these values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
 // In float, conjugate gradients stop converging at a few thousandths of the initial residual. The residual
-// is then computed anew from the corrected velocity. The search goes on conjugate to the last direction: to
-// start it anew would cost a third of an iteration per step.
+// is then computed again from the corrected velocity. The search goes on conjugate to the last direction: a
+// new start of the search would cost a third of an iteration per step.
 constexpr double gain_of_round = 2e-3;
 constexpr int rounds_most = 4;
 

@@ -19,7 +19,7 @@ namespace {
 /// Largest phase of the stiffest mode in a sub-step (rad). Up to 2, for frequency and for damping, no
 /// step can add energy. At 1 the stiffest mode loses less than 1.4 % of its energy, and all modes five
 /// times slower less than 1e-6.
-constexpr double longest_step = 1;
+constexpr double max_phase = 1;
 
 /// The springs, divided by the mass of a node.
 struct SpringNetwork {
@@ -360,9 +360,9 @@ std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const
                                            const ProbeFootprints& footprints, double dt) {
     const double rate = std::max(
         std::sqrt(highest_squared_frequency(net) + stiffness_of_probes(s, net, footprints)), net.drag);
-    const double wanted = std::max(1.0, std::ceil(dt * rate / longest_step));
+    const double wanted = std::max(1.0, std::ceil(dt * rate / max_phase));
     if (wanted <= s.most_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
-    return {s.most_steps, longest_step / rate};
+    return {s.most_steps, max_phase / rate};
 }
 
 std::size_t array_size(const SpringSurfaceSettings& s) {

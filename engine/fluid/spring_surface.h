@@ -17,7 +17,7 @@
 // feels the surface no more. When the probe rises through it again, the surface clings to it and is
 // pulled up. A smaller force, `cling`, tears it off: the last ripple.
 //
-// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps of at most `longest_step`
+// Time stepping is classical Runge-Kutta of fourth order, in equal sub-steps of at most `max_phase`
 // rad of the stiffest mode. The energy then never grows. The number of sub-steps of a call is bounded.
 // If more are needed, the surface advances by less than the given time and reports it. This slow motion
 // keeps forces and energy right, where longer steps would be unstable.
@@ -40,7 +40,7 @@ namespace thaum::fluid {
 /// Behaviour of the outermost nodes.
 enum class Rim : std::uint32_t {
     pinned,  ///< the outermost nodes stay level
-    free,    ///< waves are reflected without inversion; only `level` can bring the surface back to level
+    free,    ///< waves are reflected without inversion; only the setting `level` brings the surface back
 };
 
 /// Settings of a spring surface; the defaults are valid.
@@ -51,7 +51,7 @@ struct SpringSurfaceSettings {
     double tension{600};           ///< total tension of the springs, >= 0 (N/m)
     double shear{1.0 / 3};         ///< share of the tension in the shear springs, 0 to 1
     double areal_mass{250};        ///< mass per area, > 0 (kg/m^2)
-    double level{};                ///< stiffness per area that gravity adds, density times g, >= 0 (N/m^3)
+    double level{};                ///< stiffness of gravity per area, density times g, >= 0 (N/m^3)
     double damping{1};             ///< decay rate: velocity falls by e^-1 in 1 / damping, >= 0 (1/s)
     double contact{5000};          ///< stiffness of the spring to the probe, >= 0 (N/m)
     double pop_through{200};       ///< force at which a probe breaks through, >= 0 (N)

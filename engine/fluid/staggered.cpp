@@ -36,12 +36,13 @@ constexpr double one_pass_most = 0.25;
 /// as a rigid body within a step. At 9e6 a thick lump beside thin fluid in a bowl gained energy without
 /// end.
 constexpr double rigid = 1e5;
-/// Largest divergence with solids, times h and divided by the largest velocity component.
-constexpr double divergence_most = 9.5e-7;
+/// Largest accepted divergence with solids, times h and divided by the largest velocity component.
+constexpr double max_divergence_with_solids = 9.5e-7;
 constexpr int iterations_most = 40;
-/// Largest divergence without solids. A larger one is rounding error, from a velocity that viscosity
-/// almost removed or from the corners of a lid. The pressure is then solved again, twice at most.
-constexpr double divergence_of_box = 1e-6;
+/// Largest accepted divergence without solids, in the same measure. A larger one is rounding error, from a
+/// velocity that viscosity almost removed or from the corners of a lid. The pressure is then solved again,
+/// `solves_more` times at most.
+constexpr double max_divergence_without_solids = 1e-6;
 constexpr int solves_more = 2;
 /// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual
 /// to bound the time; in most such steps no number would be enough.
@@ -208,7 +209,7 @@ void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
 /// Makes sum_ the new velocity.
 void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
-        const auto found = solids_->project(sum_, now.projected, divergence_most, iterations_most);
+        const auto found = solids_->project(sum_, now.projected, max_divergence_with_solids, iterations_most);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
@@ -405,7 +406,7 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double 
 
 /// Reduces the remaining divergence in a box without solids (1/s).
 void StaggeredSolver::clear_divergence(const Settings& settings, State& now, StepReport& report) {
-    const double most = divergence_of_box * report.speed / lattice_.h;
+    const double most = max_divergence_without_solids * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
         divergence(lattice_, order_, now.velocity, packed_);
         report.divergence = 0;

@@ -14,8 +14,8 @@ namespace {
 
 /// Scales from the bowl to the hand (haptics.md, "Two scales").
 struct HandScale {
-    double stiffness{};  ///< of stiffness, damping and mass: s_f s_x
-    double energy{};     ///< of energy: s_f / s_x
+    double stiffness{};  ///< scale of stiffness, damping and mass: s_f s_x
+    double energy{};     ///< scale of energy: s_f / s_x
 };
 
 HandScale hand_scale(const BowlFrame& frame) {

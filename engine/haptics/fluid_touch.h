@@ -174,7 +174,7 @@ struct FluidTouchState {
     double immersed{};       ///< immersed share of the ladle, 0 to 1
     std::uint64_t number{};  ///< number of the model; 0: there was none
     std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
-    std::uint32_t begun{};   ///< 0: mass and surface start anew
+    std::uint32_t begun{};   ///< 0: mass and surface have no earlier state
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
@@ -192,7 +192,7 @@ struct FluidForces {
     double supplied{};
 };
 
-/// Returns true if the fluid appeared, ended or jumped. The state then starts anew.
+/// Returns true if the fluid appeared, ended or jumped. The state is then reset.
 bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch);
 
 /// Computes the forces of one tick with a fluid. A part that is not finite gives no force.

@@ -8,7 +8,7 @@ namespace thaum::haptics::balancing {
 
 /// The best place so far.
 struct Solution {
-    vec3 proxy;  ///< m, world frame
+    vec3 proxy;  ///< position of the proxy (m, world)
     double residual = std::numeric_limits<double>::infinity();
     /// Forces of the terms, in their order (N, world frame).
     std::array<vec3, primitive_capacity> pulls;

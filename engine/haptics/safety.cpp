@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/energy.h"
+
 // The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is too
 // fast, a player who wants no forces) makes the force zero at once. An old model ramps to zero, because
 // nothing says that its last force was wrong. After either, the force returns from zero through the slew
@@ -33,7 +35,6 @@ constexpr double almost_there = 1 + 1e-9;
 // Shares of the thermal budget: a burst is held back from the first one and ends at the second one. The rest
 // is for a hand that presses on.
 constexpr double warm_from = 0.8, burst_until = 0.9;
-constexpr double longest_step = 0.05;  // largest plausible motion of a hand in a tick (m)
 // Time constant with which a held-back force rises to the sustained one (s).
 constexpr double rise_time = 0.5;
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));

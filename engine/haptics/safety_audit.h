@@ -88,8 +88,8 @@ private:
     bool offset_known_ = false;   // `offset_` is known
     // The stage neither scales down to keep the motors cool nor recovers from that.
     bool unscaled_ = true;
-    vec3 offset_{};            // N
-    vec3 tip_{};               // m
+    vec3 offset_{};            // rest of an old force that fades (N)
+    vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset at the switch (N)
     double fade_work_{};       // work of the offset (J)
     Moment last_fading_{};     // last tick in which there may be an offset

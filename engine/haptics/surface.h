@@ -176,7 +176,7 @@ struct ContactResult {
 };
 
 /// Advances the contact by one tick of `dt` seconds. If the tip is not finite, the force is zero and the
-/// proxy starts anew. The proxy stays `surface_gap` in front of a surface, so forces are exact up to
+/// proxy restarts at the tip. The proxy stays `surface_gap` in front of a surface, so forces are exact up to
 /// stiffness times that.
 ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
                     double dt) noexcept;

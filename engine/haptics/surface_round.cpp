@@ -194,7 +194,7 @@ struct Track {
     bool textured{};                   ///< a wall has a texture, which changes the depth that is felt
 
     mutable double known_s{-1};  ///< parameter of the last place computed
-    /// That place (m), cached because loads, pieces and end ask for the same one.
+    /// The place at `known_s` (m), cached because loads, pieces and end need the same place.
     mutable vec3 known{};
 
     vec3 at(double s) const {

@@ -5,16 +5,16 @@
 namespace thaum::haptics {
 namespace {
 
-/// Weights of the quadratic B-spline for three nodes, and their slopes. `off` is the distance from the middle
-/// node (cells).
+/// Weights of the quadratic B-spline for three nodes, and their slopes. `offset` is the
+/// distance from the middle node (cells).
 struct Weights {
     std::array<double, 3> value{};
     std::array<double, 3> slope{};
 };
 
-Weights weights_at(double off) {
-    const double before = 0.5 - off, after = 0.5 + off;
-    return {{before * before / 2, 0.75 - off * off, after * after / 2}, {-before, -2 * off, after}};
+Weights weights_at(double offset) {
+    const double before = 0.5 - offset, after = 0.5 + offset;
+    return {{before * before / 2, 0.75 - offset * offset, after * after / 2}, {-before, -2 * offset, after}};
 }
 
 /// Position in cells, wrapped to the map.

@@ -49,7 +49,8 @@ public:
 
     // Calls of the servo thread, once a tick. They take no lock, allocate nothing and open no file.
 
-    /// Measures pose and buttons, in the device frame (+x right, +y up, +z towards the user). `reading.time_ns` is set.
+    /// Measures pose and buttons, in the device frame (+x right, +y up, +z towards the user).
+    /// On entry `reading.time_ns` is the start of the tick.
     virtual ArmFault read(ArmReading& reading) noexcept = 0;
     /// Gives the arm a force (N, device frame), never more than its peak force.
     virtual ArmFault write(vec3 force) noexcept = 0;

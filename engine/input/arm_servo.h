@@ -6,7 +6,7 @@
 //
 // The simulation repeats the same steps with the same samples and models. Its forces therefore equal the
 // arm's to the bit, and so do those of a replay. Each step must start from the state of the step before. If
-// samples were lost, or the simulation has forgotten the model, both start anew from a state that the
+// samples were lost, or the simulation has forgotten the model, both restart from a state that the
 // simulation chooses. This begins a new *epoch*. Until then the arm's force is that of an ageing model, so it
 // ramps to zero.
 //
@@ -30,7 +30,7 @@ inline constexpr std::uint32_t remembered_models = 80;
 struct ArmOrder {
     haptics::Servo servo{};
     haptics::HapticModel model{.on = false};
-    vec3 offset{};                ///< as in RememberedModel (m)
+    vec3 offset{};                ///< displacement from the arm's tip to the hand that feels the model (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch
     std::uint32_t epoch{};        ///< 0: before the first epoch
     std::uint32_t number{};       ///< number of the model, from 1 in each epoch
@@ -41,7 +41,7 @@ struct ArmOrder {
 /// Data from the arm's thread to the simulation, in each tick.
 struct ArmSample {
     ArmReading reading{};             ///< the last valid reading if `pose_age` is not 0
-    std::uint32_t epoch{}, sample{};  ///< from 1; samples count from 1 in each epoch
+    std::uint32_t epoch{}, sample{};  ///< numbers from 1; that of the sample starts again in each epoch
     std::uint32_t model{};            ///< number of the model used
     std::uint32_t pose_age{};         ///< ticks since the pose was measured
     vec3 force{};                     ///< force that the arm got for this sample (N)
@@ -105,7 +105,7 @@ struct RememberedModel {
     haptics::HapticModel model{};
     vec3 offset{};            ///< displacement from the arm's tip to the hand that feels the model (m)
     std::uint32_t number{};   ///< number of the model, from 1 in each epoch
-    std::uint32_t samples{};  ///< as in ArmOrder
+    std::uint32_t samples{};  ///< samples taken in the epoch when the model was made
 };
 
 /// State of an arm in the simulation; no padding. In each tick: take_sample; the rest of the tick; then a new

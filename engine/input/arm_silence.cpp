@@ -100,7 +100,7 @@ void on_stop(int signal, siginfo_t*, void* context) {
     errno = error;
 }
 
-/// Where nobody else has a handler.
+/// Sets the handler of a signal unless the program already has one for it.
 void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
     struct sigaction before {};
     if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) return;

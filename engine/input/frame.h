@@ -27,13 +27,13 @@ namespace hand {
 /// Indices into `counts` of a hand. The first three are sums over the tick, the others are levels at its end.
 enum Count : std::size_t {
     look_right,  ///< mouse counts to the right; times DeviceSpec::look_rad_per_count
-    look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::invert_y turns it round
+    look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::invert_y reverses the sign
     wheel,       ///< wheel steps; away from the user is positive
-    strafe,      ///< -127..127, to the right
-    forward,     ///< -127..127, forwards
-    turn_right,  ///< -127..127 of DeviceSpec::turn_rad_per_s
-    turn_up,     ///< -127..127 of DeviceSpec::turn_rad_per_s; DeviceSpec::invert_y turns it round
-    trigger,     ///< 0..255, position of the `fire` trigger; 255 for a key or button that is held
+    strafe,      ///< speed to the right, -127..127
+    forward,     ///< speed forwards, -127..127
+    turn_right,  ///< turn rate to the right, -127..127; 127: DeviceSpec::turn_rad_per_s
+    turn_up,     ///< turn rate upwards, likewise; DeviceSpec::invert_y reverses it
+    trigger,     ///< position of the `fire` trigger, 0..255; 255 for a key or button that is held
 };
 }  // namespace hand
 
@@ -88,7 +88,7 @@ struct DeviceSample {
     /// a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};
     /// Number of samples left out before this one because the simulation was too far behind, or because
-    /// samples of an arm were lost. If it is not 0, every arm's servo starts anew and an arm's sample is not
+    /// samples of an arm were lost. If it is not 0, every arm's servo restarts and an arm's sample is not
     /// used.
     std::uint16_t skips{};
     bool operator==(const DeviceSample&) const = default;

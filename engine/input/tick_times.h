@@ -30,9 +30,9 @@ private:
 struct TickReport {
     std::uint64_t ticks{};
     std::uint64_t missed{};  ///< periods that passed without a tick
-    /// Difference between tick interval and period.
+    /// Difference between tick interval and period, without sign.
     double jitter_median{}, jitter_p99{}, jitter_worst{};
-    /// From the measurement to the force handed to the device.
+    /// Time from the measurement of the pose to the force handed to the device.
     double answer_median{}, answer_p99{}, answer_worst{};
 };
 

@@ -27,7 +27,7 @@ struct DrawStatistics {
     std::size_t shadow_draws{};      ///< draw calls into the shadow map; 0 if no caster has moved
     std::size_t shadow_triangles{};
     std::size_t volumes_drawn{};
-    /// Volumes whose texels and skin were sent anew, since their version changed.
+    /// Volumes whose texels and skin were sent again because their version changed.
     std::size_t volumes_sent{};
 };
 

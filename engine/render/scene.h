@@ -171,7 +171,7 @@ struct Frame {
     float internal_scale = 1;  ///< scale of the views' resolution, 0.25 to 1; the result is stretched
     Quality quality = Quality::low;
     bool bloom = true;  ///< used at Quality::high only
-    Casters casters{};  ///< lit by the sun of the first view
+    Casters casters{};  ///< things that cast shadows in the sun of the first view
 };
 
 }  // namespace thaum::render

@@ -109,7 +109,7 @@ private:
 
 using Arm = std::unique_ptr<input::OpenArm>;
 
-/// Opens the first arm of that name, or the arm of that number. Other arms are closed again.
+/// Opens the first arm with this name, or the arm with this number. Other arms are closed again.
 Expected<Arm> open_named(const std::string& name) {
     std::string found;
     std::optional<Error> first;

@@ -46,8 +46,8 @@ struct LabSession {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
     bool pour_is_due = false;  ///< true: the pour key was pressed since the last step
-    /// anew: the bowl has changed, so the picture must be made again
-    bool wants_reset = false, leaves = false, anew = false;
+    /// bowl_changed: the picture must be made again
+    bool wants_reset = false, leaves = false, bowl_changed = false;
     double height{};              ///< height of a stirring ladle above the level (m), <= 0
     std::optional<vec3> ladle{};  ///< place of the ladle, also while it is lifted out (m, basin frame)
     std::int64_t note_until_ns = 0;
@@ -121,7 +121,7 @@ void save_now(LabSession& session) {
 void load_now(LabSession& session) {
     auto lab = game::load_lab(session.file, session.plan.lab.rules);
     if (!lab) return note(session, lab.error().message);
-    session.anew = lab->settings.room != session.plan.lab.settings.room;
+    session.bowl_changed = lab->settings.room != session.plan.lab.settings.room;
     session.plan.lab = std::move(*lab);
     session.page.hands.settings = session.plan.lab.settings;
     session.figures = game::figures_of(session.plan.lab);
@@ -251,7 +251,7 @@ Expected<void> run(LabSession& session, render::Window& window, render::Renderer
         for (int i = 0; i < due && !session.page.hands.paused && session.plan.lab.steps < end; ++i)
             step_session(session, size, jobs);
         if (session.note_until_ns < monotonic_ns()) session.page.note.clear();
-        if (std::exchange(session.anew, false)) picture.emplace(renderer, session.plan.lab);
+        if (std::exchange(session.bowl_changed, false)) picture.emplace(renderer, session.plan.lab);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
             renderer.draw(picture->frame(session.plan.lab, session.figures, session.page, size));
             if (session.plan.shots &&

@@ -25,7 +25,7 @@ struct InputStamp {
 /// Everything the main thread wants shown besides the match itself.
 struct Screen {
     game::HudSettings hud{};                   ///< settings of the views; `quality` below replaces theirs
-    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by measured times
+    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by device and measured times
     game::MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;

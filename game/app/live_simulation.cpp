@@ -21,7 +21,7 @@ constexpr std::int64_t ns_per_tick = 1'000'000;
 constexpr Tick most_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
-constexpr Tick idle_wake = 8;             ///< ticks computed at once
+constexpr Tick idle_wake = 8;             ///< ticks computed at each wake-up of the thread
 constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread shows one picture (ticks)
 constexpr Tick log_after_end = 500;       ///< ticks of the result screen that are still recorded
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)

@@ -11,7 +11,7 @@ struct OffscreenDuel {
     std::filesystem::path assets{};
     /// folder for duel.png, duel.thaumlog and duel.txt; replaces old files
     std::filesystem::path out = "out";
-    std::filesystem::path log{};  ///< path that replaces out/duel.thaumlog; the file must not exist yet
+    std::filesystem::path log{};  ///< path of the log, if not in `out`; the file must not exist yet
     game::DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, game::players> levels{1, 1};

@@ -37,7 +37,7 @@ struct Settings {
     bool fullscreen = false;
     double fov = 90;  ///< field of view (degrees)
     double text_scale = 1;
-    /// std::nullopt: chosen by the OpenGL renderer and by measured times
+    /// quality of the picture; std::nullopt: chosen by the OpenGL renderer and by measured times
     std::optional<render::Quality> quality{};
     bool bloom = true;
     double frames_per_second = 60;

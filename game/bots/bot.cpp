@@ -148,7 +148,7 @@ vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& 
 /// Direction out of a cell that leads nowhere, once the bot has stood there for a while; zero before.
 vec3 way_out(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind, Tick tick) {
     const int cell = grid.cell_at(self.centre);
-    if (grid.leads_on(cell)) mind.stranded_since = tick;
+    if (grid.in_large_region(cell)) mind.stranded_since = tick;
     if (tick - mind.stranded_since < stranded_after) return {0, 0, 0};
     const vec3 feet = self.centre - vec3(0, match.data().wizard.height / 2, 0);
     const int to = grid.nearest_way(cell, feet);

@@ -124,10 +124,10 @@ void WalkGrid::find_large_regions() {
         largest = std::max(largest, ways.queue.size());
         regions.push_back(ways.queue);
     }
-    leads_on_.assign(height_.size(), 0);
+    in_large_region_.assign(height_.size(), 0);
     for (const auto& region : regions) {
         if (static_cast<double>(region.size()) < large_share * static_cast<double>(largest)) continue;
-        for (const int cell : region) leads_on_[static_cast<std::size_t>(cell)] = 1;
+        for (const int cell : region) in_large_region_[static_cast<std::size_t>(cell)] = 1;
     }
 }
 
@@ -138,7 +138,7 @@ int WalkGrid::nearest_way(int cell, vec3 feet) const {
         for (int dx = -1; dx <= 1; ++dx) {
             const vec3 place = centre_of(cell) + vec3(dx, 0, dz);
             const int there = cell_at(place);
-            if (!covers(place) || !leads_on(there) || height(there) > feet.y + highest_step) continue;
+            if (!covers(place) || !in_large_region(there) || height(there) > feet.y + highest_step) continue;
             const double along = glm::distance(vec2(place.x, place.z), vec2(feet.x, feet.z));
             const double drop = std::max(0.0, feet.y - height(there));
             if (along + drop < nearest) nearest = along + drop, best = there;

@@ -37,11 +37,11 @@ public:
     void find_ways(int goal, Ways& ways) const;
     /// The neighbour of `cell` nearest to the goal; `cell` itself at the goal, or if there is no way.
     int next(int cell, const Ways& ways) const;
-    /// Whether ways lead from the cell over much of the arena. They do not from the top of a block, nor from a cell
+    /// Whether the cell is in one of the large connected regions. The top of a block is not, nor is a cell
     /// that a thing fills in part.
-    bool leads_on(int cell) const { return leads_on_[static_cast<std::size_t>(cell)] != 0; }
-    /// The cell next to `cell` that leads on, not above the feet, with the shortest way and drop from them; `cell`
-    /// itself if there is none.
+    bool in_large_region(int cell) const { return in_large_region_[static_cast<std::size_t>(cell)] != 0; }
+    /// The cell next to `cell` that is in a large region and not above the feet, with the shortest way and
+    /// drop from them; `cell` itself if there is none.
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;
@@ -59,7 +59,7 @@ private:
     void find_large_regions();
 
     std::vector<double> height_;
-    std::vector<std::uint8_t> leads_on_;  ///< 1: the cell is in one of the large connected regions
+    std::vector<std::uint8_t> in_large_region_;  ///< 1: the cell is in one of the large connected regions
 };
 
 }  // namespace thaum::game

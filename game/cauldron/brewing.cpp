@@ -28,7 +28,7 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
     double nearest = rules.niche_radius;
     world.view<const Wizard, const Motion, ecs::Without<Dead>, ecs::Without<Pouch>>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Motion& motion) {
-            const auto way = way_on_floor(context.data.wizard, motion.position, place, nearest);
+            const auto way = distance_on_floor(context.data.wizard, motion.position, place, nearest);
             if (!way || takers[wizard.player]) return;
             taker = e;
             who = wizard.player;

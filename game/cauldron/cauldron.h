@@ -24,7 +24,7 @@ inline constexpr double surface_dt = seconds(surface_period);
 
 /// Averages over the whole brew.
 struct BrewFigures {
-    double mixing{}, viscosity{1}, density{1}, speed{};  ///< as in Cauldron
+    double mixing{}, viscosity{1}, density{1}, speed{};  ///< the figures of the component Cauldron
 };
 
 /// Solver memory of a match's brew.

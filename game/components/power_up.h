@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 3> power_up_names{"vial", "heart",
 struct PowerUp {
     Tick back_at{};  ///< when it is available again (ticks of play)
     PowerUpKind kind{};
-    std::uint32_t number{};  ///< its index in the arena file
+    std::uint32_t number{};  ///< index of the power-up in the arena file
     static constexpr std::string_view name = "PowerUp";
     static constexpr auto fields() {
         return std::tuple(field("back_at", &PowerUp::back_at), field("kind", &PowerUp::kind),

@@ -9,9 +9,9 @@ namespace thaum::game {
 /// Hand state with a device at rest.
 HandState empty_hand_state();
 
-/// Kicks the hand with half a sine wave. `newtons` is the peak for a device with a peak force of 3.3 N and a
-/// player who wants full force; for others it scales in proportion (game.md). A number kicks towards the
-/// user. A vector gives the direction (device frame). Writes HandState.
+/// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a device
+/// with a peak force of 3.3 N and a player who wants full force; for others it scales in proportion
+/// (game.md). A number kicks towards the user. A vector gives the direction (device frame). Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 

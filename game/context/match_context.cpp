@@ -79,7 +79,7 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
     return body_centre + vec3(0, rules.eye - rules.height / 2, 0);
 }
 
-std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most) {
+std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most) {
     // Height difference (m) up to which feet and place are on the same floor.
     constexpr double same_floor = 1;
     const vec3 off = body_centre - vec3(0, rules.height / 2, 0) - place;

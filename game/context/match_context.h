@@ -37,7 +37,7 @@ struct HapticSetup {
     /// Half the box of positions that the device reaches (m, device frame).
     std::array<vec3, players> reach{};
     /// Scale of hand motion relative to a device with the usual workspace.
-    std::array<double, players> stride{};
+    std::array<double, players> workspace_scale{};
     /// Displacement of the wand's tip per displacement of the hand (m/m).
     std::array<double, players> wand_per_hand{};
 };
@@ -80,7 +80,7 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 
 /// Distance along the ground from a wizard's feet to a position (m). std::nullopt if that is farther than
 /// `most` or on another floor.
-std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
+std::optional<double> distance_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
 /// Appends an event to the journal and to EventLog, and adds it to the match statistics. The calling system
 /// must have declared that it writes EventLog and resource::Journal.

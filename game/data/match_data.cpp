@@ -11,8 +11,9 @@ namespace thaum::game {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
-/// Top-level tables of data files that no match reads: how things are shown, and the places of practice.
-constexpr std::array<std::string_view, 3> tables_of_no_match{"event", "look", "range"};
+/// Top-level tables of data files that no match reads, so their values are not hashed: how events and things
+/// are shown, and the places of practice.
+constexpr std::array<std::string_view, 3> unhashed_tables{"event", "look", "range"};
 
 /// Reads data files, stores the hash of each file's values, and applies overrides.
 class Loader {
@@ -66,7 +67,7 @@ private:
         if (!source) return tl::unexpected(source.error());
         auto config = Config::parse(*source, name, 1);
         if (!config) return config;
-        if (decides) data_.files.push_back({name, config->value_hash(tables_of_no_match)});
+        if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
         for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
             const std::string_view entry = data_.choice.overrides[i];

@@ -19,7 +19,7 @@ namespace thaum::game {
 
 struct MatchContext;
 
-/// Numbers that every wand has.
+/// Numbers that every wand has in its data file.
 struct WandStats {
     std::uint32_t slot{};         ///< slot and key, 0 to wand_slots - 1
     std::uint32_t energy_slot{};  ///< slot whose energy the wand uses: its own, or that of another wand
@@ -92,7 +92,8 @@ public:
     virtual void outfit(ecs::World& world, ecs::Entity wizard) const = 0;
     /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand.
     virtual void use(const WandUse& use) const = 0;
-    /// Ends what was begun. Called once when another wand is selected, and while the wizard is dead or stirs.
+    /// Ends the use of the wand, such as a charge or a hold. Called once when another wand is selected, and
+    /// while the wizard is dead or stirs.
     virtual void put_away(const WandUse&) const {}
     /// Components and resources that `use` and `put_away` write, besides WandBelt.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
@@ -101,7 +102,7 @@ public:
     /// Adds systems that move the wand's missiles.
     virtual void add_missiles(const WandSystems&) const {}
 
-    /// Calls back for every missile in flight.
+    /// Calls the function once for every missile in flight, for the picture and for bots.
     virtual void show(const ecs::World&, const std::function<void(const Missile&)>&) const {}
     /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
@@ -110,7 +111,7 @@ public:
     /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// A shot after readying the wand to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.
-    virtual std::optional<ShotKind> shot(double) const { return std::nullopt; }
+    virtual std::optional<ShotKind> shot(double /*readiness*/) const { return std::nullopt; }
     /// How the wand takes things up; std::nullopt if it does not.
     virtual std::optional<GraspKind> grasp() const { return std::nullopt; }
     /// The wand's rope; std::nullopt if it has none.

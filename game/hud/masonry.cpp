@@ -159,7 +159,7 @@ bool is_bevelled(double height, const Face& face, const Stonework& work) {
     return !is_slab(face, work) && height <= out_of_reach;
 }
 
-/// One block of a course at that height.
+/// One block of a course of stones. `height` is that of its lower edge (m, world).
 render::Patch block(double height, const Face& face, const Stonework& work, const Cell& cell,
                     Random& random) {
     const fvec3 tone = any_shade(work, random);

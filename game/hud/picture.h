@@ -99,16 +99,16 @@ struct PlayerPicture {
 
     double health{}, health_full{}, health_cap{};  ///< HP
     std::string_view wand;                         ///< kind of the wand in hand; empty: none
-    std::uint32_t wand_number{};                   ///< its index in Presentation::wands
+    std::uint32_t wand_number{};                   ///< index of the wand in Presentation::wands
     double energy{}, energy_cap{};
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     std::int32_t kills{}, deaths{};
     double returns_in_s{};       ///< time until the wizard returns, if dead
     double since_hit_s{};        ///< time since this player last hurt the other
     double since_warning_s{};    ///< time since the last event of this player with HudMark::warning
-    EventKind warning{};         ///< kind of that event
+    EventKind warning{};         ///< kind of the event of since_warning_s
     double since_gift_s{};       ///< time since the last event of this player with HudMark::gift
-    Event gift{};                ///< that event
+    Event gift{};                ///< the event of since_gift_s
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
     bool stirs{};                ///< true if the player holds a ladle
     bool at_rim{};               ///< true if the player can start to stir

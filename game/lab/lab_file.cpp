@@ -10,7 +10,7 @@ namespace thaum::game {
 namespace {
 
 constexpr std::size_t lab_file_most = 256U << 20U;  // most bytes; 64 cells across need 5 million
-constexpr std::size_t name_most = 32;
+constexpr std::size_t name_most = 32;               // longest name of a substance (characters)
 constexpr std::uint32_t kept_version = 1;
 constexpr std::int64_t steps_most = std::int64_t{1} << 40;
 
@@ -124,7 +124,7 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
 }
 
 /// Tests whether the saved fluid and surface fit the brew that these settings make.
-bool belongs(const fluid::SavedFluid& saved, const LabState& lab, const Brew& made) {
+bool fits_settings(const fluid::SavedFluid& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&
            a.gravity == b.gravity && a.lid == b.lid && a.no_slip_at_solids == b.no_slip_at_solids &&
@@ -154,7 +154,7 @@ Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronR
     if (auto sound = check(lab->settings.room); !sound) return wrong(sound.error());
     auto made = make_lab(rules, lab->settings);
     if (!made) return wrong(made.error());
-    if (!belongs(*saved, *lab, made->brew)) return wrong({"its grid is not that of its bowl"});
+    if (!fits_settings(*saved, *lab, made->brew)) return wrong({"its grid is not that of its bowl"});
     lab->basin = std::move(made->basin);
     lab->brew = std::move(made->brew);
     lab->brew.fluid = std::move(saved->fluid);

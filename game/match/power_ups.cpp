@@ -31,7 +31,8 @@ Taker find_taker(MatchContext& context, const PowerUp& power_up, vec3 place) {
     context.world.view<const Health, const WandBelt, const Motion, ecs::Without<Dead>>().each(
         [&](ecs::Entity e, const Health& health, const WandBelt& belt, const Motion& motion) {
             if (health.points <= 0) return;  // this wizard dies in this tick
-            const auto distance = way_on_floor(context.data.wizard, motion.position, place, rules.radius);
+            const auto distance =
+                distance_on_floor(context.data.wizard, motion.position, place, rules.radius);
             if (!distance || *distance >= best.distance) return;
             const auto gift = gift_of(context.data, power_up.kind, health, belt);
             if (gift.amount() >= least_gift) best = {e, gift, *distance};

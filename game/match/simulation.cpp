@@ -27,15 +27,15 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 /// In a narrower workspace the scales grow in proportion, so that the hand reaches as far in the world.
 constexpr double usual_width = 0.16;
 
-void set_box(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& setup) {
+void set_workspace(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& setup) {
     setup.reach[player] = box / 2.0;
-    setup.stride[player] = usual_width / box.x;
-    setup.wand_per_hand[player] = data.haptic_rules.wand_per_hand * setup.stride[player];
+    setup.workspace_scale[player] = usual_width / box.x;
+    setup.wand_per_hand[player] = data.haptic_rules.wand_per_hand * setup.workspace_scale[player];
 }
 
 /// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. An edge above 1 m
 /// counts as 1 m: no real arm is wider, and a wider one would make the hand slow.
-vec3 box_of(const input::DeviceSpec& device) {
+vec3 workspace_of(const input::DeviceSpec& device) {
     constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
     vec3 box{};
     for (std::size_t i = 0; i < device.box_um.size(); ++i) {
@@ -66,13 +66,13 @@ HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::Devi
     setup.weight.fill(1);
     setup.blows.fill(1);
     for (auto& servo : setup.servos) servo = haptics::servo_of(data.device, data.haptic_rules.share);
-    for (std::uint32_t p = 0; p < players; ++p) set_box(data, p, data.device.workspace, setup);
+    for (std::uint32_t p = 0; p < players; ++p) set_workspace(data, p, data.device.workspace, setup);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
         if (device.no_forces) setup.on[device.player] = false;
         if (device.force_percent != 0)
             setup.servos[device.player] = haptics::servo_of(data.device, device.force_percent / 100.0);
-        if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, setup);
+        if (const vec3 box = workspace_of(device); box.x > 0) set_workspace(data, device.player, box, setup);
         setup.weight[device.player] *= 1 - device.weight_reduction / 100.0;
         setup.blows[device.player] *= 1 - device.blow_reduction / 100.0;
         reduce_modes(device, setup.brew[device.player]);

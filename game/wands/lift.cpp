@@ -177,7 +177,7 @@ void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::
     hand.coupling.expected = body.velocity;
     const double size = extent(context.physics.read().desc(thing.index));
     const auto player = now.get<Wizard>(wizard).player;
-    hand.metres_per_metre = context.input.haptic_setup.stride[player] * data.metres_per_metre *
+    hand.metres_per_metre = context.input.haptic_setup.workspace_scale[player] * data.metres_per_metre *
                             std::clamp(size, data.finest, 1.0);
 }
 

@@ -31,7 +31,7 @@ struct Muzzle {
     vec3 ahead{};  ///< direction of view (unit, world)
     vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
-/// Muzzle for a missile of that radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
+/// Muzzle for a missile with this radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
 Muzzle muzzle_of(const WandUse& use, double radius);
 
 /// Records that a player pressed fire without enough energy for a shot. Writes EventLog and resource::Journal.

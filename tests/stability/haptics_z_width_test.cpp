@@ -110,7 +110,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
         EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
-            << stiffness;                              // it pushes no deeper
+            << stiffness;                              // the hand pushes no deeper
         EXPECT_LE(at.added_later, 0.05) << stiffness;  // N; after settling, only the wall acts
         EXPECT_LE(at.created, 0.02) << stiffness;
     }

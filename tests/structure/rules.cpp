@@ -21,7 +21,7 @@ const std::map<std::string, int, std::less<>> floors = {
     {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
 };
 
-/// Floor of each room game/ROOM. A room may include itself and rooms on lower floors.
+/// Floor of each folder of the game. A folder may include itself and folders on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
     {"components", 0},                              // plain data of the World
     {"arena", 1},                                   // shape of the arena
@@ -115,24 +115,25 @@ std::string included_file(const fs::path& root, const fs::path& from, const std:
     return quoted ? "engine/" + name : "";
 }
 
-/// Room of a place in game/; empty for places elsewhere.
-std::string room_of(const Place& place) {
+/// Name of the folder of a place in game/; empty for places elsewhere.
+std::string game_folder_of(const Place& place) {
     const std::string_view game = "game/";
     return place.folder.starts_with(game) ? place.folder.substr(game.size()) : "";
 }
 
-/// Fault of an include between two rooms of the game; empty: none.
-std::string room_fault(const std::string& from, const std::string& to) {
+/// Fault of an include between two folders of the game; empty: none.
+std::string game_folder_fault(const std::string& from, const std::string& to) {
     if (from == to) return "";
     if (!game_floors.contains(to) || !game_floors.contains(from))
-        return "is not a room in game_floors (rules.cpp)";
+        return "is not a folder in game_floors (rules.cpp)";
     return game_floors.at(to) < game_floors.at(from) ? "" : "only lower floors may be included";
 }
 
 /// Fault of an include; empty: none.
 std::string include_fault(const Place& from, const Place& to) {
     if (to.in_detail && from.folder != to.folder) return "only its own folder may include detail/";
-    if (from.part == "game" && to.part == "game") return room_fault(room_of(from), room_of(to));
+    if (from.part == "game" && to.part == "game")
+        return game_folder_fault(game_folder_of(from), game_folder_of(to));
     if (from.part == to.part) return "";
     if (!floors.contains(to.part) || !floors.contains(from.part))
         return "is not a part in floors (rules.cpp)";

@@ -138,7 +138,7 @@ double volume_of(const physics::TriangleMesh& mesh) {
 }
 
 TEST(ArenaFile, ARampRisesWhereItsNameSaysAndItsTwinWhereItMust) {
-    const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};  // as rise_names
+    const std::array<vec2, 4> ways{vec2(1, 0), {-1, 0}, {0, -1}, {0, 1}};  // directions of rise_names
     for (std::size_t rise = 0; rise < rise_names.size(); ++rise) {
         const auto mesh = ramp({2, 3, 4}, static_cast<Rise>(rise));
         EXPECT_NEAR(volume_of(mesh), 2 * 3 * 4 / 2.0, 1e-12) << rise_names[rise];
@@ -273,15 +273,15 @@ TEST(ArenaWays, ABlockLeadsNowhereAndBesideItIsAWay) {
     const WalkGrid grid(match.physics(), ground_bounds(data->arena));
     const vec3 beside_the_bowl{0.96, 0, -1.9};
     const int cell = grid.cell_at(beside_the_bowl);
-    EXPECT_FALSE(grid.leads_on(cell));
+    EXPECT_FALSE(grid.in_large_region(cell));
     const int way = grid.nearest_way(cell, beside_the_bowl);
-    EXPECT_TRUE(grid.leads_on(way));
+    EXPECT_TRUE(grid.in_large_region(way));
     EXPECT_LT(glm::distance(grid.centre_of(way), beside_the_bowl), 1);
     EXPECT_NEAR(grid.height(way), 0, 0.01);
     const int parapet = grid.cell_at({-9.5, 4, 8.3});
-    EXPECT_FALSE(grid.leads_on(parapet));
+    EXPECT_FALSE(grid.in_large_region(parapet));
     EXPECT_NEAR(grid.height(grid.nearest_way(parapet, {-9.5, 4, 8.4})), 3, 0.01) << "not down into the well";
-    EXPECT_TRUE(grid.leads_on(grid.cell_at({-9, 3, 10.5})));
+    EXPECT_TRUE(grid.in_large_region(grid.cell_at({-9, 3, 10.5})));
 }
 
 TEST(ArenaWays, TheGridHasTheSizeOfTheGround) {

@@ -129,7 +129,8 @@ TEST(ArmServo, OutOfStepTheForcesAgree) {
     EXPECT_GT(oldest, 10);
 }
 
-/// Long stalls of the simulation, which then leaves ticks out, and of the arm. Samples are lost on the way.
+/// The simulation stalls for long, then leaves out the ticks that it missed or catches up. The arm stalls
+/// too. Samples are lost, and the forces must agree again.
 TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
     ArmServo servo;
     Arm arm{servo};

@@ -346,7 +346,7 @@ TEST(FluidTouch, TheSurfaceForceIsThatOfTheSpringSurface) {
     EXPECT_GT(pulled, 0);
 }
 
-TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
+TEST(FluidTouch, ASurfaceThatLiftsAHandLosesTheEnergy) {
     // A hand lifted with the surface gets the energy that the surface loses. Held against a sinking surface,
     // the hand gives energy.
     StirringRig rig;

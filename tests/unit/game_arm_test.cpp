@@ -322,7 +322,7 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     m.expect_same_forces();
 }
 
-/// Holds the arm still in the middle and selects the wand of that name.
+/// Holds the arm still in the middle and selects the wand called `name`.
 void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);

@@ -11,7 +11,7 @@
 namespace thaum::game::test {
 namespace {
 
-constexpr double recoil_length = 0.015;  // as in assets/wands/bolt.toml (s)
+constexpr double recoil_length = 0.015;  // length of the recoil in assets/wands/bolt.toml (s)
 constexpr Tick after_the_last = ticks(recoil_length) + gameplay_period;
 
 const HandState& hand_state_of(const Simulation& match, std::uint32_t player) {

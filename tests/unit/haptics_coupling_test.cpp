@@ -25,7 +25,7 @@ CouplingFrame crooked() {
 /// Force on the object after the hand has moved by `moved` (m, device frame) since the object was taken.
 vec3 pull(const CouplingFrame& f, const Coupling& c, vec3 moved) {
     const vec3 object = interface_point(f, f.taken_device);
-    // So short that the mean force equals the first one.
+    // The step is so short that its mean force equals the force at its start.
     const auto step = coupling_step(c, 1 / 5.0, 0, 1e-9);
     return couple(step, {.hand = interface_point(f, f.taken_device + moved), .object = object}).mean_force;
 }

@@ -55,7 +55,7 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
     return outcome;
 }
 
-TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
+TEST(HapticsEnergy, CreatedEnergyIsTheSumOfForceTimesDisplacement) {
     PassivityObserver observer;
     observe(observer, {0, 0, 0}, {}, 0, 0);
     record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
@@ -66,7 +66,8 @@ TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
     EXPECT_NEAR(observer.created, 0, 1e-15) << "and back against it";
     record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
     observe(observer, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
-    EXPECT_NEAR(observer.created, 0, 1e-15) << "the world moved the other end as far: it paid";
+    EXPECT_NEAR(observer.created, 0, 1e-15)
+        << "the world moved the other end as far: the energy is the world's";
     EXPECT_NEAR(observer.most_created, 0.02, 1e-15);
 }
 
@@ -147,7 +148,7 @@ TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
     EXPECT_EQ(surplus(observer, 0), 1e-4) << "with nothing left to give there is no slack";
 }
 
-TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
+TEST(HapticsEnergy, PendingWorkIsThatOfForcesNotYetFelt) {
     PassivityObserver observer;
     record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
     record_output(observer, {3, 0, 0}, {3, 0, 0}, {}, {});

@@ -259,7 +259,7 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     ASSERT_TRUE(bursts(stage, {100, 100}));
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
-    EXPECT_FALSE(bursts(stage, {100}));  // counting starts anew
+    EXPECT_FALSE(bursts(stage, {100}));  // counting starts again from zero
 }
 
 TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
@@ -399,7 +399,7 @@ TEST(HapticsSafety, AFastPathIsAFastHandThoughItLeadsNowhere) {
     }
 }
 
-TEST(HapticsSafety, TheGravestCauseIsTold) {
+TEST(HapticsSafety, TheGravestCauseIsReported) {
     Stage stage;
     SafetyInput input{.wanted = {5, 0, 0}};
     stage.feel(vec3(0));

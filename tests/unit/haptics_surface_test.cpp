@@ -43,13 +43,13 @@ SurfacePatch floor_patch(const SurfaceMaterial& material = {.stiffness = stiffne
     return patch;
 }
 
-/// A hand at a place that it did not move to.
+/// A tip that appears at a place without moving there.
 struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
     ContactResult at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
-    /// A hand over moving bodies, which move by their own velocities.
+    /// Moves the bodies by their velocities for one tick. The tip stays.
     void advance() {
         for (std::uint32_t i = 0; i < patch.count; ++i) {
             Surface& s = patch.surfaces[i];

@@ -159,7 +159,7 @@ TEST(Texture, OnABallItIsCutFromABlock) {
         const vec3 out(std::sin(angle), std::cos(angle), 0);
         SurfaceState state{.proxy = 0.06 * out, .begun = 1};
         const ContactResult felt = touch(patch, state, {(radius - 0.001) * out, {}}, tick_seconds);
-        const double x = (radius + 2 * crest) * out.x;  // of the proxy, on the texture's top
+        const double x = (radius + 2 * crest) * out.x;  // x of the proxy, on the texture's top (m)
         const vec3 along(grating_slope(x), 0, 0);
         const vec3 normal = glm::normalize(out - (along - glm::dot(along, out) * out));
         EXPECT_LE(glm::length(felt.force - wall_stiffness * (0.001 + grating(x)) * normal), force_rounding);

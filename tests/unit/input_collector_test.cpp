@@ -260,7 +260,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
     }
     hands.focus_lost();
     EXPECT_FALSE(hands.take().down(Button::fire));
-    // After that, the first press turns it on again.
+    // After the focus was lost, the first press turns the action on again.
     hands.mouse_button(left_button, true);
     EXPECT_TRUE(hands.take().down(Button::fire));
 }

@@ -69,13 +69,13 @@ std::string refusal(const std::string& words) {
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// What a test does at each tick.
+/// The hand of a test: what it measures at each tick, and the force that it asks for.
 struct Hand {
     std::atomic<std::uint64_t> ticks{0}, unusable{0};
     std::atomic<std::int32_t> x_um{0}, y_urad{0};
     std::atomic<std::uint32_t> buttons{0};
-    std::atomic<double> stiffness{0};  // N/m, to x = 0
-    std::atomic<double> push{0};       // N, along z
+    std::atomic<double> stiffness{0};  // stiffness of the spring to x = 0 (N/m)
+    std::atomic<double> push{0};       // force along z (N)
 
     static vec3 step(void* context, const ArmReading& r) {
         auto& hand = *static_cast<Hand*>(context);
@@ -154,7 +154,7 @@ TEST(OpenHaptics, OnlyOneIsOpen) {
     EXPECT_EQ((*arm)->status().state, ArmPresence::present);
 }
 
-TEST(OpenHaptics, TellsWhatTheArmIs) {
+TEST(OpenHaptics, ReportsSerialDriverAndSpecOfTheArm) {
     const auto arm = open_fake();
     ASSERT_TRUE(arm) << arm.error().message;
     const auto& facts = (*arm)->facts();
@@ -332,7 +332,7 @@ TEST(OpenHaptics, LateTicksAreCounted) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
     const auto times = (*arm)->times();
-    EXPECT_GE(times.missed, 4U * 9U);  // of ten late ones at least nine have another before and after them
+    EXPECT_GE(times.missed, 4U * 9U);  // nine of ten late ticks have other ticks around them
     EXPECT_GE(times.jitter_worst, 4000);
 }
 

@@ -73,7 +73,7 @@ TEST(Physics, UprightBodiesNeverTurn) {
     run(physics, 1500);
     EXPECT_EQ(physics.state(2).orientation, quat(1, 0, 0, 0));
     EXPECT_EQ(physics.state(2).spin, vec3(0));
-    EXPECT_GT(physics.state(2).position.z, 0.1);  // it was hit
+    EXPECT_GT(physics.state(2).position.z, 0.1);  // the box hit the wizard
 }
 
 TEST(Physics, LayersDecideWhichBodiesCollide) {

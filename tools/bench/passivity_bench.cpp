@@ -1,4 +1,5 @@
-// Benchmark of the energy that passive sources create at the hand: the worst of all haptic scenarios.
+// Benchmark of the energy that passive sources create at the hand. It plays every haptic scenario and reports
+// the largest energy.
 
 #include "core/file.h"
 #include "core/text.h"

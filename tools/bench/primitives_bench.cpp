@@ -52,8 +52,8 @@ vec3 force_at(const Primitive& p, vec3 x) {
     return distance > 0 ? m * (-p.strength / distance) : vec3(0);
 }
 
-/// Remaining sum of forces (N), with the largest change of a force if its primitive chose anew. Zero at the
-/// balance and only there, for every method.
+/// Remaining sum of forces plus the largest change of a force that is computed again from the proxy (N). Zero
+/// at the balance and only there, for every method.
 double residual(const PrimitiveSet& set, const Spring& spring, const Balance& found) {
     vec3 sum = spring.stiffness * (spring.centre - found.proxy);
     double worst = 0;

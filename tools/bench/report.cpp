@@ -57,7 +57,7 @@ Json row_json(const Row& row) {
 class Grid {
 public:
     void begin_row() { rows_.emplace_back(headings_.size()); }
-    /// Sets the cell in the column of that name. A new name adds a column at the right.
+    /// Sets the cell in the column with this heading. A new name adds a column at the right.
     void put(std::string_view column, std::string cell) {
         auto at = static_cast<std::size_t>(std::ranges::find(headings_, column) - headings_.begin());
         if (at == headings_.size()) headings_.emplace_back(column);

@@ -119,7 +119,7 @@ constexpr double wizard_mass = 75;       // kg
 constexpr double rope_stiffness = 4000;  // N/m
 constexpr double rope_length = 7;        // m: 0.7 of the 10 m at which the rope latched
 constexpr double rope_seconds = 60;
-const vec3 let_go_at{6, -4.2, 0};  // m, from the anchor
+const vec3 let_go_at{6, -4.2, 0};  // position relative to the anchor (m)
 
 struct Swung {
     double energy_drift{};  ///< share of the energy of the swing

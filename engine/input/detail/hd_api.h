@@ -69,7 +69,7 @@ public:
         const NotedCall note(name_);
         return call_(arguments...);
     }
-    /// Looks the function up in the library. Returns false if the library has none of that name.
+    /// Looks the function up in the library. Returns false if the library has no function called `name`.
     bool find(void* library, const char* name);
 
 private:

@@ -36,6 +36,7 @@ private:
         btRigidBody* body;
         btVector3 path;
     };
+    /// Sets restitution and distance of the contacts of a pair that close faster than `least_speed` (m/s).
     void adjust_contact(btPersistentManifold&, btScalar dt, btScalar least_speed);
     void store_unused_path(const btCollisionObject&, const btVector3& path);
 

@@ -19,12 +19,12 @@ enum FakeHdRule {
 };
 
 struct FakeHdReport {
-    std::uint64_t ticks;                              ///< of the library's thread since the last hdInitDevice
-    std::array<std::uint32_t, fake_hd_rules> broken;  ///< times, since the last hdInitDevice
-    std::array<double, 3> force;                      ///< N, that the arm exerts now
-    double greatest_force;                            ///< N, of any tick
-    std::array<double, 3> position;                   ///< m, where the tip is
-    std::uint64_t calls_after_end;   ///< of tasks, after the device was disabled (callback=after_end)
+    std::uint64_t ticks;                              ///< ticks of the library's thread since hdInitDevice
+    std::array<std::uint32_t, fake_hd_rules> broken;  ///< times each rule was broken since hdInitDevice
+    std::array<double, 3> force;                      ///< force that the arm exerts now (N)
+    double greatest_force;                            ///< largest force of any tick (N)
+    std::array<double, 3> position;                   ///< position of the tip (m)
+    std::uint64_t calls_after_end;   ///< calls of tasks after the device was disabled (callback=after_end)
     std::array<double, 3> left;      ///< force at hdDisableDevice (N): a real arm may go on exerting it
     std::uint64_t stops_with_force;  ///< calls of hdStopScheduler that left an arm with a force
     std::uint64_t stops;             ///< calls of hdStopScheduler

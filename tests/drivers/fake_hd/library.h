@@ -63,16 +63,16 @@ struct Device {
 };
 
 struct Library {
-    std::mutex mutex{};               // guards the members below, except while a task runs
-    Script script = read_script();    // of the first arm and of the library
+    std::mutex mutex{};               // guards the members down to `calls`; not locked while a task runs
+    Script script = read_script();    // script of the first arm and of the library
     std::array<Device, 2> devices{};  // the second is there if $FAKE_HD_SECOND is set
     std::size_t current = 0;          // index of the current device
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
     Task newest_ticks{};  // asynchronous task that was scheduled last
     unsigned long next_task = 1;
-    FakeHdReport report{};                         // ticks, broken rules, calls after the end, stops
-    std::map<std::string, std::uint64_t> calls{};  // of functions that misbehave
+    FakeHdReport report{};                         // its ticks, broken rules, calls after the end and stops
+    std::map<std::string, std::uint64_t> calls{};  // number of calls of each function that misbehaves
 
     std::jthread thread{}, second_thread{};
     std::atomic<bool> running{false};

@@ -5,13 +5,13 @@
 
 namespace thaum::fake_hd {
 
-/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the
-/// call fails; 0: it goes on.
+/// Disturbs a call of the library as the script says; it may never return. Returns the error code with which
+/// the call must fail; 0: the call goes on. Call this without the mutex.
 unsigned int misbehave(Library& l, const char* call);
 
 // Call these with the mutex locked.
 
-/// mm: where the tip is measured.
+/// Measured position of the tip (mm).
 vec3 measured_mm(const Device& d);
 /// 16 numbers, column by column. The stylus leans with the place, 10 rad/m, as an arm's does.
 void put_transform(const Device& d, double* to);
