@@ -58,34 +58,42 @@ Velocity rigid_turn(const Lattice& l) {
     return velocity;
 }
 
-/// The curl of random potentials on all edges that do not touch a closed cell; its divergence is zero
-/// up to rounding. Potentials are multiples of 1/64, so the sums are exact.
-Velocity solenoidal(const Lattice& l, std::uint64_t seed, const std::function<bool(int, int, int)>& closed) {
-    const Cells n = l.cells;
+using IsClosed = std::function<bool(int, int, int)>;
+
+/// Returns true if none of the four cells around a cell's low edge along `axis` is closed or outside.
+bool is_free_edge(const Lattice& l, const IsClosed& closed, std::size_t axis, Cells cell) {
+    for (int corner = 0; corner < 4; ++corner) {
+        Cells c = cell;
+        c[(axis + 1) % 3] -= corner % 2;
+        c[(axis + 2) % 3] -= corner / 2;
+        for (std::size_t a = 0; a < 3; ++a) {
+            if (l.edges[a] == Edge::periodic) c[a] = (c[a] + l.cells[a]) % l.cells[a];
+            if (c[a] < 0 || c[a] >= l.cells[a]) return false;
+        }
+        if (closed(c[0], c[1], c[2])) return false;
+    }
+    return true;
+}
+
+/// Random potentials on the low edges of all cells, zero on edges that touch a closed cell. They are
+/// multiples of 1/64, so sums of them are exact.
+std::array<Samples, 3> random_potential(const Lattice& l, std::uint64_t seed, const IsClosed& closed) {
     std::array<Samples, 3> potential{make_samples(l), make_samples(l), make_samples(l)};
     Random random = random_stream(seed, 3);
-    // The edge along `axis` at the low corner of a cell belongs to the four cells around it.
-    const auto is_free = [&](std::size_t axis, Cells cell) {
-        for (int corner = 0; corner < 4; ++corner) {
-            Cells c = cell;
-            c[(axis + 1) % 3] -= corner % 2;
-            c[(axis + 2) % 3] -= corner / 2;
-            for (std::size_t a = 0; a < 3; ++a) {
-                if (l.edges[a] == Edge::periodic) c[a] = (c[a] + n[a]) % n[a];
-                if (c[a] < 0 || c[a] >= n[a]) return false;
-            }
-            if (closed(c[0], c[1], c[2])) return false;
-        }
-        return true;
-    };
     for (std::size_t axis = 0; axis < 3; ++axis) {
         each_cell(l, [&](int i, int j, int k, std::size_t at) {
             const auto value = static_cast<float>(random.below(129)) / 64 - 1;
-            potential[axis][at] = is_free(axis, {i, j, k}) ? value : 0;
+            potential[axis][at] = is_free_edge(l, closed, axis, {i, j, k}) ? value : 0;
         });
     }
+    return potential;
+}
+
+/// The curl of random potentials; its divergence is zero up to rounding.
+Velocity solenoidal(const Lattice& l, std::uint64_t seed, const IsClosed& closed) {
+    const std::array<Samples, 3> potential = random_potential(l, seed, closed);
     const auto at_high = [&](std::size_t axis, Cells c, std::size_t across) {
-        if (++c[across] == n[across]) {
+        if (++c[across] == l.cells[across]) {
             if (l.edges[across] != Edge::periodic) return 0.0F;
             c[across] = 0;
         }

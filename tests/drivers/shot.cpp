@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <iostream>
 
 #include "core/text.h"
@@ -54,6 +55,38 @@ HudSettings settings_of(std::string_view split) {
     return s;
 }
 
+/// Puts the first wizard to a place, with a direction of view.
+void place_first_wizard(Picture& picture, vec3 centre, double yaw_degrees, double pitch_degrees) {
+    auto& p = picture.wizards[0];
+    p.centre = centre;
+    p.eye = p.centre + vec3(0, 0.75, 0);
+    p.yaw = yaw_degrees * radians_per_degree;
+    p.pitch = pitch_degrees * radians_per_degree;
+}
+
+void print_picture_time(const Simulation& match, Picture& picture) {
+    const double before = now_ms();
+    for (int i = 0; i < 1000; ++i) take_picture(match, picture);
+    std::cout << "take_picture " << fixed(now_ms() - before, 2) << " us\n";
+}
+
+/// Draws 30 times, and prints the processor time of a frame and the median of its duration.
+void print_frame_times(render::Renderer& renderer, const std::function<void()>& draw) {
+    std::vector<double> times;
+    const double cpu = cpu_ms();
+    for (int i = 0; i < 30; ++i) {
+        const double begin = now_ms();
+        draw();
+        times.push_back(now_ms() - begin);
+    }
+    std::cout << "cpu " << fixed((cpu_ms() - cpu) / 30, 1) << " ms\n";
+    std::sort(times.begin(), times.end());
+    const auto& s = renderer.statistics();
+    std::cout << "frame " << fixed(times[15], 1) << " ms, " << s.triangles << " triangles, " << s.draws
+              << " draws, " << s.shadow_draws << " for the shadow map, " << s.instances_drawn
+              << " instances\n";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -74,33 +107,19 @@ int main(int argc, char** argv) {
     const auto arena_scene = make_arena_scene(renderer, *data);
     std::cout << "arena " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
-    const double before = now_ms();
-    for (int i = 0; i < 1000; ++i) take_picture(match, picture);
-    std::cout << "take_picture " << fixed(now_ms() - before, 2) << " us\n";
+    print_picture_time(match, picture);
     if (argc > 9) {
-        auto& p = picture.wizards[0];
-        p.centre = vec3(std::atof(argv[6]), 0.9 + number(12, 0), std::atof(argv[7]));
-        p.eye = p.centre + vec3(0, 0.75, 0);
-        p.yaw = std::atof(argv[8]) * radians_per_degree;
-        p.pitch = std::atof(argv[9]) * radians_per_degree;
+        const vec3 centre(std::atof(argv[6]), 0.9 + number(12, 0), std::atof(argv[7]));
+        place_first_wizard(picture, centre, std::atof(argv[8]), std::atof(argv[9]));
     }
     FrameMemory memory;
     auto settings = settings_of(argc > 3 ? argv[3] : "top_bottom");
     settings.quality = static_cast<render::Quality>(std::clamp(number(10, 1), 0, 2));
-    std::vector<double> times;
-    const double cpu = cpu_ms();
-    for (int i = 0; i < 30; ++i) {
-        const double begin = now_ms();
-        renderer.draw(make_frame(arena_scene, picture, settings, size, memory));
+    const auto draw = [&] { renderer.draw(make_frame(arena_scene, picture, settings, size, memory)); };
+    print_frame_times(renderer, [&] {
+        draw();
         context.present();
-        times.push_back(now_ms() - begin);
-    }
-    std::cout << "cpu " << fixed((cpu_ms() - cpu) / 30, 1) << " ms\n";
-    std::sort(times.begin(), times.end());
-    renderer.draw(make_frame(arena_scene, picture, settings, size, memory));
-    const auto& s = renderer.statistics();
-    std::cout << "frame " << fixed(times[15], 1) << " ms, " << s.triangles << " triangles, " << s.draws
-              << " draws, " << s.shadow_draws << " for the shadow map, " << s.instances_drawn
-              << " instances\n";
+    });
+    draw();
     must(Expected<void>(render::write_png(out, renderer.read_pixels())).map([] { return 0; }));
 }

@@ -25,28 +25,28 @@ struct Key {
 };
 using Models = std::map<Entity, Model, Key>;
 
-void step(World& world, Models& models, Random& random) {
-    const auto value = static_cast<double>(random.below(1000));
-    if (models.empty() || random.below(4) == 0) {
-        Model m;
-        Entity e;
-        switch (random.below(3)) {
-            case 0:
-                e = world.create(Position{{value, 0, 0}});
-                m.position = value;
-                break;
-            case 1:
-                e = world.create(Position{{value, 0, 0}}, Burning{}, Health{3, 0});
-                m.position = value;
-                m.burning = true;
-                m.health = 3;
-                break;
-            default: e = world.create(); break;
-        }
-        ASSERT_FALSE(models.contains(e));
-        models[e] = m;
-        return;
+void create(World& world, Models& models, Random& random, double value) {
+    Model m;
+    Entity e;
+    switch (random.below(3)) {
+        case 0:
+            e = world.create(Position{{value, 0, 0}});
+            m.position = value;
+            break;
+        case 1:
+            e = world.create(Position{{value, 0, 0}}, Burning{}, Health{3, 0});
+            m.position = value;
+            m.burning = true;
+            m.health = 3;
+            break;
+        default: e = world.create(); break;
     }
+    ASSERT_FALSE(models.contains(e));
+    models[e] = m;
+}
+
+/// Toggles a component of an entity, or destroys the entity.
+void change(World& world, Models& models, Random& random, double value) {
     auto it = models.begin();
     std::advance(it, static_cast<std::ptrdiff_t>(random.below(models.size())));
     const Entity e = it->first;
@@ -69,6 +69,15 @@ void step(World& world, Models& models, Random& random) {
         case 3: toggle(m.frozen, Frozen{}, true); break;
         case 4: toggle(m.burning, Burning{}, true); break;
         default: world.destroy(e); models.erase(it);
+    }
+}
+
+void step(World& world, Models& models, Random& random) {
+    const auto value = static_cast<double>(random.below(1000));
+    if (models.empty() || random.below(4) == 0) {
+        create(world, models, random, value);
+    } else {
+        change(world, models, random, value);
     }
 }
 

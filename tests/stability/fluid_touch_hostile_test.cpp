@@ -122,11 +122,9 @@ FlowPatch nasty_patch(Random& random) {
     return patch;
 }
 
-void spoil_fluid(FluidTouch& touch, Random& random) {
-    const auto sometimes = [&random](double& value) {
-        if (random.below(6) == 0) value = nasty_number(random);
-    };
-    touch = some_fluid();
+/// A fluid with all modes, a surface and a wall. Its counts may be out of range.
+FluidTouch fluid_with_everything(Random& random) {
+    FluidTouch touch = some_fluid();
     touch.number = random.below(3);
     touch.modes = {1, 1, 1, 1, 1, 1, 1};
     touch.ladle = {2, 4000, 40};
@@ -136,6 +134,14 @@ void spoil_fluid(FluidTouch& touch, Random& random) {
     touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .present = 1};
     touch.wall.points = random.below(12);
     touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
+    return touch;
+}
+
+void spoil_fluid(FluidTouch& touch, Random& random) {
+    const auto sometimes = [&random](double& value) {
+        if (random.below(6) == 0) value = nasty_number(random);
+    };
+    touch = fluid_with_everything(random);
     for (const FluidMode& mode : fluid_modes) sometimes(touch.modes.*mode.strength);
     for (double* value : {&touch.frame.origin.y,
                           &touch.frame.turn[0][1],

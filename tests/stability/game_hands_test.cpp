@@ -2,205 +2,14 @@
 // springs of 10^6 N/m, things that are wedged, held by both or destroyed, devices that vanish, and a match
 // that stalls. Forces must stay finite and within the cap, energy bounded, things inside the walls, and no
 // wizard may be launched.
-#include <functional>
 #include <memory>
 
 #include "core/text.h"
-#include "game/arena/spawn.h"
-#include "game/components/body.h"
 #include "game/hand/arm_system.h"
-#include "game/player/walk.h"
-#include "game/wands/belt.h"
-#include "haptics/safety_audit.h"
-#include "unit/game_duel.h"
+#include "stability/game_hands_rig.h"
 
 namespace thaum::game::test {
 namespace {
-
-using input::Button;
-
-constexpr double wall = 20;            // distance from the middle of the arena to its walls (m)
-constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
-constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
-constexpr double most_given = 1.0;     // largest energy that active sources may give in about a second (J)
-constexpr double jump_speed =
-    0.1 / 0.03;  // 10 cm of hand motion within a tick, against a force that follows later (m/s)
-// Index of the arm of player 0 among the devices; the arm of player 1 is 3.
-constexpr std::uint32_t arm_device = 2;
-
-/// Limits checked in every tick for all bodies and both hands.
-struct Watch {
-    std::array<haptics::SafetyAudit, players> audits{};
-    double fastest = 0, created = 0, given = 0, strongest = 0, energy = 0;
-
-    void look(const Simulation& match) {
-        const auto& world = match.world();
-        world.view<const Motion, const Body>().each([&](ecs::Entity e, const Motion& m, const Body& body) {
-            if (body.mass <= 0) return;
-            ASSERT_TRUE(is_finite(m.position) && is_finite(m.velocity) && is_finite(m.spin)) << e.index;
-            const double off = std::max(std::abs(m.position.x), std::abs(m.position.z));
-            ASSERT_LT(off, wall) << "through the wall";
-            ASSERT_GT(m.position.y, -6) << "through the ground";
-        });
-        for (std::uint32_t p = 0; p < players; ++p) {
-            const auto wizard = wizard_of(world, p);
-            const auto& hand_state = world.get<HandState>(wizard);
-            const vec3 told = hand_state.servo.safety.output;
-            audits[p].record(match.haptic_setup().servos[p].limits, {.wanted = told}, told);
-            strongest = std::max(strongest, glm::length(told));
-            created = std::max(created, hand_state.servo.energy.most_created);
-            given = std::max(given, hand_state.servo.energy.active_work);
-            fastest = std::max(fastest, glm::length(world.get<Motion>(wizard).velocity));
-            ASSERT_TRUE(is_finite(hand_state.device.position) && is_finite(hand_state.device.velocity));
-        }
-        world.view<const Prop, const Motion, const Body>().each(
-            [&](const Prop&, const Motion& m, const Body& body) {
-                energy = std::max(energy, body.mass * glm::dot(m.velocity, m.velocity) / 2);
-            });
-    }
-    /// Expects all limits to hold. `speed` is the speed of a hand that reverses within a tick (m/s). The
-    /// measured velocity averages 8 ms, so for that long it has the wrong sign and damping drives the hand.
-    void expect_tame(double speed = 0) const {
-        for (const auto& audit : audits) {
-            EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
-            EXPECT_EQ(audit.violations(haptics::SafetyRule::cap), 0U);
-            EXPECT_EQ(audit.violations(haptics::SafetyRule::budget), 0U);
-        }
-        EXPECT_LT(fastest, fastest_wizard) << "the player was launched";
-        EXPECT_LE(created, most_created + strongest * speed * 0.03);
-        EXPECT_LE(given, most_given);
-    }
-};
-
-/// An arena without props and with two scripted wizards, of whom each may hold an arm.
-struct HandsRig {
-    Simulation match;
-    Watch watch{};
-    input::InputFrame frame{};
-    std::function<void(input::InputFrame&)> before{};  ///< fills the device samples of a tick
-    std::uint64_t held_ticks = 0;
-
-    explicit HandsRig(std::vector<std::string> overrides = {}, int arms = 0)
-        : match(duel_data(with_energy(std::move(overrides))), setup(arms)) {
-        auto& world = match.world_to_change();
-        std::vector<ecs::Entity> props;
-        world.view<const Prop>().each([&](ecs::Entity e, const Prop&) { props.push_back(e); });
-        for (const auto e : props) world.destroy(e);
-        place(0, {8, 0, 16}, {1, 0, 0});
-        place(1, {-15, 0, -15}, {1, 0, 0});
-    }
-
-    static std::vector<std::string> with_energy(std::vector<std::string> more) {
-        for (const auto* free :
-             {"lift.energy.per_s=0", "lift.energy.per_n_s=0", "lift.energy.cost=0", "swing.energy.per_s=0",
-              "swing.energy.cost=0", "haptics.share=1", "quick.kills=1000", "quick.seconds=3600"})
-            more.emplace_back(free);
-        return more;
-    }
-    static MatchSetup setup(int arms) {
-        MatchSetup made{.seed = 1,
-                        .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
-                                    {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
-        for (int i = 0; i < arms; ++i)
-            made.devices.push_back(
-                {.player = static_cast<std::uint32_t>(i), .kind = input::DeviceKind::arm, .name = "arm"});
-        return made;
-    }
-
-    ecs::Entity wizard(std::uint32_t p) const { return wizard_of(match.world(), p); }
-    const HandState& hand_state(std::uint32_t p) const { return match.world().get<HandState>(wizard(p)); }
-    vec3 feet(std::uint32_t p) const { return match.world().get<Motion>(wizard(p)).position; }
-
-    void place(std::uint32_t p, vec3 feet, vec3 way) {
-        auto& world = match.world_to_change();
-        world.get<Motion>(wizard(p)) = standing_at(match.data().wizard, feet);
-        world.get<Stance>(wizard(p)) = {};
-        match.physics().set_state(wizard(p).index, std::as_const(world).get<Motion>(wizard(p)));
-        world.get<Gaze>(wizard(p)) = {det::atan2(-way.x, -way.z),
-                                      det::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z))};
-    }
-    void look_at(std::uint32_t p, vec3 target) {
-        const vec3 eye = eye_of(match.data().wizard, feet(p));
-        const vec3 way = target - eye;
-        match.world_to_change().get<Gaze>(wizard(p)) = {
-            det::atan2(-way.x, -way.z), det::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z))};
-    }
-    /// Adds a prop, or a fixed part of the arena if the mass is 0.
-    ecs::Entity box(vec3 size, double mass, vec3 at) {
-        Thing thing;
-        thing.prop = mass > 0;
-        thing.surface = Surface::crate;
-        thing.body.shape = physics::Shape::box;
-        thing.body.size = size * 0.5;
-        thing.body.mass = mass;
-        thing.body.friction = 0.8;
-        thing.body.layer = mass > 0 ? layer::prop : layer::ground;
-        thing.position = at;
-        return spawn_thing(match.world_to_change(), thing);
-    }
-
-    void hold(std::uint32_t p, Button button) { frame.devices[p].buttons |= bit(button); }
-    void release(std::uint32_t p, Button button) { frame.devices[p].buttons &= ~bit(button); }
-    void press(std::uint32_t p, Button button) {
-        hold(p, button);
-        run(20);
-        release(p, button);
-        run(8);
-    }
-    void choose(std::uint32_t p, std::uint8_t wand) {
-        frame.devices[p].wand = wand;
-        run(20);
-        frame.devices[p].wand = 0;
-        run(8);
-    }
-    bool busy(std::uint32_t p) const {
-        const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard(p)));
-        return wand != nullptr && wand->rules->held_at(match.world(), wizard(p)).has_value();
-    }
-    void run(Tick ticks) {
-        for (Tick t = 0; t < ticks && !testing::Test::HasFatalFailure(); ++t) {
-            auto now = frame;
-            if (before) before(now);
-            match.tick(now);
-            watch.look(match);
-            held_ticks += busy(0) ? 1 : 0;
-        }
-    }
-    void take(std::uint32_t p, vec3 target) {
-        choose(p, 4);
-        look_at(p, target);
-        hold(p, Button::fire);
-        run(40);
-        EXPECT_TRUE(busy(p)) << "nothing is held";
-    }
-    /// Makes the wizard hang on a rope over the pit.
-    void hang(std::uint32_t p) {
-        place(p, {4, 0, 5}, {0, 0, 1});
-        run(50);
-        choose(p, 5);
-        look_at(p, {4, 7, 9});
-        hold(p, Button::fire);
-        run(40);
-        EXPECT_TRUE(busy(p)) << "does not hang";
-    }
-};
-
-/// Arm sample for a tick whose force used the newest model.
-input::DeviceSample arm_sample(vec3 place) {
-    input::DeviceSample sample;
-    for (int axis = 0; axis < 3; ++axis)
-        sample.counts[static_cast<std::size_t>(input::arm::position_x) + static_cast<std::size_t>(axis)] =
-            input::quantised(place[axis] * 1e6);
-    sample.model_age = 1;
-    return sample;
-}
-
-/// Triangle wave about 0 with a slope of `speed` (m/s) and a range of `width` (m).
-double shaken(Tick t, double speed, double width) {
-    const double way = speed * tick_seconds * static_cast<double>(t) + width / 2;
-    const double phase = std::fmod(way, 2 * width);
-    return (phase < width ? phase : 2 * width - phase) - width / 2;
-}
 
 std::int32_t anything(Random& random) {
     switch (random.below(5)) {
@@ -509,74 +318,98 @@ TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
     }
 }
 
+/// An arm that is shaken, with its servo. Its thread goes on while the match stalls.
+class ShakenArm {
+public:
+    explicit ShakenArm(HandsRig& rig) : rig_(rig), limits_(rig.match.haptic_setup().servos[0].limits) {}
+    ShakenArm(const ShakenArm&) = delete;
+    ShakenArm& operator=(const ShakenArm&) = delete;
+
+    /// Begins the test of a wand, whose own ticks move the arm, too.
+    void begin(const StressedWand& wand) {
+        rig_.before = [this](input::InputFrame& frame) {
+            step_unless_ahead();
+            publish();
+            take(frame);
+        };
+        wand.begin(rig_);
+        rig_.before = [this](input::InputFrame& frame) { take(frame); };
+    }
+
+    void run(int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            step_unless_ahead();
+            rig_.run(1);
+            publish();
+        }
+    }
+
+    /// Plays ticks of the arm alone. The match can make up for 250 of them and skips the others. Returns the
+    /// largest force by a model older than 75 ms (N).
+    double stall(int ticks) {
+        double strongest_late = 0;
+        for (int i = 1; i <= ticks; ++i) {
+            const double force = step();
+            if (i > 75) strongest_late = std::max(strongest_late, force);
+        }
+        ahead_ = std::min(ticks, 250);
+        skips_ = static_cast<std::uint16_t>(ticks - ahead_);
+        return strongest_late;
+    }
+
+    const haptics::SafetyAudit& audit() const { return audit_; }
+    std::uint64_t differing_forces() const { return servo_->faults().differing; }
+
+private:
+    /// Returns the size of the force (N).
+    double step() {
+        const double x = shaken(++tick_, 0.2, 0.04);
+        input::ArmReading reading{.time_ns = now_ns_ += 1'000'000};
+        reading.position_um = {input::quantised(x * 1e6), 0, input::quantised(-x * 1e6)};
+        const vec3 told = servo_->step(reading);
+        audit_.record(limits_, {.wanted = told}, told);
+        return glm::length(told);
+    }
+    void step_unless_ahead() {
+        if (ahead_ > 0) {
+            --ahead_;
+        } else {
+            step();
+        }
+    }
+    void publish() {
+        if (fill_order(rig_.match.world(), rig_.match.haptic_setup(), 0, servo_->order())) servo_->publish();
+    }
+    void take(input::InputFrame& frame) {
+        frame.devices[arm_device] = servo_->take();
+        frame.devices[0].skips = std::exchange(skips_, std::uint16_t{0});
+    }
+
+    HandsRig& rig_;
+    haptics::SafetyLimits limits_;
+    std::unique_ptr<input::ArmServo> servo_ = std::make_unique<input::ArmServo>();
+    haptics::SafetyAudit audit_;
+    Tick tick_ = 0;
+    std::int64_t now_ns_ = 0;
+    int ahead_ = 0;  ///< ticks that the arm has played and the match has not
+    std::uint16_t skips_ = 0;
+};
+
 /// The arm's thread goes on while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
 TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
     for (const int stalled : {1, 5, 20, 50, 79, 120, 250, 700, 2000}) {
         SCOPED_TRACE(stalled);
         HandsRig rig({}, 1);
-        auto servo = std::make_unique<input::ArmServo>();
-        std::int64_t now_ns = 0;
-        Tick t = 0;
-        haptics::SafetyAudit audit;
-        double strongest_late = 0;
-        const auto limits = rig.match.haptic_setup().servos[0].limits;
-        const auto step = [&] {
-            const double x = shaken(++t, 0.2, 0.04);
-            input::ArmReading reading{.time_ns = now_ns += 1'000'000};
-            reading.position_um = {input::quantised(x * 1e6), 0, input::quantised(-x * 1e6)};
-            const vec3 told = servo->step(reading);
-            audit.record(limits, {.wanted = told}, told);
-            return glm::length(told);
-        };
-        int behind = 0;
-        std::uint16_t skips = 0;
-        rig.before = [&](input::InputFrame& frame) {
-            frame.devices[arm_device] = servo->take();
-            frame.devices[0].skips = std::exchange(skips, std::uint16_t{0});
-        };
-        const auto run = [&](int ticks) {
-            for (int i = 0; i < ticks; ++i) {
-                if (behind > 0) {
-                    --behind;
-                } else {
-                    step();
-                }
-                rig.run(1);
-                if (fill_order(rig.match.world(), rig.match.haptic_setup(), 0, servo->order()))
-                    servo->publish();
-            }
-        };
-        // HandsRig::take and hang run ticks too, so the arm's thread must also run there.
-        const auto inner = rig.before;
-        rig.before = [&](input::InputFrame& frame) {
-            if (behind > 0) {
-                --behind;
-            } else {
-                step();
-            }
-            if (fill_order(rig.match.world(), rig.match.haptic_setup(), 0, servo->order())) servo->publish();
-            inner(frame);
-        };
-        GetParam().begin(rig);
-        rig.before = inner;
-        run(300);
-        for (int i = 1; i <= stalled; ++i) {
-            const double force = step();
-            if (i > 75) strongest_late = std::max(strongest_late, force);
-        }
-        EXPECT_EQ(strongest_late, 0) << "no force by a model that old";
-        if (stalled > 250) {
-            skips = static_cast<std::uint16_t>(stalled - 250);
-            behind = 250;
-        } else {
-            behind = stalled;
-        }
-        run(1000);
+        ShakenArm arm(rig);
+        arm.begin(GetParam());
+        arm.run(300);
+        EXPECT_EQ(arm.stall(stalled), 0) << "no force by a model that old";
+        arm.run(1000);
         // The hand moves on for that long by an old model.
         rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
-        EXPECT_EQ(audit.violations(haptics::SafetyRule::cap), 0U);
-        EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
-        EXPECT_EQ(servo->faults().differing, 0U);
+        EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::cap), 0U);
+        EXPECT_EQ(arm.audit().violations(haptics::SafetyRule::finite), 0U);
+        EXPECT_EQ(arm.differing_forces(), 0U);
     }
 }
 

@@ -210,6 +210,23 @@ constexpr std::array<std::size_t, 24> cell_sizes{1,  2,  3,  4,  5,  7,  8,  9, 
 template <std::size_t n>
 using CellOf = Cell<cell_sizes[n]>;
 
+template <class C>
+void toggle_cell(World& world, Entity e) {
+    if (world.has<C>(e)) {
+        world.remove<C>(e);
+    } else {
+        world.add(e, cell<sizeof(C)>(e.index));
+    }
+}
+
+template <class C>
+void expect_cell(const World& world, Entity e, bool has) {
+    const auto* found = world.find<C>(e);
+    ASSERT_EQ(found != nullptr, has);
+    if (!has) return;
+    EXPECT_EQ(found->value, cell<sizeof(C)>(e.index).value) << sizeof(C) << " bytes";
+}
+
 /// Moves entities at random between the tables of eight components: every third of `cell_sizes`, from number
 /// `first` on.
 template <std::size_t first>
@@ -224,33 +241,20 @@ void move_cells_at_random() {
             state = state * 1664525U + 1013904223U;
             return (state >> 8U) % below;
         };
-        const auto toggle = [&]<class C>(Entity e, std::type_identity<C>) {
-            if (world.has<C>(e)) {
-                world.remove<C>(e);
-            } else {
-                world.add(e, cell<sizeof(C)>(e.index));
-            }
-        };
         for (int step = 0; step < 10'000; ++step) {
             if (all.size() < 60) all.emplace_back(world.create(), 0U);
             const auto i = any(static_cast<std::uint32_t>(all.size()));
             auto& [entity, has] = all[i];
             const auto number = any(sizeof...(k));
-            ((k == number ? toggle(entity, std::type_identity<CellOf<first + 3 * k>>{}) : void()), ...);
+            ((k == number ? toggle_cell<CellOf<first + 3 * k>>(world, entity) : void()), ...);
             has ^= 1U << number;
             if (any(200) == 0) {
                 world.destroy(entity);
                 all.erase(all.begin() + i);
             }
         }
-        const auto check = [&]<class C>(Entity e, bool has, std::type_identity<C>) {
-            const auto* found = world.find<C>(e);
-            ASSERT_EQ(found != nullptr, has);
-            if (!has) return;
-            EXPECT_EQ(found->value, cell<sizeof(C)>(e.index).value) << sizeof(C) << " bytes";
-        };
         for (const auto& [entity, has] : all) {
-            (check(entity, ((has >> k) & 1U) != 0, std::type_identity<CellOf<first + 3 * k>>{}), ...);
+            (expect_cell<CellOf<first + 3 * k>>(world, entity, ((has >> k) & 1U) != 0), ...);
         }
     }
     (std::make_index_sequence<cell_sizes.size() / 3>{});

@@ -440,10 +440,12 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
 
 // ---- the audit reports violations -------------------------------------------------------------------------
 
+using Arrange = std::function<void(int tick, SafetyInput&)>;
+using Spoil = std::function<vec3(int tick, vec3 output)>;
+
 /// Plays a valid second of 1.5 N (zero before), changes the output, and returns the violations that the audit
 /// reports.
-std::uint64_t seen(SafetyRule rule, const std::function<void(int tick, SafetyInput&)>& arrange,
-                   const std::function<vec3(int tick, vec3 output)>& spoil) {
+std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     const auto limits = safety_limits(omni_like(), 1);
     SafetyState state;
     SafetyAudit audit;
@@ -456,52 +458,73 @@ std::uint64_t seen(SafetyRule rule, const std::function<void(int tick, SafetyInp
 }
 
 /// Checks that the audit reports a changed output, and nothing for the unchanged one.
-void expect_caught(SafetyRule rule, const std::function<void(int, SafetyInput&)>& arrange,
-                   const std::function<vec3(int, vec3)>& spoil) {
+void expect_caught(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
     EXPECT_EQ(seen(rule, arrange, [](int, vec3 output) { return output; }), 0) << name(rule);
     EXPECT_GT(seen(rule, arrange, spoil), 0) << name(rule);
 }
 
-TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
-    const auto as_usual = [](int, SafetyInput&) {};
-    const auto leak = [](int tick, vec3 output) { return tick < 500 ? output : output + vec3(1e-9, 0, 0); };
-    const auto from_500 = [](const std::function<void(SafetyInput&)>& change) {
-        return [change](int tick, SafetyInput& input) {
-            if (tick >= 500) change(input);
-        };
+void as_usual(int, SafetyInput&) {}
+
+/// The wanted force ends with a switch at tick 500.
+void force_ends(int tick, SafetyInput& input) {
+    input.switched = tick == 500;
+    if (tick >= 500) input.wanted = {};
+}
+
+Arrange from_500(const std::function<void(SafetyInput&)>& change) {
+    return [change](int tick, SafetyInput& input) {
+        if (tick >= 500) change(input);
     };
-    const auto at_500 = [](double bad) {
-        return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
-    };
+}
+
+/// Puts another force in the place of the output at tick 500 (N, along y).
+Spoil at_500(double bad) {
+    return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
+}
+
+/// Multiplies the output of one tick.
+Spoil scaled_at(int when, double factor) {
+    return [when, factor](int tick, vec3 output) { return tick == when ? output * factor : output; };
+}
+
+/// Adds a force to the output of one tick (N).
+Spoil shifted_at(int when, vec3 shift) {
+    return [when, shift](int tick, vec3 output) { return tick == when ? output + shift : output; };
+}
+
+/// Adds a tiny force from tick 500 on.
+vec3 leak(int tick, vec3 output) { return tick < 500 ? output : output + vec3(1e-9, 0, 0); }
+
+TEST(HapticsSafetyAudit, ReportsForcesBeyondTheDevice) {
     expect_caught(SafetyRule::finite, as_usual, at_500(not_a_number));
     expect_caught(SafetyRule::finite, as_usual, at_500(-unlimited));
     expect_caught(SafetyRule::cap, as_usual, at_500(std::nextafter(3.3, 4)));
     expect_caught(SafetyRule::budget, as_usual, [](int, vec3) { return vec3(2.8, 0, 0); });
+}
+
+TEST(HapticsSafetyAudit, ReportsForcesThatNobodyWanted) {
     expect_caught(SafetyRule::unasked, as_usual, at_500(0.001));
-    expect_caught(SafetyRule::unasked, as_usual,
-                  [](int tick, vec3 output) { return tick == 500 ? output * 1.001 : output; });
+    expect_caught(SafetyRule::unasked, as_usual, scaled_at(500, 1.001));
     // Cool motors get all of the wanted force.
-    expect_caught(SafetyRule::unasked, as_usual,
-                  [](int tick, vec3 output) { return tick == 500 ? output * 0.999 : output; });
+    expect_caught(SafetyRule::unasked, as_usual, scaled_at(500, 0.999));
     // Warm motors get less of the wanted force but all of the brake, which may have another direction.
     const auto presses_and_brakes = [](int, SafetyInput& input) {
         input.wanted = {3.3, 0, 0};
         input.brake = {0, 0.2, 0};
     };
-    for (const vec3 shift : {vec3(0, 0, 1e-9), vec3(0, 0.3, 0), vec3(0, -0.3, 0), vec3(-2, 0, 0)}) {
-        expect_caught(SafetyRule::unasked, presses_and_brakes,
-                      [shift](int tick, vec3 output) { return tick == 900 ? output + shift : output; });
-    }
-    const auto goes = [](int tick, SafetyInput& input) {
-        input.switched = tick == 500;
-        if (tick >= 500) input.wanted = {};
-    };
-    expect_caught(SafetyRule::slew, goes,
-                  [](int tick, vec3 output) { return tick == 500 ? output - vec3(0.001, 0, 0) : output; });
+    for (const vec3 shift : {vec3(0, 0, 1e-9), vec3(0, 0.3, 0), vec3(0, -0.3, 0), vec3(-2, 0, 0)})
+        expect_caught(SafetyRule::unasked, presses_and_brakes, shifted_at(900, shift));
+}
+
+TEST(HapticsSafetyAudit, ReportsJumpsAtSwitches) {
+    expect_caught(SafetyRule::slew, force_ends, shifted_at(500, {-0.001, 0, 0}));
     // The gate's opening is a switch.
     expect_caught(SafetyRule::slew, as_usual,
                   [](int tick, vec3 output) { return tick == 0 ? vec3(1.5, 0, 0) : output; });
-    // A former fault of this stage: it followed a swinging spring at 40 N/s for ever.
+}
+
+TEST(HapticsSafetyAudit, ReportsAForceThatFollowsASwingingSpringForEver) {
+    // A former fault of this stage: it followed at 40 N/s.
     const auto swings = [](int tick, SafetyInput& input) {
         input.switched = tick == 500;
         if (tick >= 500) input.wanted = {std::sin(0.2 * tick), 0, 0};
@@ -512,20 +535,27 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
         const vec3 gap = vec3(std::sin(0.2 * tick), 0, 0) - chasing;
         return chasing += gap * std::min(1.0, 0.04 / glm::length(gap));
     });
-    // A hand that yields to a fading force and is pushed on.
-    const auto goes_and_yields = [&goes](int tick, SafetyInput& input) {
-        goes(tick, input);
+}
+
+TEST(HapticsSafetyAudit, ReportsAFadingForceThatPushesAYieldingHandOn) {
+    const auto ends_and_hand_yields = [](int tick, SafetyInput& input) {
+        force_ends(tick, input);
         input.tip.x = tick < 500 ? 0 : 1e-3 * (tick - 500);
     };
-    expect_caught(SafetyRule::slew, goes_and_yields, [](int tick, vec3 output) {
+    expect_caught(SafetyRule::slew, ends_and_hand_yields, [](int tick, vec3 output) {
         return tick < 500 ? output : vec3(std::max(0.0, 1.5 - 0.04 * (tick - 499)), 0, 0);
     });
-    const auto dies = [](int tick, SafetyInput& input) {
+}
+
+TEST(HapticsSafetyAudit, ReportsForcesByAStaleModel) {
+    const auto model_dies = [](int tick, SafetyInput& input) {
         input.model_age = static_cast<std::uint32_t>(std::max(0, tick - 480));
     };
-    expect_caught(SafetyRule::stale, dies, leak);
-    expect_caught(SafetyRule::stale, dies,
-                  [](int tick, vec3 output) { return tick == 510 ? output * 1.05 : output; });
+    expect_caught(SafetyRule::stale, model_dies, leak);
+    expect_caught(SafetyRule::stale, model_dies, scaled_at(510, 1.05));
+}
+
+TEST(HapticsSafetyAudit, ReportsForcesWhileTheStageMustGiveNone) {
     const auto starts_wild = [](int, SafetyInput& input) { input.wanted = {5, 0, 0}; };
     expect_caught(SafetyRule::waiting, starts_wild, leak);
     expect_caught(SafetyRule::over_speed, from_500([](SafetyInput& i) { i.velocity.z = 9; }), leak);

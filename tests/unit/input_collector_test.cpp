@@ -192,50 +192,72 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     EXPECT_EQ(hands.take(), DeviceSample{});
 }
 
-// One thread moves, turns the wheel and presses. The other takes samples as fast as it can.
-TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
-    auto hands = mouse();
-    constexpr int events = 200000;
-    std::atomic<bool> done{false};
-    std::atomic<int> presses_seen{0};
+/// Motion and wheel steps of many events or samples (counts).
+struct Counts {
+    std::int64_t right = 0, up = 0, wheel = 0;
+    bool operator==(const Counts&) const = default;
+};
+
+/// Takes samples, and adds up their counts and presses.
+struct SampleReader {
+    HandsCollector& hands;
+    Counts counts{};
+    bool was_down = false;
+    std::atomic<int> presses{0};  ///< presses that have ended
+
+    void take() {
+        const auto sample = hands.take();
+        counts.right += sample.counts[hand::look_right];
+        counts.up += sample.counts[hand::look_up];
+        counts.wheel += sample.counts[hand::wheel];
+        const bool down = sample.down(Button::fire);
+        // Counted after the press, so that the next press is a new edge.
+        if (was_down && !down) presses.fetch_add(1);
+        was_down = down;
+    }
+};
+
+/// Moves, turns the wheel and presses. Each press is shorter than a tick, and waits until the reader has
+/// counted the last one.
+struct EventSender {
+    HandsCollector& hands;
+    const SampleReader& reader;
+    Counts counts{};
     int presses = 0;
-    std::jthread events_thread([&] {
+
+    void send(int events) {
         for (int i = 0; i < events; ++i) {
+            const int wheel = i % 5 == 0 ? 1 : 0;
             hands.mouse_move(i % 7, -(i % 3));
-            hands.wheel(i % 5 == 0 ? 1 : 0);
-            if (i % 64 != 0 || presses_seen.load() < presses) continue;
-            ++presses;  // shorter than a tick; the next one only after this one was seen
+            hands.wheel(wheel);
+            counts.right += i % 7;
+            counts.up += i % 3;
+            counts.wheel += wheel;
+            if (i % 64 != 0 || reader.presses.load() < presses) continue;
+            ++presses;
             hands.mouse_button(left_button, true);
             hands.mouse_button(left_button, false);
         }
+    }
+};
+
+// One thread sends events. The other takes samples as fast as it can.
+TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
+    auto hands = mouse();
+    SampleReader reader{hands};
+    EventSender sender{hands, reader};
+    std::atomic<bool> done{false};
+    std::jthread events_thread([&] {
+        sender.send(200'000);
         done = true;
     });
-    std::int64_t right = 0, up = 0, wheel = 0;
-    bool was_down = false;
-    const auto take = [&] {
-        const auto sample = hands.take();
-        right += sample.counts[hand::look_right];
-        up += sample.counts[hand::look_up];
-        wheel += sample.counts[hand::wheel];
-        const bool down = sample.down(Button::fire);
-        if (was_down && !down)
-            presses_seen.fetch_add(1);  // counted after the press, so that the next one is a new edge
-        was_down = down;
-    };
-    while (!done) take();
+    while (!done) reader.take();
     events_thread.join();
-    take();
-    take();
-    std::int64_t right_sent = 0, up_sent = 0;
-    for (int i = 0; i < events; ++i) {
-        right_sent += i % 7;
-        up_sent += i % 3;
-    }
-    EXPECT_EQ(right, right_sent);
-    EXPECT_EQ(up, up_sent);
-    EXPECT_EQ(wheel, events / 5);
-    EXPECT_GT(presses, 0);
-    EXPECT_EQ(presses_seen.load(), presses);
+    reader.take();
+    reader.take();
+    EXPECT_EQ(reader.counts, sender.counts);
+    EXPECT_GT(sender.presses, 0);
+    EXPECT_EQ(reader.presses.load(), sender.presses);
 }
 
 Bindings toggling(DeviceKind kind, Action action) {

@@ -142,55 +142,64 @@ TEST(ScenarioRunner, FailuresNameLineAndTick) {
     EXPECT_TRUE(has(message("match {}\ncoroutine.yield()"), "coroutine.yield outside"));
 }
 
+/// Faulty scripts, and a part of the message for each.
+using Misuse = std::pair<const char*, const char*>;
+
+/// Faults in the line after match{...}.
+constexpr Misuse misused_verbs[] = {
+    {"match {}", "match{...} stands once in a scenario"},
+    {"wizard(3)", "there are wizard(1) and wizard(2)"},
+    {"wizard(1):hold('shoot')", "there is no button 'shoot'"},
+    {"wizard(1):move(2, 0)", "strafe = 2 must be in -1 .. 1"},
+    {"wizard(1):aim(5)", "a place must be {x, y, z}, not number"},
+    {"wizard(1):aim {1, 2}", "z must be a number, not nil"},
+    {"wizard(1):place {0, 1e9, 0}", "place.y = 1e+09 must be in"},
+    {"wizard(1):place {0, 0 / 0, 0}", "place.y = "},
+    {"wizard(2):move(0, 1)", "player 2 is a bot"},
+    {"spawn {kind = 'box', size = {1, 1, 1}, mass = 1}", "'at' is missing"},
+    {"spawn {kind = 'cone'}", "none of box, sphere, cylinder"},
+    {"spawn {colour = 1}", "spawn knows no 'colour'"},
+    {"spawn {kind = 'sphere', radius = 0, mass = 1, at = {0, 5, 0}}", "radius = 0 must be in"},
+    {"wait(-1)", "must be in 0 .."},
+    {"wait('x')", "seconds must be a number"},
+    {"tick(1.5)", "must be a whole number"},
+    {"events('explosion')", "there is no event 'explosion'"},
+    {"trace('../x', {})", "name must be made of a-z, 0-9 and _"},
+    {"trace('x', {'3.x'})", "'3.x' is no column"},
+    {"trace('x', {'t1.x'})", "'t1.x' is no column"},
+    {"changes(1)", "a state = 1 must be in 1 .. 0"},
+    {"picture {split = 'diagonal'}", "side_by_side or top_bottom"},
+    {"check_seek {count = 3}", "nothing has been played yet"},
+    {"wizard(1):place {0, 0, 16} tick() check_late {}", "this scenario has set the scene itself"},
+    {"spawn {kind = 'sphere', radius = 0.1, mass = 1, at = {0, 5, 0}}:push {1000, 0, 0}", "faster than"},
+    {"wizard(1):reach {0, 0, 0}", "player 1 holds no arm"},
+    {"wizard(1):told()", "player 1 holds no arm"},
+    {"stall(1)", "must be in 0 .. 250"},
+    {"stall(0.1) stall(0.1)", "has not made up for the last one"},
+    {"on_screen('x')", "no picture function here"},
+    {"raw_wait(1)", "a nil value (global 'raw_wait')"},
+};
+
 TEST(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
     const Folder folder;
-    const std::pair<const char*, const char*> cases[] = {
-        {"match {}", "match{...} stands once in a scenario"},
-        {"wizard(3)", "there are wizard(1) and wizard(2)"},
-        {"wizard(1):hold('shoot')", "there is no button 'shoot'"},
-        {"wizard(1):move(2, 0)", "strafe = 2 must be in -1 .. 1"},
-        {"wizard(1):aim(5)", "a place must be {x, y, z}, not number"},
-        {"wizard(1):aim {1, 2}", "z must be a number, not nil"},
-        {"wizard(1):place {0, 1e9, 0}", "place.y = 1e+09 must be in"},
-        {"wizard(1):place {0, 0 / 0, 0}", "place.y = "},
-        {"wizard(2):move(0, 1)", "player 2 is a bot"},
-        {"spawn {kind = 'box', size = {1, 1, 1}, mass = 1}", "'at' is missing"},
-        {"spawn {kind = 'cone'}", "none of box, sphere, cylinder"},
-        {"spawn {colour = 1}", "spawn knows no 'colour'"},
-        {"spawn {kind = 'sphere', radius = 0, mass = 1, at = {0, 5, 0}}", "radius = 0 must be in"},
-        {"wait(-1)", "must be in 0 .."},
-        {"wait('x')", "seconds must be a number"},
-        {"tick(1.5)", "must be a whole number"},
-        {"events('explosion')", "there is no event 'explosion'"},
-        {"trace('../x', {})", "name must be made of a-z, 0-9 and _"},
-        {"trace('x', {'3.x'})", "'3.x' is no column"},
-        {"trace('x', {'t1.x'})", "'t1.x' is no column"},
-        {"changes(1)", "a state = 1 must be in 1 .. 0"},
-        {"picture {split = 'diagonal'}", "side_by_side or top_bottom"},
-        {"check_seek {count = 3}", "nothing has been played yet"},
-        {"wizard(1):place {0, 0, 16} tick() check_late {}", "this scenario has set the scene itself"},
-        {"spawn {kind = 'sphere', radius = 0.1, mass = 1, at = {0, 5, 0}}:push {1000, 0, 0}", "faster than"},
-        {"wizard(1):reach {0, 0, 0}", "player 1 holds no arm"},
-        {"wizard(1):told()", "player 1 holds no arm"},
-        {"stall(1)", "must be in 0 .. 250"},
-        {"stall(0.1) stall(0.1)", "has not made up for the last one"},
-        {"on_screen('x')", "no picture function here"},
-        {"raw_wait(1)", "a nil value (global 'raw_wait')"},
-    };
-    for (const auto& [source, wanted] : cases) {
+    for (const auto& [source, wanted] : misused_verbs) {
         const auto result = run(std::string("match {players = {'script', 'bot 1'}}\n") + source, folder);
         EXPECT_FALSE(result.passed) << source;
         EXPECT_TRUE(result.message.starts_with("test.lua:2: ")) << source << ": " << result.message;
         EXPECT_TRUE(has(result.message, wanted)) << source << ": " << result.message;
     }
+}
+
+TEST(ScenarioRunner, MisuseOfMatchIsSaid) {
+    const Folder folder;
     for (const auto& [source, wanted] :
-         {std::pair{"match {arena = 'nowhere'}", "nowhere"},
-          std::pair{"match {set = {'quick.kils=1'}}", "kils"},
-          std::pair{"match {players = {'script', 'bot 9'}}", "no bot of level 9"},
-          std::pair{"match {arms = {true}, players = {'bot 1', 'script'}}", "holds no arm"},
-          std::pair{"match {arms = 3}", "arms must be a list"},
-          std::pair{"match {players = {'me'}}", "neither"}, std::pair{"match(5)", "match takes a table"}}) {
+         {Misuse{"match {arena = 'nowhere'}", "nowhere"}, Misuse{"match {set = {'quick.kils=1'}}", "kils"},
+          Misuse{"match {players = {'script', 'bot 9'}}", "no bot of level 9"},
+          Misuse{"match {arms = {true}, players = {'bot 1', 'script'}}", "holds no arm"},
+          Misuse{"match {arms = 3}", "arms must be a list"}, Misuse{"match {players = {'me'}}", "neither"},
+          Misuse{"match(5)", "match takes a table"}}) {
         const auto result = run(source, folder);
+        EXPECT_FALSE(result.passed) << source;
         EXPECT_TRUE(has(result.message, wanted)) << source << ": " << result.message;
     }
 }

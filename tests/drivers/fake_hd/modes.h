@@ -1,6 +1,7 @@
 // tests/drivers/fake_hd/modes.h: every fault of the fake library that tests try, and the required result
 // for a program that holds a force of 1 N meanwhile. script.h explains the words.
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,10 @@ struct CallRow {
     const char* with = "";  ///< further words of the script without which the function is not called
 };
 
-inline std::vector<Mode> modes_of_calls() {
+/// Functions that fail or block from the first call on.
+inline constexpr auto calls_that_never_work = [] {
     using enum Ending;
-    constexpr CallRow from_the_start[] = {
+    return std::to_array<CallRow>({
         {"hdInitDevice", refused, refused},
         {"hdDisableDevice", plays, plays},
         {"hdMakeCurrentDevice", refused, refused},
@@ -47,9 +49,13 @@ inline std::vector<Mode> modes_of_calls() {
         {"hdCheckCalibration", refused, refused},
         {"hdCheckCalibrationStyle", refused, refused, ",needs_update"},
         {"hdUpdateCalibration", refused, refused, ",needs_update"},
-    };
+    });
+}();
+
+inline std::vector<Mode> modes_of_calls() {
+    using enum Ending;
     std::vector<Mode> modes;
-    for (const auto& row : from_the_start) {
+    for (const auto& row : calls_that_never_work) {
         modes.push_back({std::string(row.call) + "=0302" + row.with, row.fails});
         modes.push_back({std::string(row.call) + "=blocks" + row.with, row.blocks});
     }
