@@ -1,5 +1,5 @@
 thaum_test(test_hud
-    SOURCES unit/brew_look_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
+    SOURCES unit/brew_look_test.cpp unit/picture_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
     LINK thaum_hud)
 thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp unit/live_menu_test.cpp

@@ -1,0 +1,190 @@
+// Tests of pictures of a match: their contents, and interpolation between two of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "unit/hud_rig.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+// ---- the picture as data ----------------------------------------------------------------------------------
+
+TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
+    const auto match = new_match();
+    std::vector<float> felt;
+    for (const int last : {100, 2047, 2048, 2051, 3000, 5005}) {
+        while (felt.size() < static_cast<std::size_t>(last)) {
+            input::InputFrame frame;
+            frame.devices[0].press(input::Button::fire);
+            match->tick(frame);
+            const auto& trace = match->felt(0);
+            felt.push_back(trace[(match->match().played - 1) % trace.size()]);
+        }
+        const auto picture = picture_of(*match);
+        const auto& columns = picture.wizards[0].force.strongest;
+        const auto whole = felt.size() / force_column;
+        for (std::size_t back = 1; back <= columns.size(); ++back) {
+            float strongest = 0;
+            for (std::size_t t = 0; back <= whole && t < force_column; ++t)
+                strongest = std::max(strongest, felt[(whole - back) * force_column + t]);
+            EXPECT_EQ(columns[columns.size() - back], strongest) << last << " " << back;
+        }
+        EXPECT_GT(*std::max_element(columns.begin(), columns.end()), last > 300 ? 0.5F : -1.0F);
+        EXPECT_EQ(picture.wizards[1].force.strongest, ForcePicture{}.strongest);
+    }
+}
+
+TEST(TakePicture, HoldsTheLookOfAMoment) {
+    const auto match = new_match();
+    const auto p = picture_of(*match);
+    EXPECT_EQ(p.tick, 0U);
+    EXPECT_EQ(p.left_s, seconds(match_data()->round.length));
+    EXPECT_EQ(p.kills_to_win, match_data()->round.kills);
+    EXPECT_EQ(p.things.size(), match_data()->arena.things.size() + match_data()->arena.anchors.size() +
+                                   match_data()->arena.pads.size());
+    for (const auto& w : p.wizards) {
+        EXPECT_EQ(w.health, match_data()->wizard.health);
+        EXPECT_EQ(w.wand, "bolt");
+        EXPECT_EQ(w.energy, w.energy_cap);
+        EXPECT_FALSE(w.dead);
+        EXPECT_NEAR(w.eye.y, match_data()->wizard.eye, 1e-9);
+    }
+}
+
+TEST(TakePicture, AShotIsSeenAsAMissile) {
+    const auto match = new_match();
+    input::InputFrame frame;
+    frame.devices[0].press(input::Button::fire);
+    for (int i = 0; i < 30; ++i) match->tick(frame);
+    const auto p = picture_of(*match);
+    ASSERT_FALSE(p.missiles.empty());
+    EXPECT_EQ(p.missiles[0].player, 0U);
+    EXPECT_LT(p.wizards[0].energy, p.wizards[0].energy_cap);
+    EXPECT_EQ(p.wizards[1].energy, p.wizards[1].energy_cap);
+}
+
+TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
+    const auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto victim = wizard_of(world, 1);
+    hurt(match->context_to_change(), victim, 0, {.points = 1000, .by = 0, .how = hit_kind("bolt_hit")});
+    for (int i = 0; i < 16; ++i) match->tick({});
+    auto p = picture_of(*match);
+    EXPECT_TRUE(p.wizards[1].dead);
+    EXPECT_NEAR(p.wizards[1].returns_in_s, seconds(match_data()->round.respawn), 0.03);
+    EXPECT_EQ(p.wizards[0].kills, 1);
+    ASSERT_EQ(p.feed_lines, 1U);
+    EXPECT_EQ(p.feed[0].event.subject, 1U);
+    EXPECT_EQ(p.feed[0].event.by, 0U);
+    ASSERT_EQ(p.wizards[1].hurts, 1U);
+    const vec3 to_foe = glm::normalize(p.wizards[0].eye - p.wizards[1].eye);
+    EXPECT_GT(glm::dot(p.wizards[1].marks[0].towards, to_foe), 0.99);
+    for (int i = 0; i < 5100; ++i) match->tick({});
+    take_picture(*match, p);
+    EXPECT_EQ(p.feed_lines, 0U);
+    EXPECT_EQ(p.wizards[1].hurts, 0U);
+}
+
+TEST(TakePicture, AllocatesNothingOnceWarm) {
+    const auto match = new_match();
+    auto p = picture_of(*match);
+    const auto* things = p.things.data();
+    for (int i = 0; i < 100; ++i) {
+        match->tick({});
+        take_picture(*match, p);
+    }
+    EXPECT_EQ(p.things.data(), things);
+    EXPECT_GE(p.missiles.capacity(), 100U);
+}
+
+TEST(TakePicture, PowerUpsAreThereOrOnTheirWayBack) {
+    const auto match = new_match();
+    auto p = picture_of(*match);
+    ASSERT_EQ(p.power_ups.size(), match_data()->arena.power_ups.size());
+    for (const auto& power_up : p.power_ups) EXPECT_EQ(power_up.returned, 1);
+    auto& world = match->world_to_change();
+    world.view<PowerUp>().each([](PowerUp& power_up) {
+        if (power_up.kind == PowerUpKind::vial) power_up.back_at = ticks(5.0);
+    });
+    take_picture(*match, p);
+    for (const auto& power_up : p.power_ups)
+        EXPECT_NEAR(power_up.returned, power_up.kind == PowerUpKind::vial ? 0.75 : 1, 1e-9);
+}
+
+TEST(TakePicture, ShowsAPickUpForAWhile) {
+    const auto match = new_match();
+    auto& world = match->world_to_change();
+    const vec3 feet = std::as_const(world).get<Motion>(wizard_of(world, 0)).position -
+                      vec3(0, match_data()->wizard.height / 2, 0);
+    world.view<const PowerUp, Motion>().each([&](const PowerUp& power_up, Motion& motion) {
+        if (power_up.kind == PowerUpKind::heart) motion.position = feet;
+    });
+    for (int i = 0; i < 16; ++i) match->tick({});
+    const auto p = picture_of(*match);
+    EXPECT_LT(p.wizards[0].since_gift_s, 0.02);
+    EXPECT_EQ(p.wizards[0].gift.detail, static_cast<std::uint32_t>(PowerUpKind::heart));
+    EXPECT_EQ(p.wizards[0].gift.amount, 50);
+    EXPECT_GT(p.wizards[1].since_gift_s, 1000);
+    EXPECT_NEAR(p.wizards[0].health, 150, 0.1);
+    render::Overlay overlay;
+    make_overlay(p, {}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
+}
+
+// ---- between two pictures ---------------------------------------------------------------------------------
+
+struct Two {
+    Picture from = make_picture(), to = make_picture(), out = make_picture();
+    Two() {
+        from.tick = 100;
+        to.tick = 108;
+        from.things.push_back({.entity = 4, .position = {0, 0, 0}});
+        to.things.push_back({.entity = 4, .position = {0.1, 0, 0}, .orientation = rotation({0, 1, 0}, 0.4)});
+        from.wizards[0].centre = from.wizards[0].eye = {1, 1, 1};
+        to.wizards[0].centre = to.wizards[0].eye = {1.2, 1, 1};
+    }
+    const Picture& at(double alpha) {
+        interpolate(from, to, alpha, out);
+        return out;
+    }
+};
+
+TEST(Interpolate, MovesInBetween) {
+    Two two;
+    const auto& p = two.at(0.5);
+    EXPECT_NEAR(p.things[0].position.x, 0.05, 1e-12);
+    EXPECT_NEAR(2 * std::asin(p.things[0].orientation.y), 0.2, 1e-12);
+    EXPECT_NEAR(p.wizards[0].eye.x, 1.1, 1e-12);
+    EXPECT_NEAR(two.at(0).things[0].position.x, 0, 1e-12);
+    EXPECT_NEAR(two.at(1).things[0].position.x, 0.1, 1e-12);
+}
+
+TEST(Interpolate, ThingsAreFoundByTheirEntity) {
+    Two two;
+    two.from.things.insert(two.from.things.begin(), {.entity = 2, .position = {9, 9, 9}});
+    EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.05, 1e-12);
+    two.to.things[0].entity = 77;  // a thing that the earlier picture lacks
+    EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
+}
+
+TEST(Interpolate, AReturnToLifeIsNotInterpolated) {
+    Two two;
+    two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
+    EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
+    // Nothing is interpolated even if the new life begins beside the place of death.
+    Two near;
+    near.from.wizards[0].lives = 1;
+    near.to.wizards[0].lives = 2;
+    EXPECT_EQ(near.at(0.25).wizards[0].eye, vec3(1.2, 1, 1));
+}
+
+TEST(Interpolate, TurnsTheShortWayAcrossTheSeam) {
+    Two two;
+    two.from.wizards[0].yaw = 3.1;
+    two.to.wizards[0].yaw = -3.1;
+    EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].yaw - pi, 2 * pi), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
