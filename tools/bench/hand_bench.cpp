@@ -85,6 +85,31 @@ double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     return sum;
 }
 
+/// Times per place of taking a patch, of reading it twice, and of reading its nodes through the fields (us).
+std::vector<std::vector<double>> patch_times(const TurningBrew& brew, const FlowSource& source,
+                                             const std::vector<FlowPatch>& patches, const Options& options) {
+    const auto each = [&brew](const auto& visit) {
+        return [&brew, visit] {
+            for (std::size_t i = 0; i < hand_places; ++i) visit(i, brew.places[i]);
+        };
+    };
+    const std::array contestants{
+        Contestant{{}, each([&](std::size_t, vec3 at) { do_not_optimise(patch_of(source, at)); })},
+        Contestant{{}, each([&](std::size_t i, vec3 at) {
+                       do_not_optimise(flow_at(patches[i], at));
+                       do_not_optimise(flow_at(patches[hand_places - 1 - i], at));
+                   })},
+        Contestant{{}, each([&](std::size_t i, vec3) {
+                       do_not_optimise(read_through_fields(source, patches[i]));
+                   })}};
+    // The patches stay in the processor's cache, as in the servo, which reads its patch again and again.
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.0, .least = 11, .calls = 16});
+    for (auto& one : samples) {
+        for (double& us : one) us /= hand_places;
+    }
+    return samples;
+}
+
 void hand_patches(const Options& options, Report& report) {
     for (const int n : {16, 32, 64}) {
         const auto made = turning_brew(n);
@@ -93,26 +118,7 @@ void hand_patches(const Options& options, Report& report) {
         const FlowSource source = brew.source();
         std::vector<FlowPatch> patches;
         for (const vec3 place : brew.places) patches.push_back(patch_of(source, place));
-        const auto each = [&brew](const auto& visit) {
-            return [&brew, visit] {
-                for (std::size_t i = 0; i < hand_places; ++i) visit(i, brew.places[i]);
-            };
-        };
-        const std::array contestants{
-            Contestant{{}, each([&](std::size_t, vec3 at) { do_not_optimise(patch_of(source, at)); })},
-            Contestant{{}, each([&](std::size_t i, vec3 at) {
-                           do_not_optimise(flow_at(patches[i], at));
-                           do_not_optimise(flow_at(patches[hand_places - 1 - i], at));
-                       })},
-            Contestant{{}, each([&](std::size_t i, vec3) {
-                           do_not_optimise(read_through_fields(source, patches[i]));
-                       })}};
-        // The patches stay in the processor's cache, as in the servo, which reads its patch again and
-        // again.
-        auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.0, .least = 11, .calls = 16});
-        for (auto& one : samples) {
-            for (double& us : one) us /= hand_places;
-        }
+        const auto samples = patch_times(brew, source, patches, options);
         const double error = patch_error(brew);
         const auto row = [&](const char* what, std::size_t which) {
             return Row{.area = "fluid",

@@ -253,6 +253,20 @@ void drop_three(SceneMatch& scene) {
     }
 }
 
+/// Largest energy that the passive sources of a hand have created (J).
+double most_created(const game::Simulation& match) {
+    double created = 0;
+    match.world().view<const game::HandState>().each([&](const game::HandState& hand_state) {
+        created = std::max(created, hand_state.servo.energy.most_created);
+    });
+    return created;
+}
+
+double ingredient_count(const game::Cauldron& cauldron) {
+    return static_cast<double>(std::count_if(cauldron.contents.begin(), cauldron.contents.end(),
+                                             [](std::uint32_t w) { return w != game::no_ingredient; }));
+}
+
 /// Two ladles stir three substances all the time. The brew never boils over, and its fluid steps run on the
 /// same core.
 void tick_duel_cauldron(const Options& options, Report& report) {
@@ -275,10 +289,6 @@ void tick_duel_cauldron(const Options& options, Report& report) {
         substeps += match.brew()->report.substeps;
         iterations += match.brew()->report.pressure_iterations;
     }
-    double created = 0;
-    match.world().view<const game::HandState>().each([&](const game::HandState& hand_state) {
-        created = std::max(created, hand_state.servo.energy.most_created);
-    });
     const auto& cauldron = match.world().single<game::Cauldron>();
     const auto& cells = match.brew()->brew.fluid.lattice.cells;
     report.rows.push_back(
@@ -288,12 +298,10 @@ void tick_duel_cauldron(const Options& options, Report& report) {
                      {"substances", std::int64_t{3}},
                      {"cells", text(cells[0], "x", cells[1], "x", cells[2])}},
          .time_us = times(samples),
-         .error = ErrorMeasure{"created_j", created},
+         .error = ErrorMeasure{"created_j", most_created(match)},
          .is_default = true,
          .metrics = {{"mean_us", mean(samples)},
-                     {"ingredients", static_cast<double>(std::count_if(
-                                         cauldron.contents.begin(), cauldron.contents.end(),
-                                         [](std::uint32_t w) { return w != game::no_ingredient; }))},
+                     {"ingredients", ingredient_count(cauldron)},
                      {"substeps_per_step", substeps / static_cast<double>(samples.size())},
                      {"pressure_iterations_per_step", iterations / static_cast<double>(samples.size())},
                      {"brew_m_s", cauldron.speed},

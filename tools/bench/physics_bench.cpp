@@ -154,50 +154,68 @@ MedianOf median_of(std::array<double, stack_count> values) {
     return {(values[15] + values[16]) / 2, values[9], values[22]};
 }
 
-/// Stacks of eight boxes of 0.4 m, turned and placed at random. The error is how far the top has
-/// drifted after 5 s from its place on rigid boxes. One stack's drift may be five times another's by
-/// chance. The result is therefore the median of many, and values within its interval do not differ.
-Outcome stacks(Run& run) {
-    constexpr Key boxes = 8;
-    constexpr double half = 0.2;
-    run.physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
-    const auto key = [](Key stack, Key level) { return 1 + stack * boxes + level; };
+constexpr Key stack_boxes = 8;    // boxes of a stack
+constexpr double half_box = 0.2;  // m
+
+Key box_key(Key stack, Key level) { return 1 + stack * stack_boxes + level; }
+
+/// Adds the ground and the stacks. Returns the place of the lowest box of each stack (m).
+std::array<vec3, stack_count> add_stacks(Physics& physics) {
+    physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
     Random random{1};
     std::array<vec3, stack_count> feet{};
     for (Key s = 0; s < stack_count; ++s) {
         const double x = random.uniform(-1, 1), z = random.uniform(-1, 1), turn = random.uniform(0, pi / 2);
         const Key column = s % 8, row = s / 8;
-        feet[s] = {3.0 * column - 10.5 + x, half, 3.0 * row - 4.5 + z};
-        for (Key i = 0; i < boxes; ++i) {
-            run.physics.add(
-                key(s, i), {.size = vec3(half), .mass = 5},
-                {.position = feet[s] + vec3(0, 2 * half * i, 0), .orientation = rotation({0, 1, 0}, turn)});
+        feet[s] = {3.0 * column - 10.5 + x, half_box, 3.0 * row - 4.5 + z};
+        for (Key i = 0; i < stack_boxes; ++i) {
+            physics.add(box_key(s, i), {.size = vec3(half_box), .mass = 5},
+                        {.position = feet[s] + vec3(0, 2 * half_box * i, 0),
+                         .orientation = rotation({0, 1, 0}, turn)});
         }
     }
+    return feet;
+}
+
+/// Distance of the boxes from their places on rigid boxes.
+struct StackDrift {
+    std::array<double, stack_count> of_top{};  ///< m
+    double sunk{};                             ///< largest way down (m)
+    std::uint64_t hash{};                      ///< of all boxes
+};
+
+StackDrift drift_of(const Physics& physics, const std::array<vec3, stack_count>& feet) {
+    StackDrift drift;
+    for (Key s = 0; s < stack_count; ++s) {
+        for (Key i = 0; i < stack_boxes; ++i) {
+            const BodyState& state = physics.state(box_key(s, i));
+            const vec3 way = state.position - feet[s] - vec3(0, 2 * half_box * i, 0);
+            drift.hash = hash_combine(drift.hash, hash_value(state));
+            drift.sunk = std::max(drift.sunk, -way.y);
+            drift.of_top[s] = glm::length(way);
+        }
+    }
+    return drift;
+}
+
+/// Stacks of eight boxes of 0.4 m, turned and placed at random. The error is how far the top has
+/// drifted after 5 s from its place on rigid boxes. One stack's drift may be five times another's by
+/// chance. The result is therefore the median of many, and values within its interval do not differ.
+Outcome stacks(Run& run) {
+    const auto feet = add_stacks(run.physics);
     int awake_steps = 0;
     for (int i = run.steps_in(5); i > 0; --i) {
         run.physics.step(run.dt);
         if (run.physics.counters().awake > 0) ++awake_steps;
     }
-    std::uint64_t hash = 0;
-    double sunk = 0;
-    std::array<double, stack_count> off{};
-    for (Key s = 0; s < stack_count; ++s) {
-        for (Key i = 0; i < boxes; ++i) {
-            const BodyState& state = run.physics.state(key(s, i));
-            const vec3 way = state.position - feet[s] - vec3(0, 2 * half * i, 0);
-            hash = hash_combine(hash, hash_value(state));
-            sunk = std::max(sunk, -way.y);
-            off[s] = glm::length(way);
-        }
-    }
-    const MedianOf median = median_of(off);
+    const StackDrift drift = drift_of(run.physics, feet);
+    const MedianOf median = median_of(drift.of_top);
     return {.error = median.value,
             .metrics = {{"error_low_m", median.low},
                         {"error_high_m", median.high},
-                        {"sunk_m", sunk},
+                        {"sunk_m", drift.sunk},
                         {"settled_s", awake_steps * run.dt}},
-            .hash = hash};
+            .hash = drift.hash};
 }
 
 // ---- rows -------------------------------------------------------------------------------------------------------

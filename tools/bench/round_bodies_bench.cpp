@@ -91,6 +91,34 @@ SurfacePatch patch_of(const Slide& run) {
     return patch;
 }
 
+std::vector<Slide> all_slides() {
+    std::vector<Slide> runs;
+    for (const double friction : {0.0, 0.35}) {
+        runs.push_back({Ground::sphere, "sphere", friction});
+        runs.push_back({Ground::capsule, "capsule", friction});
+        runs.push_back({Ground::cylinder, "cylinder", friction});
+        runs.push_back({Ground::groove, "two_spheres", friction});
+        runs.push_back({Ground::crowd, "sphere_among_31", friction});
+    }
+    return runs;
+}
+
+void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Report& report) {
+    constexpr double most_chatter = 1e-6;  // N
+    report.rows.push_back(
+        {.area = "haptics",
+         .name = "round_bodies",
+         .setting = {{"shape", std::string(run.name)}, {"friction", run.friction}},
+         .time_us = times(samples_us),
+         .error = ErrorMeasure{"force_error_n", run.worst},
+         .metrics = {{"force_chatter_n", run.chatter}, {"ticks_lost", static_cast<double>(run.lost)}},
+         .hash = hex(hash_value(run.state))});
+    if (run.lost > 0 || !(run.chatter <= most_chatter) || !(run.worst <= most_chatter))
+        report.faults.push_back(text("haptics: round_bodies ", run.name, " friction ", shown(run.friction),
+                                     " loses ", run.lost, " ticks, errs by ", shown(run.worst),
+                                     " N and chatters by ", shown(run.chatter), " N"));
+}
+
 vec3 on_circle(double r, double angle) { return {r * det::cos(angle), r * det::sin(angle), 0}; }
 
 /// Position of the tip at a tick. It comes from outside.
@@ -142,15 +170,7 @@ void play(Slide& run, const haptics::Servo& servo, const haptics::HapticModel& m
 }  // namespace
 
 void round_bodies(const Options& options, Report& report) {
-    constexpr double most_chatter = 1e-6;  // N
-    std::vector<Slide> runs;
-    for (const double friction : {0.0, 0.35}) {
-        runs.push_back({Ground::sphere, "sphere", friction});
-        runs.push_back({Ground::capsule, "capsule", friction});
-        runs.push_back({Ground::cylinder, "cylinder", friction});
-        runs.push_back({Ground::groove, "two_spheres", friction});
-        runs.push_back({Ground::crowd, "sphere_among_31", friction});
-    }
+    std::vector<Slide> runs = all_slides();
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
     const haptics::Servo servo = haptics::servo_of(spec, 1);
@@ -167,20 +187,8 @@ void round_bodies(const Options& options, Report& report) {
     }
     auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Slide& run = runs[i];
         for (double& us : samples[i]) us /= ticks;
-        report.rows.push_back(
-            {.area = "haptics",
-             .name = "round_bodies",
-             .setting = {{"shape", std::string(run.name)}, {"friction", run.friction}},
-             .time_us = times(samples[i]),
-             .error = ErrorMeasure{"force_error_n", run.worst},
-             .metrics = {{"force_chatter_n", run.chatter}, {"ticks_lost", static_cast<double>(run.lost)}},
-             .hash = hex(hash_value(run.state))});
-        if (run.lost > 0 || !(run.chatter <= most_chatter) || !(run.worst <= most_chatter))
-            report.faults.push_back(text("haptics: round_bodies ", run.name, " friction ",
-                                         shown(run.friction), " loses ", run.lost, " ticks, errs by ",
-                                         shown(run.worst), " N and chatters by ", shown(run.chatter), " N"));
+        add_slide_row(runs[i], samples[i], report);
     }
 }
 

@@ -1,0 +1,62 @@
+// tools/bench/ecs_contest.h: the cases of the ECS benchmark, each of plain arrays against a World.
+#pragma once
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tools/bench/ecs_things.h"
+#include "tools/bench/report.h"
+
+namespace thaum::bench::things {
+
+struct Side {
+    std::function<void()> setup;  ///< empty if runs can follow each other without it
+    std::function<void()> run;
+    std::function<std::uint64_t()> result;  ///< hash of the data after the runs
+};
+
+struct Contest {
+    std::string_view name;
+    std::uint32_t n{};
+    double matches{};      ///< entities that one run touches; times are divided by this number
+    double bytes{};        ///< bytes that raw reads and writes in one run
+    double working_set{};  ///< size of raw's data (bytes)
+    Side raw, thaum;
+    std::size_t calls = 1;
+    std::string unit = "ns_per_entity";
+    std::optional<std::pair<std::string, Value>> setting{};  ///< further setting of the row
+};
+
+/// Number of runs per sample. Short runs are repeated, because the clock is too coarse for them.
+inline std::size_t calls_for(std::uint32_t n) { return std::max<std::size_t>(1, 100'000 / n); }
+
+// Iteration and access (ecs_iteration.cpp).
+
+Contest iterate_1(std::uint32_t n);
+Contest iterate_2(std::uint32_t n);
+Contest iterate_3_half(std::uint32_t n);
+Contest rare_view(std::uint32_t n);
+/// Views over a component that one entity had once and none has now.
+Contest empty_view(std::uint32_t n);
+/// Reads one component of all entities in random order: the smallest, the middle one or the largest.
+template <class C>
+Contest random_get(std::uint32_t n);
+
+// Structure and the whole state (ecs_structure.cpp).
+
+/// Creates entities in reserved memory whose pages have been touched, or in a store that grows from
+/// nothing. All have the same Motion: computing one costs more than storing it.
+Contest create_3(std::uint32_t n, bool reserved);
+Contest destroy_all(std::uint32_t n);
+Contest add_1(std::uint32_t n);
+Contest remove_1(std::uint32_t n);
+/// Sets the tag on all entities, then clears it on all. For the hash, every third entity gets it once more.
+Contest tag_churn(std::uint32_t n);
+Contest snapshot(std::uint32_t n);
+/// Raw is memcpy and computes no hash, so the two hashes differ here.
+Contest state_hash(std::uint32_t n);
+
+}  // namespace thaum::bench::things
