@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "structure/functions.h"
+
 namespace thaum::structure {
 namespace {
 
@@ -176,6 +178,26 @@ std::size_t find_path(const std::string& text, const std::string& path) {
     return at;
 }
 
+// ---- lengths ----------------------------------------------------------------------------------------------
+
+constexpr std::size_t most_file_lines = 600;
+constexpr std::size_t most_function_lines = 40;
+
+std::vector<fs::path> own_sources(const fs::path& root) {
+    std::vector<fs::path> result;
+    for (const auto* top : {"engine", "game", "tools", "tests"}) {
+        for (const auto& file : files_under(root / top)) {
+            if (is_source(file)) result.push_back(file);
+        }
+    }
+    return result;
+}
+
+std::string too_long(const std::string& what, std::size_t lines, std::size_t most) {
+    return what + " has " + std::to_string(lines) + " lines, more than " + std::to_string(most) +
+           "; split it where its subject changes";
+}
+
 }  // namespace
 
 Faults upward_includes(const fs::path& root) {
@@ -233,6 +255,30 @@ Faults headers_without_title(const fs::path& root) {
         if (file.extension() != ".h" || folders_of(name).size() != 2) continue;
         if (!read(file).starts_with("// " + name + ": ")) {
             faults.push_back(at_line("engine/" + name, 1, "must open with \"// " + name + ": purpose\""));
+        }
+    }
+    return faults;
+}
+
+Faults long_files(const fs::path& root) {
+    Faults faults;
+    for (const auto& file : own_sources(root)) {
+        const auto text = read(file);
+        const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        if (lines > most_file_lines)
+            faults.push_back(
+                at_line(relative_to(root, file), 1, too_long("the file", lines, most_file_lines)));
+    }
+    return faults;
+}
+
+Faults long_functions(const fs::path& root) {
+    Faults faults;
+    for (const auto& file : own_sources(root)) {
+        for (const auto& function : functions_in(read(file))) {
+            if (function.count > most_function_lines)
+                faults.push_back(at_line(relative_to(root, file), function.line,
+                                         too_long("the function", function.count, most_function_lines)));
         }
     }
     return faults;
