@@ -42,17 +42,24 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
     return played;
 }
 
-/// Draws the highlight. Plays a new match up to that tick with the same input frames, which gives the same
-/// state.
-Expected<void> picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
-                       const Played& played) {
+struct Picture {
+    std::string line;            ///< its file, or the reason why there is none
+    std::optional<Error> fault;  ///< reason why a picture that could be drawn was not saved
+};
+
+/// Draws the highlight, unless this machine cannot draw. Plays a new match up to that tick with the same input
+/// frames, which gives the same state.
+Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
+                const Played& played) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
-    if (!still) return tl::unexpected(still.error());
-    const auto file = duel.out / "duel.png";
-    if (played.highlight.tick == 0) return still->save(*played.duel.match, {}, file);
+    if (!still) return {text("none: ", still.error().message), {}};
     game::Simulation again(data, played.duel.match->setup());
     for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
-    return still->save(again, {}, file);
+    const auto file = duel.out / "duel.png";
+    const auto& shown = played.highlight.tick == 0 ? *played.duel.match : again;
+    if (const auto saved = still->save(shown, {}, file); !saved)
+        return {text("none: ", saved.error().message), saved.error()};
+    return {file.string(), {}};
 }
 
 std::string report(const OffscreenDuel& duel, const Played& played, const std::filesystem::path& log,
@@ -94,13 +101,13 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     const auto played = play(duel, data, log);
     if (!played) return refuse(played.error());
     const auto drawn = picture(duel, data, *played);
-    const auto lines = report(
-        duel, *played, log, drawn ? (duel.out / "duel.png").string() : text("none: ", drawn.error().message));
+    const auto lines = report(duel, *played, log, drawn.line);
     std::printf("%s", lines.c_str());
-    if (played->log_fault) std::fprintf(stderr, "thaum: %s\n", played->log_fault->message.c_str());
+    for (const auto& fault : {played->log_fault, drawn.fault})
+        if (fault) std::fprintf(stderr, "thaum: %s\n", fault->message.c_str());
     if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)
         return refuse(written.error());
-    return played->log_fault ? does_not_hold : done;
+    return played->log_fault || drawn.fault ? does_not_hold : done;
 }
 
 }  // namespace thaum::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/one_line.h"
 #include "core/text.h"
 #include "game/arena/solids.h"
 #include "game/arena/symmetry.h"
@@ -42,6 +43,11 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
     const BowlSize size{.radius = table.number("radius", extent),
                         .height = table.number("height", extent),
                         .thickness = table.number("thickness", {0.01, 1})};
+    // Below a fifth of the height lies the whole bottom, so the inside is hollow from any filling on.
+    if (size.thickness > 0.2 * size.height || size.thickness > 0.4 * size.radius)
+        table.report("thickness",
+                     text("'thickness' is ", size.thickness,
+                          ", and must be at most 0.2 times the height and 0.4 times the radius"));
     if (!arena.bowl) arena.bowl = BowlPlace{table.vector("centre", place), size};
     arena.meshes.push_back(bowl(size));
 }
@@ -222,6 +228,16 @@ vec3 half_extent(const Arena& arena, const Thing& thing) {
     return half;
 }
 
+/// Reads the name that is shown of an arena. It is printed as it is, so it may hold no control characters.
+std::string read_name(const ConfigTable& root) {
+    constexpr std::size_t longest_name = 64;  // bytes
+    auto name = root.string("name");
+    if (name.empty() || printable(name, longest_name) != name)
+        root.report("name", text("'name' must be a line of 1 to ", longest_name,
+                                 " bytes without control characters"));
+    return name;
+}
+
 }  // namespace
 
 GroundBounds ground_bounds(const Arena& arena) {
@@ -243,7 +259,7 @@ GroundBounds ground_bounds(const Arena& arena) {
 Arena read_arena(const Config& file) {
     Arena arena;
     const auto root = file.root();
-    arena.name = root.string("name");
+    arena.name = read_name(root);
     read_solids(root, arena);
     if (std::none_of(arena.things.begin(), arena.things.end(), is_ground))
         root.report("solid", "an arena needs at least one solid with the surface 'floor'");

@@ -137,6 +137,15 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     }
 }
 
+/// Reports a bowl in which the solver makes no brew, for instance because it would need too many cells.
+void check_bowl(const ConfigTable& arena, const MatchData& data) {
+    const auto brew = make_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
+    if (brew) return;
+    for (const auto& solid : arena.tables("solid"))
+        if (solid.string("shape") == "bowl")
+            return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
+}
+
 /// Loads the device that haptics.toml names from its own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
     const auto name = data.haptic_rules.device;
@@ -220,8 +229,10 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     if (!loader.error) load_device(data, haptics_file, loader);
     if (data.rules.cauldron && data.arena.bowl) {
         data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
-        loader.check_across(arena_file,
-                            [&](const ConfigTable& root) { check_niches(root, data.cauldron->ingredients); });
+        loader.check_across(arena_file, [&](const ConfigTable& root) {
+            check_niches(root, data.cauldron->ingredients);
+            check_bowl(root, data);
+        });
     }
     load_wands(data, loader);
     loader.check_overrides();

@@ -8,6 +8,9 @@ namespace thaum::game {
 Expected<Playback> Playback::open(const std::filesystem::path& log, const std::filesystem::path& assets) {
     auto reader = input::LogReader::open(log);
     if (!reader) return tl::unexpected(reader.error());
+    if (reader->format() > 1 && reader->header().kinds.empty())
+        return fail(
+            text(log.string(), ": the header names no kinds, so the numbers of the log mean nothing"));
     auto match = match_of_log(reader->header(), assets);
     if (!match) return fail(text(log.string(), ": ", in_one_line(match.error().message)));
     Playback playback;

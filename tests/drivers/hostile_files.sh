@@ -94,6 +94,15 @@ kept=$(sed -n 's/.*kept up to tick \([0-9]*\).*/\1/p' "$folder/line")
 grep -q "^$kept ticks, " "$folder/verified" || fail "full disk: kept $kept, replayed $(cat "$folder/verified")"
 ((kept > 1000)) || fail "full disk: kept only $kept ticks"
 
+# A picture that cannot be saved is a fault of the run, although its log is whole. A log of 3 s has 5 KiB.
+(cd "$folder" && ulimit -f 64 && "$thaum" --headless --seconds 3 --out "$folder/small" >"$folder/said" 2>"$folder/line")
+status=$?
+if ! grep -q '^picture .*none: .*OpenGL' "$folder/said"; then
+    [[ $status == 1 ]] || fail "no room for the picture: exit code $status"
+    grep -q 'duel.png' "$folder/line" || fail "no room for the picture: said $(cat "$folder/line")"
+fi
+"$thaum" replay "$folder/small/duel.thaumlog" --verify >/dev/null || fail "no room for the picture: the log"
+
 # A disk that is full from the start.
 refused "full device" --headless --seconds 1 --out /dev/full
 "$thaum" --headless --seconds 2 --out "$folder/good" >/dev/null

@@ -154,6 +154,23 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
               text("wand 1 is nothing in the log and 'bolt' in this program", advice));
 }
 
+TEST(GameHostile, ALogThatNamesNoKindsIsRefused) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / text("no_kinds_", getpid());
+    std::filesystem::create_directories(folder);
+    auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    const auto refusal = [&](const char* name) {
+        auto log = input::LogWriter::create(folder / name, header);
+        EXPECT_TRUE(log) << log.error().message;
+        EXPECT_TRUE(log->close(""));
+        const auto playback = Playback::open(folder / name, assets());
+        return playback ? std::string("accepted") : playback.error().message;
+    };
+    EXPECT_EQ(refusal("whole"), "accepted");
+    header.kinds.clear();
+    EXPECT_NE(refusal("none").find("names no kinds"), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
     const auto header =
         log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});

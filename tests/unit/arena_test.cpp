@@ -94,11 +94,52 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
     faulty("[look.sky]\nmoon = 3\n", "moon");
     faulty("[[pad]]\nposition = [0, 0, 0]\nfacing = [0, 0, 0]\nmirrored_player = 1\nturned = true\n",
            "mirrored_player");
+    const auto bowl = [](double height, double thickness) {
+        return text(
+            "[[solid]]\nshape = \"bowl\"\nsurface = \"bowl\"\ncentre = [0, 0.5, 0]\nradius = 1.5\nheight = ",
+            height, "\nthickness = ", thickness, "\n");
+    };
+    EXPECT_EQ(fault_with(bowl(0.75, 0.15)), "");
+    faulty(bowl(0.74, 0.15), "least.toml:20: 'thickness' is 0.15, and must be at most 0.2 times the height");
+    faulty(bowl(40, 0.61), "0.4 times the radius");
     const auto bare = Config::parse("version = 1\nname = \"Bare\"\n", "bare.toml", 1);
     ASSERT_TRUE(bare);
     read_arena(*bare);
     EXPECT_EQ(bare->check().error().message,
               "bare.toml:1: an arena needs at least one solid with the surface 'floor'");
+}
+
+TEST(ArenaFile, ANameIsOneShortLineThatATerminalCanShow) {
+    const auto fault = [](std::string_view name) {
+        std::string source(least_arena);
+        const auto at = source.find('"', source.find("name = "));
+        source.replace(at, source.find('"', at + 1) + 1 - at, text('"', name, '"'));
+        const auto file = Config::parse(source, "least.toml", 1).value();
+        read_arena(file);
+        read_arena_look(file);
+        const auto checked = file.check();
+        return checked ? "" : checked.error().message;
+    };
+    EXPECT_EQ(fault("The Königshof"), "");
+    for (const std::string name : {"", "a\\nb", "a\\u001b[31m", "a\\u202eb", "a\\u0000b"})
+        EXPECT_NE(fault(name).find("'name' must be a line of 1 to 64 bytes"), std::string::npos)
+            << name << ": " << fault(name);
+    EXPECT_NE(fault(std::string(65, 'x')).find("'name' must"), std::string::npos);
+}
+
+TEST(ArenaFile, ABowlThatTheSolverCannotFillIsRefused) {
+    const auto folder = assets_with_yard();
+    auto source = read_text_file(folder / "arenas/the_well.toml", 1U << 20U).value();
+    constexpr std::string_view bowl = "radius = 1.5\nheight = 1.1\nthickness = 0.15";
+    const auto at = source.find(bowl);
+    ASSERT_NE(at, std::string::npos);
+    source.replace(at, bowl.size(), "radius = 0.03\nheight = 40\nthickness = 0.012");
+    ASSERT_TRUE(write_text_file(folder / "arenas/slim.toml", source));
+    const auto data = load_match_data(folder, {.arena = "slim"});
+    ASSERT_FALSE(data);
+    EXPECT_NE(data.error().message.find("slim.toml:"), std::string::npos) << data.error().message;
+    EXPECT_NE(data.error().message.find("the bowl holds no brew: "), std::string::npos)
+        << data.error().message;
 }
 
 TEST(ArenaFile, ATwinIsTheMirrorImageOrTurned) {

@@ -51,7 +51,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
         case buttons_column: s.buttons = value; return true;
         case model_age_column: s.model_age = static_cast<std::uint16_t>(value); return value <= 0xffffU;
         case skips_column: s.skips = static_cast<std::uint16_t>(value); return value <= 0xffffU;
-        case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= 0xffU;
+        case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= most_wands;
         case state_column: s.away = (value & away_bit) != 0; return value <= away_bit;
         default: s.counts[column] = static_cast<std::int32_t>(value); return true;
     }
