@@ -16,7 +16,7 @@
 // The path is swept against all other surfaces along two tangents outside the round surfaces. If they meet
 // something, the path is halved. So the proxy moves through free space only.
 #pragma once
-#include "haptics/surface_slide.h"
+#include "haptics/surface_walls.h"
 
 namespace thaum::haptics {
 

@@ -84,17 +84,6 @@ void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) 
 
 }  // namespace
 
-bool stands(const Scene& scene, const Wall& wall, vec3 x) {
-    constexpr double slack = 10 * place_tolerance;
-    const std::uint32_t i = wall.surface;
-    const Surface& s = scene.surface(i);
-    if (is_triangle(s.kind)) return over_triangle(s, scene.normal[i], x, slack);
-    if (is_flat(s.kind)) return true;
-    const Distance here = to_solid(s, scene.body_of(i).orientation, x);
-    const double turned = glm::length(here.normal - wall.normal) * wall.depth;
-    return here.value <= scene.gap[i] + slack && turned <= slack;
-}
-
 SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
     SlideState slide{.x = start};
     Walls held;

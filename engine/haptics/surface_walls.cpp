@@ -106,4 +106,15 @@ void add_wall(Walls& walls, const Wall& wall) {
     if (walls.count < most_walls) walls.items[walls.count++] = wall;
 }
 
+bool stands(const Scene& scene, const Wall& wall, vec3 x) {
+    constexpr double slack = 10 * place_tolerance;
+    const std::uint32_t i = wall.surface;
+    const Surface& s = scene.surface(i);
+    if (is_triangle(s.kind)) return over_triangle(s, scene.normal[i], x, slack);
+    if (is_flat(s.kind)) return true;
+    const Distance here = to_solid(s, scene.body_of(i).orientation, x);
+    const double turned = glm::length(here.normal - wall.normal) * wall.depth;
+    return here.value <= scene.gap[i] + slack && turned <= slack;
+}
+
 }  // namespace thaum::haptics

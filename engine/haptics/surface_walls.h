@@ -52,4 +52,17 @@ struct NearestPlace {
 /// walls. Keeps the walls that push, with their depths, or all of them if no place was found.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
+/// Whether a wall still exists at the proxy, which may have moved round an edge.
+bool stands(const Scene& scene, const Wall& wall, vec3 x);
+
+/// State of the proxy on its path to the tip.
+struct SlideState {
+    vec3 x{};       ///< position of the proxy (m)
+    Walls walls{};  ///< walls that hold it there
+    /// Remaining sweeps against a surface for round paths in this tick. The limit bounds the time.
+    int sweeps_left{2400};
+    bool slid{};     ///< the proxy has moved along a wall
+    bool limited{};  ///< the end of the patch's reach held the proxy
+};
+
 }  // namespace thaum::haptics
