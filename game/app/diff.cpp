@@ -59,7 +59,9 @@ int compare_files(const std::string& a, const std::string& b) {
     if (!left) return refuse(left.error());
     const auto right = read_file(b, max_dump);
     if (!right) return refuse(right.error());
-    return compare(*left, *right);
+    const auto differences = ecs::diff(*left, *right);
+    if (!differences) return refuse({text(differences.error().message, " (A is ", a, ", B is ", b, ")")});
+    return print(*differences);
 }
 
 /// Function that computes the state of a replay at a tick.

@@ -51,6 +51,8 @@ expect 2 "No such file" replay "$folder/none" --verify
 expect 2 "not an ordinary file" replay "$folder" --verify
 expect 2 "replay needs one log" replay
 expect 2 "diff needs two dumps" diff
+echo none >"$folder/no.dump"
+expect 2 "not a snapshot, or damaged (A is no.dump, B is no.dump)" diff no.dump no.dump
 expect 2 "no area" bench nothing
 # The benchmarks are a program of their own, so that the players' program does not replace malloc. It must
 # report a missing benchmark program.
