@@ -160,6 +160,14 @@ fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basi
     return surface;
 }
 
+Expected<void> check_brew(const CauldronRules& rules, const Basin& basin) {
+    if (const auto fluid = fluid::check(brew_settings(rules, basin)); !fluid)
+        return tl::unexpected(fluid.error());
+    if (const auto surface = fluid::checked(brew_surface(rules, basin)); !surface)
+        return tl::unexpected(surface.error());
+    return {};
+}
+
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     auto fluid = fluid::make_fluid(brew_settings(rules, basin));
     if (!fluid) return tl::unexpected(fluid.error());

@@ -116,7 +116,9 @@ struct Brew {
 fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
 fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basin& basin);
 
-/// Makes a brew at rest without ingredients. The error names the setting that the solver rejects.
+/// Checks that make_brew succeeds, without its work. The error names the setting that the solver rejects.
+Expected<void> check_brew(const CauldronRules& rules, const Basin& basin);
+/// Makes a brew at rest without ingredients. The error is that of check_brew.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
 /// Returns the substance that holds the ingredient, or else the first free one; std::nullopt if all are in

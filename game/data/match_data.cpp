@@ -139,7 +139,7 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
 
 /// Reports a bowl in which the solver makes no brew, for instance because it would need too many cells.
 void check_bowl(const ConfigTable& arena, const MatchData& data) {
-    const auto brew = make_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
+    const auto brew = check_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
     if (brew) return;
     for (const auto& solid : arena.tables("solid"))
         if (solid.string("shape") == "bowl")

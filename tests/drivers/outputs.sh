@@ -15,7 +15,7 @@ failures=0
 fail() { echo "failed: $1"; failures=$((failures + 1)); }
 
 "$thaum" --headless --seconds 2 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
-"$thaum" bench ecs --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
+"$thaum" bench field --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
 "$thaum" lab --fluid --headless --cells 16 --seconds 0.1 --save brew >/dev/null || { echo "failed: no brew"; exit 1; }
 printf 'time_s,x_m,y_m,z_m\n0,0.5,-0.2,0\n0.5,-0.5,-0.3,0.4\n' >path.csv
 cp "$repository/tests/scenarios/panic_key.lua" script.lua
