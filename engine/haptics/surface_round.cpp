@@ -211,7 +211,7 @@ struct Track {
 /// Push of a wall at a place of a path.
 struct WallLoad {
     vec3 normal{};
-    double depth{};  ///< m
+    double depth{};  ///< depth of the tip behind the wall (m)
 };
 using WallLoads = std::array<WallLoad, 2>;
 

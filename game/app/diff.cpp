@@ -49,9 +49,10 @@ int print(const std::vector<ecs::Difference>& differences) {
     return differences.empty() ? done : does_not_hold;
 }
 
-int compare(std::span<const std::byte> a, std::span<const std::byte> b) {
+/// Prints the differences of two states. `names` says in a fault which states they are.
+int compare(std::span<const std::byte> a, std::span<const std::byte> b, const std::string& names = {}) {
     const auto differences = ecs::diff(a, b);
-    return differences ? print(*differences) : refuse(differences.error());
+    return differences ? print(*differences) : refuse({differences.error().message + names});
 }
 
 int compare_files(const std::string& a, const std::string& b) {
@@ -59,9 +60,7 @@ int compare_files(const std::string& a, const std::string& b) {
     if (!left) return refuse(left.error());
     const auto right = read_file(b, max_dump);
     if (!right) return refuse(right.error());
-    const auto differences = ecs::diff(*left, *right);
-    if (!differences) return refuse({text(differences.error().message, " (A is ", a, ", B is ", b, ")")});
-    return print(*differences);
+    return compare(*left, *right, text(" (A is ", a, ", B is ", b, ")"));
 }
 
 /// Function that computes the state of a replay at a tick.

@@ -47,17 +47,23 @@ struct Picture {
     std::optional<Error> fault;  ///< reason why a picture that could be drawn was not saved
 };
 
-/// Draws the highlight, unless this machine cannot draw. Plays a new match up to that tick with the same input
-/// frames, which gives the same state.
+/// Draws and saves the highlight. Plays a new match up to that tick with the same input frames, which gives the
+/// same state.
+Expected<void> save_highlight(Still& still, const std::shared_ptr<const game::MatchData>& data,
+                              const Played& played, const std::filesystem::path& file) {
+    if (played.highlight.tick == 0) return still.save(*played.duel.match, {}, file);
+    game::Simulation again(data, played.duel.match->setup());
+    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
+    return still.save(again, {}, file);
+}
+
+/// Makes the picture, unless this machine cannot draw.
 Picture picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
                 const Played& played) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
     if (!still) return {text("none: ", still.error().message), {}};
-    game::Simulation again(data, played.duel.match->setup());
-    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
     const auto file = duel.out / "duel.png";
-    const auto& shown = played.highlight.tick == 0 ? *played.duel.match : again;
-    if (const auto saved = still->save(shown, {}, file); !saved)
+    if (const auto saved = save_highlight(*still, data, played, file); !saved)
         return {text("none: ", saved.error().message), saved.error()};
     return {file.string(), {}};
 }

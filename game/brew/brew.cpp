@@ -169,13 +169,12 @@ Expected<void> check_brew(const CauldronRules& rules, const Basin& basin) {
 }
 
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
+    if (const auto sound = check_brew(rules, basin); !sound) return tl::unexpected(sound.error());
     auto fluid = fluid::make_fluid(brew_settings(rules, basin));
     if (!fluid) return tl::unexpected(fluid.error());
-    const auto surface = fluid::checked(brew_surface(rules, basin));
-    if (!surface) return tl::unexpected(surface.error());
     const vec3 corner = corner_of(fluid->settings);
     return Brew{.fluid = std::move(*fluid),
-                .surface = fluid::make_spring_surface(*surface),
+                .surface = fluid::make_spring_surface(brew_surface(rules, basin)),
                 .scratch = {},
                 .corner = corner};
 }

@@ -50,15 +50,18 @@ turned_player = 1
 turned = true
 )";
 
-/// The first fault of an arena with more entries at its end; empty: none.
-std::string fault_with(std::string_view more) {
-    const auto file = Config::parse(text(least_arena, more), "least.toml", 1);
+/// The first fault of an arena's file; empty: none.
+std::string fault_of(std::string_view source) {
+    const auto file = Config::parse(source, "least.toml", 1);
     if (!file) return file.error().message;
     read_arena(*file);
     read_arena_look(*file);
     const auto checked = file->check();
     return checked ? "" : checked.error().message;
 }
+
+/// The first fault of the least arena with more entries at its end.
+std::string fault_with(std::string_view more) { return fault_of(text(least_arena, more)); }
 
 Arena arena_with(std::string_view more) {
     const auto file = Config::parse(text(least_arena, more), "least.toml", 1);
@@ -114,11 +117,7 @@ TEST(ArenaFile, ANameIsOneShortLineThatATerminalCanShow) {
         std::string source(least_arena);
         const auto at = source.find('"', source.find("name = "));
         source.replace(at, source.find('"', at + 1) + 1 - at, text('"', name, '"'));
-        const auto file = Config::parse(source, "least.toml", 1).value();
-        read_arena(file);
-        read_arena_look(file);
-        const auto checked = file.check();
-        return checked ? "" : checked.error().message;
+        return fault_of(source);
     };
     EXPECT_EQ(fault("The Königshof"), "");
     for (const std::string name : {"", "a\\nb", "a\\u001b[31m", "a\\u202eb", "a\\u0000b"})

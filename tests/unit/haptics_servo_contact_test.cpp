@@ -235,7 +235,7 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
 TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {
     // For a spring whose force is a tick late, convexity gives 0 <= work on the hand <= stiffness / 2 * sum
     // |dx|^2.
-    for (const double speed : {0.01, 0.05, 0.2}) {  // m/s
+    for (const double speed : {0.01, 0.05, 0.2}) {  // speed of the tip (m/s)
         for (const double strength : {100.0, 0.5}) {
             Rig rig = rig_at({0, 0.003, 0}, primitives_of({floor_plane(strength)}));
             double work = 0, bound = 0, most = 0;

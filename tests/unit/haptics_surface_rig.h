@@ -14,7 +14,7 @@ namespace thaum::haptics::surface_tests {
 inline constexpr double dt = tick_seconds;
 inline constexpr double stiffness = 500;                            // N/m
 inline constexpr double gap_force = 1.5 * stiffness * surface_gap;  // known error with friction (N)
-inline constexpr double rounding = 1e-9;                            // N
+inline constexpr double rounding = 1e-9;                            // accepted rounding error of a force (N)
 
 inline std::uint32_t add_body(SurfacePatch& patch,
                               const SurfaceMaterial& material = {.stiffness = stiffness}) {

@@ -368,7 +368,7 @@ TEST(Sandbox, MathsIsOurs) {
         EXPECT_TRUE(mentions(error_of(source), "the operator ^")) << source;
     EXPECT_EQ(printed("print('\\z\n^', \"a\\\n^\", '\\'^')"), "^\ta\n^\t'^\n");
     EXPECT_EQ(printed("print(getmetatable('').__pow)"), "nil\n");
-    // In strings and comments ^ is no operator.
+    // In strings and comments, ^ is not the operator of powers.
     EXPECT_EQ(
         printed("print('^', \"^\\\"^\", [[^]], [==[^]]^]==], ('x'):find('^x')) -- ^\n--[[^\n^]] print(1)"),
         "^\t^\"^\t^\t^]]^\t1\t1\n1\n");

@@ -155,7 +155,7 @@ MedianOf median_of(std::array<double, stack_count> values) {
 }
 
 constexpr Key stack_boxes = 8;    // boxes of a stack
-constexpr double half_box = 0.2;  // m
+constexpr double half_box = 0.2;  // half the edge of a box (m)
 
 Key box_key(Key stack, Key level) { return 1 + stack * stack_boxes + level; }
 
@@ -179,9 +179,9 @@ std::array<vec3, stack_count> add_stacks(Physics& physics) {
 
 /// Distance of the boxes from their places on rigid boxes.
 struct StackDrift {
-    std::array<double, stack_count> of_top{};  ///< m
-    double sunk{};                             ///< largest way down (m)
-    std::uint64_t hash{};                      ///< of all boxes
+    std::array<double, stack_count> of_top{};  ///< distance of each stack's top box (m)
+    double sunk{};                             ///< largest distance by which a box has sunk (m)
+    std::uint64_t hash{};                      ///< hash of the states of all boxes
 };
 
 StackDrift drift_of(const Physics& physics, const std::array<vec3, stack_count>& feet) {

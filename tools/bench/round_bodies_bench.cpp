@@ -104,7 +104,7 @@ std::vector<Slide> all_slides() {
 }
 
 void add_slide_row(const Slide& run, const std::vector<double>& samples_us, Report& report) {
-    constexpr double most_chatter = 1e-6;  // N
+    constexpr double most_chatter = 1e-6;  // largest accepted error and chatter of the force (N)
     report.rows.push_back(
         {.area = "haptics",
          .name = "round_bodies",
