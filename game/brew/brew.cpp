@@ -14,7 +14,7 @@ constexpr Range viscosity{0, fluid::viscosity_most};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
 /// Reads the surface settings. brew_surface sets `side` later.
-fluid::SpringSurfaceSettings read_surface(const ConfigTable& table) {
+fluid::SpringSurfaceSettings read_spring_surface(const ConfigTable& table) {
     fluid::SpringSurfaceSettings result;
     result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));
     result.tension = table.number("tension_n_per_m", {0, 1e6});
@@ -87,7 +87,7 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .density = brew.number("density_kg_m3", {1e-3, 1e5}),
         .viscosity = brew.number("viscosity_m2_s", viscosity),
         .colour = brew.vector("colour", share),
-        .surface = read_surface(root.table("surface")),
+        .surface = read_spring_surface(root.table("surface")),
         .ladle = read_ladle(root.table("ladle")),
         .aura = read_aura(root.table("aura")),
         .ingredients = {}};

@@ -52,7 +52,7 @@ const RuleKind rule_kinds[] = {
 constexpr std::uint32_t most_kinds = 256;
 
 /// Writes a row at its number, or a fault if the number or the name is taken.
-void place(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
+void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     const auto same = [&](const EventKindInfo& other) { return other.name == info.name; };
     if (info.name.empty() || number >= most_kinds) {
         all.fault = text("event '", info.name, "': it needs a name and a number below ", most_kinds);
@@ -97,7 +97,7 @@ EventKinds kinds_of_this_program() {
 EventKinds number_event_kinds(std::span<const HitKind> hits) {
     EventKinds all;
     for (const auto& [kind, info] : rule_kinds) {
-        place(all, static_cast<std::uint32_t>(kind), info);
+        set_row(all, static_cast<std::uint32_t>(kind), info);
         if (info.cause.empty()) continue;
         if (info.cause_number >= all.causes.size()) all.causes.resize(info.cause_number + 1);
         all.causes[info.cause_number] = info.cause;
@@ -111,7 +111,7 @@ EventKinds number_event_kinds(std::span<const HitKind> hits) {
     for (const auto& hit : sorted) {
         const auto cause = cause_number(all, hit);
         const auto next = static_cast<std::uint32_t>(all.kinds.size());
-        place(all, hit.fixed ? hit.fixed->kind : next, hit_info(hit.name, hit.cause, cause));
+        set_row(all, hit.fixed ? hit.fixed->kind : next, hit_info(hit.name, hit.cause, cause));
     }
     return all;
 }

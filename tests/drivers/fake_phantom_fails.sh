@@ -8,6 +8,7 @@ set -euo pipefail
 thaum=$1 fake=$2
 need Xvfb
 open_screen 640x360
+few_pictures
 awk 'BEGIN { print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
     for (ms = 320; ms <= 600000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
 

@@ -7,6 +7,7 @@ set -euo pipefail
 thaum=$1 fake=$2 old=$3
 need Xvfb
 open_screen 640x360
+few_pictures
 
 # Path of the hand: still at first, then to and fro with the button held, so that each shot kicks.
 awk 'BEGIN {

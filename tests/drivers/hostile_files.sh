@@ -138,7 +138,7 @@ if [[ ${THAUM_MEMORY_KB:-} != unlimited ]] && { [[ $(id -u) != 0 ]] || command -
         fail "no thread for the log: $status: $said"
     limited diff "$log" --threads 1,2 | grep -q 'no difference' || fail "no threads to compare with"
     limited lab --fluid --headless --cells 16 --seconds 0.1 --threads 2 >/dev/null || fail "no thread for the brew"
-    said=$(limited bench haptics --quick 2>&1 >/dev/null)
+    said=$(limited bench tick --stress --ticks 500 2>&1 >/dev/null)
     status=$?
     [[ $status -lt 3 && $said != *terminate* ]] || fail "no thread for a bench: $status: $said"
     unset THAUM_ASSETS

@@ -41,6 +41,12 @@ open_screen() {
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }
 
+# few_pictures: settings for tests that look at no picture. Drawing without a graphics card would take every core.
+few_pictures() {
+    mkdir -p "$XDG_CONFIG_HOME/thaum"
+    printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' >"$XDG_CONFIG_HOME/thaum/settings.toml"
+}
+
 # pause_menu: tests whether the pause menu is shown, by the colour of its chosen row (screen of 1280x720).
 pause_menu() { import -window root -crop 1x1+900+505 -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
 no_pause_menu() { ! pause_menu; }

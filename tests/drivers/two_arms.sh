@@ -7,6 +7,7 @@ set -euo pipefail
 thaum=$1
 need Xvfb
 open_screen 640x360
+few_pictures
 
 # hand FILE FROM_MS: a hand that holds still, then moves to and fro with the button held, so that each shot kicks.
 hand() {

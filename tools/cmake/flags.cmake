@@ -20,11 +20,7 @@ set(THAUM_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 't
 # Compiling several sources as one halves the time of a whole build, which mostly parses the same headers
 # again and again. Turn it off to change one file often. The code must compile both ways.
 option(CMAKE_UNITY_BUILD "Compile several sources as one" ON)
-# Unoptimised builds spend nearly all their time on headers.
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
-if(THAUM_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
-    set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
-endif()
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 32)
 
 option(THAUM_WARNINGS_AS_ERRORS "Stop a build at its first warning" OFF)
 

@@ -46,7 +46,10 @@ endforeach()
 
 # Folders as game::find_assets and game::scenarios_beside look for them.
 set(THAUM_DATA ${CMAKE_INSTALL_DATADIR}/thaum)
-install(TARGETS thaum thaum-bench COMPONENT program)
+install(TARGETS thaum COMPONENT program)
+if(TARGET thaum-bench)
+    install(TARGETS thaum-bench COMPONENT program)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets DESTINATION ${THAUM_DATA} COMPONENT program
     PATTERN pictures EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/scenarios DESTINATION ${THAUM_DATA}/assets COMPONENT program)
