@@ -4,8 +4,8 @@ set(scenario_runs "")
 set(long_scenarios "")
 if(THAUM_SANITIZE)
     set(scenario_runs --once)
-    set(long_scenarios bots_fight_to_a_kill brew_is_stirrable mix_red_green_to_yellow seek_equals_play
-        standard_best_of_three stir_against_flow_resists stir_makes_swirl_and_swirl_carries_hand thick_brew_slows_both)
+    set(long_scenarios bots_fight_to_a_kill brew_is_stirrable light_brew_lifts mix_red_green_to_yellow rest_costs_nothing
+        same_on_1_and_2_threads seek_equals_play standard_best_of_three stir_against_flow_resists stir_makes_swirl_and_swirl_carries_hand thick_brew_slows_both)
 endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lua)
 foreach(script ${scenarios})
