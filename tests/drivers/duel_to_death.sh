@@ -10,10 +10,9 @@ thaum=$1 harness=$2
 need Xvfb xdotool import umockdev-wrapper
 open_screen 640x360
 shots=${3:-$folder}
+few_pictures
 # A slow turning speed, so that one push of the stick turns by a small angle.
-mkdir -p "$folder/config/thaum"
-sed 's/^turn_deg_per_s = .*/turn_deg_per_s = 22.5/' "$(dirname "$0")/../../assets/settings.toml" \
-    >"$folder/config/thaum/settings.toml"
+echo 'turn_deg_per_s = 22.5' >>"$XDG_CONFIG_HOME/thaum/settings.toml"
 
 mkfifo "$folder/pad"
 umockdev-wrapper "$harness" "$thaum" --vs --record "$folder/log" \

@@ -14,12 +14,17 @@ awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
     for (ms = 320; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
 
-# play NAME SECONDS FAKE_HD: plays a match of an arm against a bot, with a log and the program's output. The
-# arm's clock keeps running when a busy machine slows the match, so faults of the arm are timed from the first
-# force it felt. The bot's shots are too weak to kill.
+# A match of an arm against a bot, whose shots are too weak to kill. The wand never runs dry.
+match=("$thaum" --solo 1 --hands arm --seed 1 --set haptics.share=1 --set bolt.shot.damage=1 --set bolt.energy.cost=0.01)
+# play NAME SECONDS FAKE_HD: plays a match of that length, with a log and the program's output. The arm's clock keeps
+# running when a busy machine slows the match, so faults of the arm are timed from the first force it felt.
 play() {
-    THAUM_LIBHD=$fake FAKE_HD=$3 "$thaum" --solo 1 --hands arm --seed 1 --seconds "$2" --set haptics.share=1 --set bolt.shot.damage=1 \
-        --record "$folder/$1.thaumlog" 2>"$folder/$1.txt" || { cat "$folder/$1.txt"; failed "$1 does not play"; }
+    THAUM_LIBHD=$fake FAKE_HD=$3 "${match[@]}" --seconds "$2" --record "$folder/$1.thaumlog" 2>"$folder/$1.txt" || { cat "$folder/$1.txt"; failed "$1 does not play"; }
+    told_and_replayed "$1"
+}
+# told_and_replayed NAME: the program must have said how well the arm kept time, and the log must replay with the
+# forces that the arm felt.
+told_and_replayed() {
     cat "$folder/$1.txt"
     grep -q '^arm: [0-9]* ticks' "$folder/$1.txt" || failed "$1: how well time was kept is not said"
     grep -q '; 0 forces differ' "$folder/$1.txt" || failed "$1: the match computes other forces than the arm's thread"
@@ -36,7 +41,7 @@ awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; 
     "$folder/good.csv" || failed "the forces are not those of shots"
 
 # After a fault of the arm the match goes on without its forces.
-play vanished 4 "path=$folder/way,felt,vanish=500,back=1000000"
+play vanished 8 "path=$folder/way,felt,vanish=3000,back=1000000"
 grep -q 'plug it in' "$folder/vanished.txt" || failed "nobody says that the arm is lost"
 awk -F, 'NR > 1 { if ($8 > 1) felt++ } END { print "felt in", felt + 0, "ticks; at the end:", $6, $7, $8, $9
     exit !(felt > 0 && $2 > 2 && $6 == 0 && $7 == 0 && $8 == 0) }' "$folder/vanished.csv" || failed "forces of an arm that is not there"
@@ -44,12 +49,25 @@ play stopped 4 "path=$folder/way,felt,stop=500,back=1000000"
 play late 3 "path=$folder/way,late=50,burst"
 play numberless 3 "path=$folder/way,nan=1000"
 
-# An arm that comes back while the hand is still at first: shots are felt, then none, then shots again.
+# An arm that comes back while the hand is still at first: shots are felt, then none, then shots again. The match ends
+# once the arm has felt a force three times after its return.
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 1000, 0, 0, 0, 1
     for (ms = 1020; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 1000) / 400), 5 * sin((ms - 1000) / 150), 0, 1 }' >"$folder/calm"
-play back 12 "path=$folder/calm,felt,vanish=2000,back=3"
-grep -q 'the arm is back' "$folder/back.txt" || failed "nobody says that it is back"
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/calm,live=$folder/back.live,felt,vanish=2000,back=3" \
+    "${match[@]}" --record "$folder/back.thaumlog" 2>"$folder/back.txt" &
+game=$!
+says_back() { grep -qs 'the arm is back' "$folder/back.txt"; }
+feels() { awk -v f="$(od -An -v -tf8 -j16 -N8 "$folder/back.live")" 'BEGIN { exit !(f > 0.3) }'; }
+rests() { ! feels; }
+eventually "nobody says that it is back" says_back
+for _ in 1 2 3; do
+    eventually "it is not felt again" feels
+    eventually "the force stays" rests
+done
+kill -TERM $game
+wait $game || { cat "$folder/back.txt"; failed "back does not end"; }
+told_and_replayed back
 grep -q 'lost 1 times' "$folder/back.txt" || failed "it was not lost once"
 awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
                   if (force > 1) { if (quiet > longest) { longest = quiet; before = shots } quiet = 0 }

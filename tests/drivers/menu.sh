@@ -28,6 +28,12 @@ has_logs() { [ "$(logs)" -ge "$1" ]; }
 presses() { local key; for key in "$@"; do xdotool key --delay 30 "$key"; done; }
 pad() { echo "$@" >&4; }
 field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
+# logged DEVICE FIELD VALUE: tests whether the log that is being written has this input. Inputs are held until then,
+# because a slow machine looks at a pad only every few seconds.
+logged() {
+    seen=$("$probe" "$(find "$matches" -name '*.thaumlog')" 2>/dev/null) || true
+    [ "$(field "$1" "$2")" = "$3" ]
+}
 
 # 1. Keyboard and pad join. A second press of one of them starts the match.
 mkfifo "$folder/pad"
@@ -47,7 +53,8 @@ eventually "no match after three presses" has_logs 1
 # 2. The pad is unplugged, which pauses the match. Its player goes on with the keypad, then with the pad.
 xdotool keydown w
 pad rt 255
-sleep 0.5
+eventually "the key W" logged 0 forward 0..127
+eventually "the pad's trigger" logged 1 trigger 255
 pad rt 0
 xdotool keyup w
 pad plugged 0
@@ -55,15 +62,19 @@ eventually "no pause when the pad was pulled out" pause_menu
 presses KP_0
 eventually "the keypad did not rejoin" no_pause_menu
 xdotool keydown KP_8
-sleep 0.5
+eventually "the keypad's 8 after the pad was lost" logged 1 forward 0..127
 xdotool keyup KP_8
 pad plugged 1
-sleep 0.3
-pad b 1
-sleep 0.2
-pad b 0
-pad lx 32767
-sleep 0.5
+# The player's pad is taken again at a press of its button. The stick is pushed between presses.
+takes_pad() {
+    pad b 1
+    sleep 0.2
+    pad b 0
+    pad lx 32767
+    sleep 0.5
+    logged 1 strafe 0..127
+}
+eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
 # 3. In the pause menu: another key for "move forward" (row 18), and the other split.
@@ -92,10 +103,6 @@ wait "$game" || fail "the program's exit code"
 seen=$("$probe" "$(find "$matches" -name '*.thaumlog')")
 echo "$seen"
 grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
-[ "$(field 0 forward)" = 0..127 ] || fail "the key W"
-[ "$(field 1 trigger)" = 255 ] || fail "the pad's trigger"
-[ "$(field 1 forward)" = 0..127 ] || fail "the keypad's 8 after the pad was lost"
-[ "$(field 1 strafe)" = 0..127 ] || fail "the pad's stick after it came back"
 [ "$(grep -o '^device 1 [lj][a-z]*' <<<"$seen" | xargs)" = "device 1 left device 1 joined" ] ||
     fail "the log does not say when the pad left and its player joined again"
 

@@ -18,7 +18,7 @@ failed() {
 # eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs. A busy
 # machine may take any time, so tests must wait for events and not count seconds.
 eventually() {
-    local what=$1 until=$((SECONDS + 300))
+    local what=$1 until=$((SECONDS + 900))
     shift
     while ((SECONDS < until)); do
         "$@" && return
