@@ -8,6 +8,7 @@ set -euo pipefail
 session=$1 harness=$2 probe=$3
 need Xvfb xdotool import convert umockdev-wrapper
 open_screen 1280x720
+few_pictures
 
 mkfifo "$folder/pad"
 umockdev-wrapper "$harness" "$session" "$folder/log" 600 mouse pad 4>&- <"$folder/pad" &

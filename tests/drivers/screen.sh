@@ -41,7 +41,7 @@ open_screen() {
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }
 
-# few_pictures: settings for tests that look at no picture. Drawing without a graphics card would take every core.
+# few_pictures: settings for tests that need few pictures, of any quality. Drawing without a graphics card would take every core.
 few_pictures() {
     mkdir -p "$XDG_CONFIG_HOME/thaum"
     printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' >"$XDG_CONFIG_HOME/thaum/settings.toml"
