@@ -54,14 +54,17 @@ thaum_driver_test(fake_phantom_feels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_ph
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:forge_log>)
 thaum_driver_test(fake_phantom_fails ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_fails.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
-# The program with a driver that only this test has, and two arms in one match.
-add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/main.cpp)
-target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_commands fake_arm)
-thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh $<TARGET_FILE:thaum_with_fake_arms>)
+set(slow_drivers drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails)
+if(NOT THAUM_SANITIZE)
+    # The program with a driver that only this test has, and two arms in one match.
+    add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/main.cpp)
+    target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_commands fake_arm)
+    thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh $<TARGET_FILE:thaum_with_fake_arms>)
+    list(APPEND slow_drivers drivers.two_arms)
+endif()
 # slow: these take a minute of real time. Shorter tests show the sanitizers the same code. They draw few pictures or
 # none, so one of them runs beside one that draws.
-set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails drivers.two_arms
-    PROPERTIES LABELS slow RESOURCE_LOCK arm)
+set_tests_properties(${slow_drivers} PROPERTIES LABELS slow RESOURCE_LOCK arm)
 # A hundred runs by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)

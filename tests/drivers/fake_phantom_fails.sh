@@ -19,12 +19,9 @@ begin() {
         --record "$folder/$name.thaumlog" "${@:3}" >"$folder/$name.said" 2>&1 &
     game=$!
 }
-# live FIELD TYPE: a field of FakeHdLive: 0 to 2 the force, 3 the largest force, 4 ticks, 5 whether a program
-# holds the arm.
-live() { od -An -v -t"$2" -j$((8 * $1)) -N8 "$folder/$name.live" 2>/dev/null | tr -d ' '; }
-was_felt() { awk -v f="$(live 3 f8)" 'BEGIN { exit !(f > 0.3) }'; }
-without_force() { [ ! -e "$folder/$name.live" ] || [ "$(live 0 f8) $(live 1 f8) $(live 2 f8)" = "0 0 0" ] || failed "$name: a force stays: $(live 2 f8) N"; }
-let_go() { [ "$(live 5 u8)" = 0 ] || failed "$name: the arm is not let go of"; }
+was_felt() { awk -v f="$(live "$name" 3 f8)" 'BEGIN { exit !(f > 0.3) }'; }
+without_force() { [ ! -e "$folder/$name.live" ] || [ "$(live "$name" 0 f8) $(live "$name" 1 f8) $(live "$name" 2 f8)" = "0 0 0" ] || failed "$name: a force stays: $(live "$name" 2 f8) N"; }
+let_go() { [ "$(live "$name" 5 u8)" = 0 ] || failed "$name: the arm is not let go of"; }
 says() { grep -q "$1" "$folder/$name.said"; }
 # ends CODE: waits for the program and checks its exit code.
 ends() {

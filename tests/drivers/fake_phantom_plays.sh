@@ -58,7 +58,7 @@ THAUM_LIBHD=$fake FAKE_HD="path=$folder/calm,live=$folder/back.live,felt,vanish=
     "${match[@]}" --record "$folder/back.thaumlog" 2>"$folder/back.txt" &
 game=$!
 says_back() { grep -qs 'the arm is back' "$folder/back.txt"; }
-feels() { awk -v f="$(od -An -v -tf8 -j16 -N8 "$folder/back.live")" 'BEGIN { exit !(f > 0.3) }'; }
+feels() { awk -v f="$(live back 2 f8)" 'BEGIN { exit !(f > 0.3) }'; }
 rests() { ! feels; }
 eventually "nobody says that it is back" says_back
 for _ in 1 2 3; do

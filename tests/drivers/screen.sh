@@ -41,7 +41,12 @@ open_screen() {
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }
 
-# few_pictures: settings for tests that need few pictures, of any quality. Drawing without a graphics card would take every core.
+# live NAME FIELD TYPE: a field of FakeHdLive, which a fake arm keeps in $folder/NAME.live: 0 to 2 the force, 3 the
+# largest force, 4 ticks, 5 whether a program has the arm, 6 to 8 the force at its closing. TYPE is f8 or u8.
+live() { od -An -v -t"$3" -j$((8 * $2)) -N8 "$folder/$1.live" 2>/dev/null | tr -d ' '; }
+
+# few_pictures: settings for tests that need few pictures, of any quality. Drawing without a graphics card would take
+# every core.
 few_pictures() {
     mkdir -p "$XDG_CONFIG_HOME/thaum"
     printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' >"$XDG_CONFIG_HOME/thaum/settings.toml"

@@ -19,8 +19,6 @@ hand "$folder/first" 300
 hand "$folder/second" 600
 first="path=$folder/first,live=$folder/first.live" second="path=$folder/second,live=$folder/second.live"
 
-# Fields of FakeHdLive: the force's three numbers, the greatest force, ticks, and whether a program has the arm.
-live() { od -An -v -t"$3" -j$((8 * $2)) -N8 "$folder/$1.live" 2>/dev/null | tr -d ' '; }
 was_felt() { awk -v f="$(live "$1" 3 f8)" 'BEGIN { exit !(f > 0.3) }'; }
 both_were_felt() { was_felt first && was_felt second; }
 is_let_go() {

@@ -73,7 +73,7 @@ if(THAUM_SANITIZE)
         target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
     endif()
     if(THAUM_SANITIZE MATCHES "undefined")
-        # Without three checks that cost a third of the time of a build. A null pointer that is dereferenced ends the
+        # Without three checks that slow builds and tests down. A null pointer that is dereferenced ends the
         # program anyway, with the same trace; unseen are a null that is only bound to a reference, and a call of a
         # member function that reads no member. A pointer beyond its object is found by the address sanitizer when it
         # is used; unseen is one that is only computed (pointer-overflow, object-size).
