@@ -85,7 +85,7 @@ add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/comma
 set_tests_properties(drivers.hostile_files drivers.commands PROPERTIES COST 50)
 if(umockdev_FOUND)
     thaum_driver_test(duel_to_death ${CMAKE_CURRENT_SOURCE_DIR}/drivers/duel_to_death.sh
-        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness>)
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(menu ${CMAKE_CURRENT_SOURCE_DIR}/drivers/menu.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh

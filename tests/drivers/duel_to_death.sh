@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS [SCREENSHOTS]: two players in the program under Xvfb.
+# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE [SCREENSHOTS]: two players in the program under Xvfb.
 # Player 2 turns with the pad's stick and kills player 1. Player 1 returns on the opposite pad and kills with
 # the mouse. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while
 # it is being written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool
 # is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 harness=$2
+thaum=$1 harness=$2 probe=$3
 need Xvfb xdotool import umockdev-wrapper
 open_screen 640x360
-shots=${3:-$folder}
+shots=${4:-$folder}
 few_pictures
 # A slow turning speed, so that one push of the stick turns by a small angle.
 echo 'turn_deg_per_s = 22.5' >>"$XDG_CONFIG_HOME/thaum/settings.toml"
@@ -21,9 +21,12 @@ game=$!
 exec 4>"$folder/pad"
 pad() { echo "$@" >&4; }
 
-# look: writes the newest state in the log and the score to files; fails while there is no log.
+coproc follower { exec "$probe" "$folder/log" --follow "$folder/state.csv" 4>&-; }
+# look: writes the newest states in the log to a file and sets `result`; fails while there is no log.
 look() {
-    "$thaum" replay "$folder/log" --state "$folder/state.csv" --every 32 >"$folder/result" 2>/dev/null
+    echo >&"${follower[1]}"
+    read -r result <&"${follower[0]}"
+    [ -n "$result" ]
 }
 # of_state AWK: evaluates an expression over the newest row s[column name] and the row b[column name] of 256
 # ticks before.
@@ -36,7 +39,7 @@ of_state() {
 }
 ticks() { of_state 'print s["tick"] + 0'; }
 is_written() { look && [ "$(ticks)" -gt "$1" ]; }
-scored() { look && grep -q "score $1" "$folder/result"; }
+scored() { look && [[ $result == *"score $1"* ]]; }
 alive() { look && of_state 'exit s["p1_dead"] != 0'; }
 stands_still() { is_written "$1" && of_state 'exit s["p2_yaw_rad"] != b["p2_yaw_rad"]'; }
 # Angle by which player 2 must turn to face player 1 (degrees, positive to the left).

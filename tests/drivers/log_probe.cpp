@@ -3,11 +3,21 @@
 // different hash).
 //
 //     live_log_probe LOG
+//
+// Or follows a log that is being written, so that a test can ask again and again what the match looks like and
+// only what is new is replayed. For each line on standard input: writes the newest states (one every 32 ticks, as
+// `thaum replay --state`) to STATES and prints the result so far, or an empty line while there is no log.
+//
+//     live_log_probe LOG --follow STATES
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
+#include <fstream>
+#include <iostream>
 
 #include "game/match/record.h"
+#include "game/match/tables.h"
 
 using namespace thaum;
 
@@ -52,9 +62,54 @@ void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
     std::printf("\n");
 }
 
+/// A match that is played as far as its log is written.
+struct Followed {
+    std::unique_ptr<game::Simulation> match;
+    std::deque<std::string> states;  ///< newest last
+};
+
+/// Plays what the log has gained. Returns false while there is no log.
+bool catch_up(const char* path, Followed& followed) {
+    constexpr Tick every = 32;
+    constexpr std::size_t kept = 16;
+    auto log = input::LogReader::open(path);
+    if (!log) return false;
+    if (followed.match == nullptr) {
+        auto match = game::match_of_log(log->header(), game::find_assets());
+        if (!match) return false;
+        followed.match = std::move(*match);
+    }
+    auto& match = *followed.match;
+    input::InputFrame frame;
+    for (Tick tick = 0; log->next(frame); ++tick) {
+        if (tick < match.now()) continue;
+        match.tick(frame);
+        if (match.now() % every != 0) continue;
+        game::append_state(match, followed.states.emplace_back());
+        if (followed.states.size() > kept) followed.states.pop_front();
+    }
+    return true;
+}
+
+int follow(const char* path, const char* states) {
+    Followed followed;
+    for (std::string line; std::getline(std::cin, line);) {
+        const bool found = catch_up(path, followed);
+        if (found) {
+            std::ofstream out(states);
+            out << game::state_header(*followed.match);
+            for (const auto& row : followed.states) out << row;
+        }
+        std::printf("%s\n", found ? game::result_line(*followed.match).c_str() : "");
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 4 && std::string_view(argv[2]) == "--follow") return follow(argv[1], argv[3]);
     auto log = input::LogReader::open(argc > 1 ? argv[1] : "");
     if (!log) return std::fprintf(stderr, "%s\n", log.error().message.c_str()), 1;
     auto match = game::match_of_log(log->header(), game::find_assets());
