@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "game/data/wand.h"
 
 namespace thaum::app {
 
@@ -35,6 +34,14 @@ bool is(Slot slot, Action action) {
 }
 bool is(Slot slot, SessionKey key) {
     return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
+}
+
+/// Slot of the wand that the action takes in hand; std::nullopt for other actions.
+std::optional<std::size_t> wand_slot_of(Slot slot) {
+    for (std::size_t wand = 0; wand < input::most_wands; ++wand) {
+        if (is(slot, input::wand_action(wand + 1))) return wand;
+    }
+    return std::nullopt;
 }
 
 /// Actions that act only after the round, when no other action of a hand acts.
@@ -109,10 +116,8 @@ bool is_pad_sheet(std::size_t sheet) {
     return sheet < settings_hands.size() && settings_hands[sheet] == DeviceKind::pad;
 }
 
-bool is_listed(Slot slot) {
-    for (auto wand = game::wand_kinds().size() + 1; wand <= input::most_wands; ++wand) {
-        if (is(slot, input::wand_action(wand))) return false;
-    }
+bool is_listed(Slot slot, const WandNames& wands) {
+    if (const auto wand = wand_slot_of(slot)) return !wands[*wand].empty();
     return !is(slot, Action::rejoin) && !is(slot, Action::quit) && !is(slot, Action::mark);
 }
 
@@ -148,13 +153,24 @@ std::vector<Slot> assign(Settings& settings, Slot slot, const Control& control) 
 }
 
 std::string label_of_sheet(std::size_t sheet) {
-    constexpr std::array<std::string_view, sheets> labels{"Mouse and keyboard", "Half of the keyboard", "Pad",
+    constexpr std::array<std::string_view, sheets> labels{"Mouse and keyboard", "Keypad and arrows", "Pad",
                                                           "Keys for everybody"};
     return std::string(labels[sheet]);
 }
 
-std::string label_of(Slot slot) {
-    if (slot.sheet == session_sheet) return capitalised_words(name_of(static_cast<SessionKey>(slot.action)));
+std::string label_of(Slot slot, const WandNames& wands) {
+    if (slot.sheet == session_sheet) {
+        const auto key = static_cast<SessionKey>(slot.action);
+        switch (key) {
+            case SessionKey::again: return "Rematch";
+            case SessionKey::leave: return "Quit to menu";
+            case SessionKey::mark: return "Bookmark";
+            default: return capitalised_words(name_of(key));
+        }
+    }
+    if (is(slot, Action::panic)) return "Forces off (emergency)";
+    const auto wand = wand_slot_of(slot);
+    if (wand && !wands[*wand].empty()) return wands[*wand];
     return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
 }
 

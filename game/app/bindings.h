@@ -19,9 +19,12 @@ inline constexpr std::size_t session_sheet = settings_hands.size();
 std::size_t size_of_sheet(std::size_t sheet);
 bool is_pad_sheet(std::size_t sheet);
 
+/// Names of the wands by slot, for people: "Bolt". Empty: no wand has the slot.
+using WandNames = std::array<std::string, input::most_wands>;
+
 /// Tests whether the controls page lists the action. The other actions have no control by default, and
 /// nothing listens to them.
-bool is_listed(Slot slot);
+bool is_listed(Slot slot, const WandNames& wands);
 /// Tests whether a key is one of the controls.
 bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
@@ -35,10 +38,10 @@ const std::vector<input::Control>& controls_of(const Settings& settings, Slot sl
 /// time, and returns those actions.
 std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 
-/// Label of a sheet: "Half of the keyboard", "Keys for everybody".
+/// Label of a sheet: "Keypad and arrows", "Keys for everybody".
 std::string label_of_sheet(std::size_t sheet);
-/// Label of an action: "Use wand".
-std::string label_of(Slot slot);
+/// Label of an action: "Use wand". An action that takes a wand is called as the wand is.
+std::string label_of(Slot slot, const WandNames& wands);
 /// Label of a control: "Space", "Left mouse button", "RT", "Left stick up".
 std::string label_of(const input::Control& control);
 

@@ -14,7 +14,7 @@ using Kind = MenuEvent::Kind;
 std::string name_of(const Device& device, const MenuContext& context) {
     if (device.kind == DeviceKind::keyboard_mouse)
         return context.arms[0].empty() ? "Mouse and keyboard" : text("Mouse, keys and ", context.arms[0]);
-    if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
+    if (device.kind == DeviceKind::keyboard_half) return "Keypad and arrows";
     const auto& name = context.pads.at(static_cast<std::size_t>(device.pad));
     return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");
 }
@@ -117,14 +117,14 @@ std::string labels_of(const std::vector<Control>& controls) {
     return labels.empty() ? "none" : labels;
 }
 
-void add_binding_rows(const MenuState& s, std::vector<Row>& rows) {
+void add_binding_rows(const MenuState& s, const MenuContext& context, std::vector<Row>& rows) {
     for (std::size_t action = 0; action < size_of_sheet(s.sheet); ++action) {
         const Slot slot{s.sheet, action};
-        if (!is_listed(slot)) continue;
+        if (!is_listed(slot, context.wands)) continue;
         const bool waits = s.waiting == slot;
         rows.push_back({RowKind::action,
                         action,
-                        {.label = label_of(slot),
+                        {.label = label_of(slot, context.wands),
                          .value = waits ? (is_pad_sheet(s.sheet) ? "press it on the pad ..." : "press it ...")
                                         : labels_of(controls_of(s.settings, slot))}});
     }
@@ -134,13 +134,13 @@ void add_binding_rows(const MenuState& s, std::vector<Row>& rows) {
             const auto index = static_cast<std::size_t>(action);
             rows.push_back({RowKind::toggle,
                             index,
-                            {.label = text(label_of(Slot{s.sheet, index}), " while"),
-                             .value = toggled[index] ? "press and press again" : "held",
+                            {.label = text(label_of(Slot{s.sheet, index}, context.wands), ": hold or toggle"),
+                             .value = toggled[index] ? "toggle" : "hold",
                              .adjustable = true}});
         }
     }
     rows.push_back({RowKind::undo, 0, {.label = "Undo the last change", .dim = !s.undo}});
-    rows.push_back({RowKind::defaults, 0, {.label = "All as at first"}});
+    rows.push_back({RowKind::defaults, 0, {.label = "Reset to defaults"}});
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
@@ -153,7 +153,7 @@ void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
              i,
              {.label = std::string(one.label), .value = shown(one, s.settings), .adjustable = true}});
     }
-    rows.push_back({RowKind::cauldron, 0, {.label = "What hands feel of the cauldron"}});
+    rows.push_back({RowKind::cauldron, 0, {.label = "Cauldron feedback"}});
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
@@ -171,7 +171,7 @@ void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
                          .adjustable = true,
                          .dim = !faders[i].on}});
     }
-    rows.push_back({RowKind::all_felt, 0, {.label = "All as at first"}});
+    rows.push_back({RowKind::all_felt, 0, {.label = "Reset to defaults"}});
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
@@ -185,7 +185,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
                 rows.push_back({RowKind::sheet, i, {.label = label_of_sheet(i)}});
             rows.push_back({RowKind::back, 0, {.label = "Back"}});
             break;
-        case Page::bindings: add_binding_rows(s, rows); break;
+        case Page::bindings: add_binding_rows(s, context, rows); break;
         case Page::settings: add_setting_rows(s, rows); break;
         case Page::cauldron: add_cauldron_rows(s, rows); break;
     }
@@ -261,7 +261,7 @@ void set_defaults(MenuState& s) {
         s.settings.session = fresh.session;
     else
         s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
-    s.note = text(label_of_sheet(s.sheet), ": all controls as at first");
+    s.note = text(label_of_sheet(s.sheet), ": controls reset to defaults");
 }
 
 /// Opens the cauldron's page with the faders of the player whose device asked for it.
@@ -322,7 +322,7 @@ void go_back(MenuState& s, const MenuEvent& event, const std::vector<Row>& rows)
     }
 }
 
-void take_control(MenuState& s, const MenuEvent& event) {
+void take_control(MenuState& s, const MenuEvent& event, const MenuContext& context) {
     const Slot slot = *s.waiting;
     if (!fits(slot.sheet, event.control)) {
         s.note = is_pad_sheet(slot.sheet) ? "that is not on a pad" : "only a key can do this";
@@ -335,14 +335,14 @@ void take_control(MenuState& s, const MenuEvent& event) {
     if (losers.empty()) return;
     s.note = text(label_of(event.control), " is taken from:");
     for (const auto loser : losers) {
-        s.note += text(loser == losers.front() ? " " : ", ", label_of(loser));
+        s.note += text(loser == losers.front() ? " " : ", ", label_of(loser, context.wands));
         if (loser.sheet != slot.sheet) s.note += text(" (", label_of_sheet(loser.sheet), ")");
     }
 }
 
 /// Handles an event while the menu waits for a control; all other events are ignored.
-void wait_for_control(MenuState& s, const MenuEvent& event) {
-    if (event.kind == Kind::control) take_control(s, event);
+void wait_for_control(MenuState& s, const MenuEvent& event, const MenuContext& context) {
+    if (event.kind == Kind::control) take_control(s, event, context);
     if (event.kind == Kind::back) s.waiting.reset();
 }
 
@@ -393,7 +393,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
     } else if (state.pages.empty()) {
         return state;
     } else if (state.waiting) {
-        wait_for_control(state, event);
+        wait_for_control(state, event, context);
     } else {
         act(state, event, context);
     }
@@ -438,14 +438,14 @@ std::string hint_of(const MenuState& s) {
     const auto& open = s.pages.back();
     const auto settings = all_settings();
     if (open.page == Page::settings && open.cursor < settings.size() && settings[open.cursor].next_match)
-        return "counts from the next match on";
+        return "applies from the next match";
     switch (open.page) {
         case Page::start:
             return "join: any key, mouse or pad button; keypad 0    give up a seat: Esc, B, keypad *";
         case Page::pause: return "choose: arrows, mouse or pad    go on: Esc, Start";
         case Page::cauldron:
-            return "less, more: arrows    off, on: Enter, A, click on its name    counts from the next match "
-                   "on";
+            return "less, more: arrows    off, on: Enter, A, click on its name    applies from the next "
+                   "match";
         default: return "choose: arrows, mouse or pad    back: Esc, B, right button";
     }
 }

@@ -58,6 +58,7 @@ struct MenuContext {
     std::vector<int> levels{};
     std::vector<Named> rules{};
     std::vector<Named> arenas{};
+    WandNames wands{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, game::players> arms{};
@@ -98,7 +99,7 @@ bool esc_ends_waiting(const MenuState& state);
 /// Picture of the menu.
 game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
-/// Name of a device: "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
+/// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".
 std::string name_of(const Device& device, const MenuContext& context);
 
 }  // namespace thaum::app

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
+#include "game/hud/event_words.h"
 
 namespace thaum::app {
 namespace {
@@ -85,6 +86,8 @@ std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::str
 MenuContext find_menu_context(const LivePlan& plan) {
     MenuContext context{
         .rules = all_rules(plan), .arenas = all_arenas(plan), .ends_match = plan.start_screen};
+    for (const auto& wand : plan.data->wands)
+        context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
     for (int level = 1; level <= most_levels; ++level) {
         if (game::load_bot_skill(plan.assets, level)) context.levels.push_back(level);
     }

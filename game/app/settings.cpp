@@ -213,7 +213,7 @@ std::span<const Setting> all_settings() {
         {"fov_deg", "Field of view", NumberSetting{&Settings::fov, 60, 130, 5, 1, "\u00B0"}},
         {"text_scale", "Text size", NumberSetting{&Settings::text_scale, 1, 2.5, 0.25, 100, " %"}},
         {"sensitivity", "Mouse speed", NumberSetting{&Settings::sensitivity, 0.05, 20, 0.05, 1, ""}},
-        {"invert_y", "Up is down", FlagSetting{&Settings::invert_y}},
+        {"invert_y", "Invert look (vertical)", FlagSetting{&Settings::invert_y}},
         {"turn_deg_per_s", "Stick and arrow speed",
          NumberSetting{&Settings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
         {"force_1", "Force on player 1's hand", force_setting<0>(), true},
@@ -224,9 +224,9 @@ std::span<const Setting> all_settings() {
          NumberSetting{&Settings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
         {"quality", "Picture quality", quality_setting()},
         {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
-        {"frames_per_second", "Pictures a second",
+        {"frames_per_second", "Frame rate limit",
          NumberSetting{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
-        {"logs_kept", "Matches kept", WholeSetting{&Settings::logs_kept, 1, 100000, 10}},
+        {"logs_kept", "Recordings to keep", WholeSetting{&Settings::logs_kept, 1, 100000, 10}},
     };
     return settings;
 }

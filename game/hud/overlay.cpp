@@ -213,7 +213,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
     }
     if (words.empty()) return "Pure brew";
     words = text(capitalised(words), ", mixed ", std::lround(100 * cauldron.mixing), " %");
-    if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", the other's";
+    if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
     if (cauldron.spoils_in_s > 0)
         words += text(", spoils in ", std::lround(std::ceil(cauldron.spoils_in_s)), " s");
     return words;
@@ -222,7 +222,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
 std::string words_at_cauldron(const Picture& picture, std::uint32_t player) {
     const auto& p = picture.wizards[player];
     if (!p.stirs && !p.at_rim)
-        return p.carries.empty() ? "" : text("In your hand for the cauldron: ", p.carries);
+        return p.carries.empty() ? "" : text("Carrying ", p.carries, ": drop it in the cauldron");
     const auto hint = !p.stirs            ? std::string("hold Stir to take the ladle")
                       : p.carries.empty() ? std::string()
                                           : text("use wand: drop in ", p.carries);
@@ -283,8 +283,8 @@ std::string_view caption_of(const ForcePicture& force, bool told) {
         case SafetyCause::stale: return "Forces fade: the game or the arm is late";
         case SafetyCause::over_speed: return "Forces wait until the hand is slower";
         case SafetyCause::shut_off:
-            return "Forces are shut off after a fault: the panic key brings them back";
-        case SafetyCause::panic: return "All forces off: the panic key brings yours back";
+            return "Forces are shut off after a fault: the emergency key brings them back";
+        case SafetyCause::panic: return "All forces off: the emergency key brings yours back";
         case SafetyCause::waiting: return "Forces wait until the pull is small";
         case SafetyCause::none:
         case SafetyCause::capped:
@@ -538,7 +538,9 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         add_score(out, picture, middle, unit);
     add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
-        add_line(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
+        add_line(out,
+                 text("The game fell behind by ", fixed(picture.skipped / 1000.0, 1),
+                      " s. Try low picture quality."),
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 104) * unit), 14 * unit,
                  light_red, window);
     }

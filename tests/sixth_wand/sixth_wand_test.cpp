@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/text.h"
-#include "game/app/menu.h"
+#include "game/app/menu_choices.h"
 #include "game/bots/duel.h"
 #include "game/bots/league.h"
 #include "game/hud/figures.h"
@@ -187,16 +187,19 @@ TEST(SixthWand, IsNamedInFeedAndStripAndHasALookOfItsOwn) {
 
 TEST(SixthWand, ItsKeyIsListedInTheMenu) {
     using namespace app;
-    const MenuContext facts{.levels = {1}, .rules = {{"quick", "quick"}}};
+    LivePlan plan;
+    plan.data = data_of();
+    plan.assets = assets();
+    const auto facts = find_menu_context(plan);
     auto state = opened({}, Page::bindings);
     const auto picture = app::picture_of(state, facts);
     const auto listed = [&](std::string_view label) {
         return std::any_of(picture.rows.begin(), picture.rows.end(),
                            [&](const MenuRow& row) { return row.label == label; });
     };
-    EXPECT_TRUE(listed("Wand 5"));
-    EXPECT_TRUE(listed("Wand 6"));
-    EXPECT_FALSE(listed("Wand 7")) << "no wand has that number";
+    EXPECT_TRUE(listed("Bolt"));
+    EXPECT_TRUE(listed("Hail"));
+    for (const auto* none : {"Wand 6", "Wand 7"}) EXPECT_FALSE(listed(none)) << "no wand has that number";
 }
 
 TEST(SixthWand, ItsKeyComesThroughARecordedLog) {

@@ -287,7 +287,7 @@ TEST(BindingsPage, TheOtherActionLosesTheControlAndUndoBringsItBack) {
     EXPECT_EQ(s.settings, Settings{});
     EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, "Undo the last change")].dim);
     s = press(choose(s, "Jump"), key("w"));
-    s = choose(s, "All as at first");
+    s = choose(s, "Reset to defaults");
     EXPECT_EQ(s.settings, Settings{});
     s = choose(s, "Undo the last change");
     EXPECT_EQ(value_of(s, "Jump"), "W");
@@ -296,7 +296,7 @@ TEST(BindingsPage, TheOtherActionLosesTheControlAndUndoBringsItBack) {
 TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
     auto s = press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("kp_8"));
     EXPECT_TRUE(bound(s, DeviceKind::keyboard_half, Action::move_forward).empty());
-    EXPECT_NE(s.note.find("Half of the keyboard"), std::string::npos);
+    EXPECT_NE(s.note.find("Keypad and arrows"), std::string::npos);
     s = press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("f6"));
     EXPECT_TRUE(s.settings.of(SessionKey::split).empty());
     s = press(choose(bindings_of("Keys for everybody"), "Split"), key("w"));
@@ -333,10 +333,10 @@ TEST(BindingsPage, EscCanBeBoundToPauseOnly) {
 }
 
 TEST(BindingsPage, TogglesAreChosenPerHand) {
-    auto s = choose(bindings_of("Pad"), "Trace while");
-    EXPECT_EQ(value_of(s, "Trace while"), "press and press again");
+    auto s = choose(bindings_of("Pad"), "Trace: hold or toggle");
+    EXPECT_EQ(value_of(s, "Trace: hold or toggle"), "toggle");
     EXPECT_EQ(changes({}, s.settings), (std::vector<SettingEdit>{{"pad", "toggle", "\"trace\""}}));
-    s = choose(s, "Trace while", Kind::left);
+    s = choose(s, "Trace: hold or toggle", Kind::left);
     EXPECT_EQ(s.settings, Settings{});
 }
 
@@ -385,7 +385,7 @@ TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
 
 // ---- the cauldron -----------------------------------------------------------------------------------------
 
-constexpr std::string_view cauldron_row = "What hands feel of the cauldron";
+constexpr std::string_view cauldron_row = "Cauldron feedback";
 
 MenuState cauldron_page() { return choose(choose(opened({}, Page::pause), "Settings"), cauldron_row); }
 
@@ -412,7 +412,7 @@ TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
             EXPECT_EQ(value_of(s, label), "off (95 %)") << "a fader that is moved stays off";
             s = choose(s, label);
             EXPECT_EQ(value_of(s, label), "95 %");
-            EXPECT_EQ(choose(s, "All as at first").settings, Settings{});
+            EXPECT_EQ(choose(s, "Reset to defaults").settings, Settings{});
         }
     }
     EXPECT_EQ(choose(fresh, "Back").pages.size(), 2U);
