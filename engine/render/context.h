@@ -23,7 +23,7 @@
 
 namespace thaum::render {
 
-struct Size {
+struct alignas(8) Size {  // aligned, so that it is lock-free as an atomic with every compiler
     int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
 };

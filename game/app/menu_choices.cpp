@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
 constexpr int most_levels = 7;
+constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round mean no limit
 
 std::string clock_of(Tick length) {
     const auto whole = static_cast<int>(seconds(length));
@@ -21,7 +22,8 @@ std::string clock_of(Tick length) {
 
 MenuContext::Named told(const std::string& name, const game::RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
-    return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
+    const auto clock = rules.length < longest_shown ? clock_of(rules.length) : std::string("no time limit");
+    return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock)};
 }
 
 std::optional<MenuContext::Named> rules_of(const std::filesystem::path& file) {

@@ -19,18 +19,16 @@
 #include <thread>
 
 #include "core/file.h"
+#include "core/sanitizers.h"
 #include "core/text.h"
 #include "fuzz/fuzz.h"
 #include "game/data/match_data.h"
 
-#if defined(__SANITIZE_ADDRESS__)
-#define THAUM_HAS_ASAN 1
+#if THAUM_ADDRESS_SANITIZER
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
     return "max_allocation_size_mb=512:hard_rss_limit_mb=2048";
 }
-#else
-#define THAUM_HAS_ASAN 0
 #endif
 
 namespace thaum::fuzz {
@@ -71,7 +69,7 @@ std::string fault_of(const Outcome& outcome) {
 
 void limit_memory() {
     // Its shadow memory takes terabytes of address space; see __asan_default_options.
-    if (THAUM_HAS_ASAN) return;
+    if (THAUM_ADDRESS_SANITIZER) return;
     const rlimit limit{most_memory, most_memory};
     ::setrlimit(RLIMIT_AS, &limit);
 }

@@ -292,8 +292,10 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     EXPECT_GT(look.volume.version, version);
     EXPECT_TRUE(show_brew(taken(), {}, look));
     EXPECT_TRUE(look.flow.empty());
-    EXPECT_EQ(look.volume.texels.size(), brew.fluid.lattice.cells[0] * brew.fluid.lattice.cells[1] *
-                                             static_cast<std::size_t>(brew.fluid.lattice.cells[2]));
+    const auto cells_along = [&](std::size_t axis) {
+        return static_cast<std::size_t>(brew.fluid.lattice.cells[axis]);
+    };
+    EXPECT_EQ(look.volume.texels.size(), cells_along(0) * cells_along(1) * cells_along(2));
     // The box of the volume contains the whole brew.
     EXPECT_NEAR(look.volume.origin.y + look.volume.size.y, place.middle.y, 1e-5);
     EXPECT_LT(look.volume.origin.y, place.middle.y - place.basin.depth + 1e-5);

@@ -313,8 +313,9 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
         std::uint64_t hash = 0;
         forces = 0;
         for (int tick = 0; tick < 5000; ++tick) {
-            rig.sample.position +=
-                3e-3 * vec3(random.uniform(-1, 1), 0, random.uniform(-1, 1));  // below 4 m/s
+            // One number a statement: the order in which arguments are evaluated is the compiler's choice.
+            const double back = random.uniform(-1, 1), right = random.uniform(-1, 1);
+            rig.sample.position += 3e-3 * vec3(right, 0, back);  // below 4 m/s
             if (random.below(40) == 0) {
                 const vec3 peak{random.uniform(-2, 2), 0, random.uniform(-2, 2)};
                 rig.feel_pulse(peak, static_cast<std::uint32_t>(1 + random.below(90)));

@@ -55,7 +55,7 @@ TEST(InputLogFormat1, EveryValueIsRead) {
     EXPECT_EQ(reader.ticks(), 1100U);
     EXPECT_TRUE(reader.ended_cleanly()) << reader.ending_reason();
     EXPECT_EQ(reader.result(), "2 : 1");
-    for (const Tick t : {128, 640, 1024, 1100}) EXPECT_EQ(reader.hash_at(t), samples::hash_of(t)) << t;
+    for (const Tick t : {128U, 640U, 1024U, 1100U}) EXPECT_EQ(reader.hash_at(t), samples::hash_of(t)) << t;
     EXPECT_EQ(reader.marks(), (std::vector<Mark>{{1100, MarkKind::user, 7}}));
     InputFrame frame;
     for (Tick t = 0; reader.next(frame); ++t) ASSERT_EQ(frame, samples::frame_1(t)) << t;

@@ -392,7 +392,7 @@ MenuState cauldron_page() { return choose(choose(opened({}, Page::pause), "Setti
 TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
     const auto fresh = cauldron_page();
     EXPECT_EQ(picture_of(fresh, context()).title, "The cauldron");
-    EXPECT_NE(picture_of(fresh, context()).hint.find("from the next match on"), std::string::npos);
+    EXPECT_NE(picture_of(fresh, context()).hint.find("applies from the next match"), std::string::npos);
     for (std::size_t player = 0; player < 2; ++player) {
         for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
             const auto label = label_of_fader(i);

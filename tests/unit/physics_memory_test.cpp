@@ -8,13 +8,14 @@
 #include <new>
 #include <thread>
 
+#include "core/sanitizers.h"
 #include "unit/physics_scenes.h"
 
 namespace {
 std::atomic<std::uint64_t> heap_calls{0};
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !THAUM_ADDRESS_SANITIZER && !THAUM_THREAD_SANITIZER
 #define THAUM_COUNTS_HEAP 1
 void* operator new(std::size_t bytes) {
     ++heap_calls;

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdlib>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include "core/sanitizers.h"
+
+#if defined(__GLIBC__) && !THAUM_ADDRESS_SANITIZER && !THAUM_THREAD_SANITIZER
 #define THAUM_COUNT_ALLOCATIONS 1
 #else
 #define THAUM_COUNT_ALLOCATIONS 0

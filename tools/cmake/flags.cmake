@@ -79,6 +79,11 @@ if(THAUM_SANITIZE)
         # is used; unseen is one that is only computed (pointer-overflow, object-size).
         target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined
             -fno-sanitize=null,pointer-overflow,object-size)
+        if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+            # Clang also checks the types of called functions. Those of an arm's library, which come by dlsym, are
+            # of C, so their types have other names.
+            target_compile_options(thaum_flags INTERFACE -fno-sanitize=function)
+        endif()
     endif()
 endif()
 

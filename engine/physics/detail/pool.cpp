@@ -15,13 +15,8 @@
 #include <new>
 
 #include "core/assert.h"
+#include "core/sanitizers.h"
 #include "physics/memory.h"
-
-#if defined(__SANITIZE_ADDRESS__)
-#define THAUM_PLAIN_HEAP 1
-#else
-#define THAUM_PLAIN_HEAP 0
-#endif
 
 namespace thaum::physics {
 namespace detail {
@@ -86,7 +81,7 @@ std::byte* cut(Pool& p, std::size_t bytes) {
     return block;
 }
 
-void* pool_take(std::size_t bytes, int wanted_alignment) {
+[[maybe_unused]] void* pool_take(std::size_t bytes, int wanted_alignment) {
     THAUM_ASSERT(wanted_alignment <= static_cast<int>(alignment),
                  "Bullet asks for more than 16-byte alignment");
     Pool& p = pool();
@@ -104,7 +99,7 @@ void* pool_take(std::size_t bytes, int wanted_alignment) {
     return block + alignment;
 }
 
-void pool_return(void* address) {
+[[maybe_unused]] void pool_return(void* address) {
     if (!address) return;
     Pool& p = pool();
     const std::scoped_lock held(p.lock);
@@ -127,7 +122,7 @@ void pool_return(void* address) {
 
 void use_pool() {
     static const bool installed = [] {
-        if constexpr (THAUM_PLAIN_HEAP) {
+        if constexpr (THAUM_ADDRESS_SANITIZER) {
             btAlignedAllocSetCustomAligned(heap_take, heap_return);
         } else {
             btAlignedAllocSetCustomAligned(pool_take, pool_return);

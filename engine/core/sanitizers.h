@@ -1,0 +1,25 @@
+// core/sanitizers.h: which sanitizer a program is built with, for code that must leave memory to it. GCC and clang
+// say so in different ways.
+#pragma once
+
+#if defined(__SANITIZE_ADDRESS__)
+#define THAUM_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define THAUM_ADDRESS_SANITIZER 1
+#endif
+#endif
+#ifndef THAUM_ADDRESS_SANITIZER
+#define THAUM_ADDRESS_SANITIZER 0
+#endif
+
+#if defined(__SANITIZE_THREAD__)
+#define THAUM_THREAD_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define THAUM_THREAD_SANITIZER 1
+#endif
+#endif
+#ifndef THAUM_THREAD_SANITIZER
+#define THAUM_THREAD_SANITIZER 0
+#endif
