@@ -23,7 +23,8 @@
 
 namespace thaum::render {
 
-struct alignas(8) Size {  // aligned, so that it is lock-free as an atomic with every compiler
+// Aligned, so that it is lock-free as an atomic with every compiler.
+struct alignas(8) Size {
     int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
 };
