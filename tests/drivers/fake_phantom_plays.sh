@@ -32,8 +32,27 @@ told_and_replayed() {
     grep -q 'state hashes agree' "$folder/$1.verified" || failed "$1: the replay differs"
 }
 
+# feels NAME, rests NAME: whether the arm with this live file gives a force now.
+feels() { awk -v f="$(live "$1" 2 f8)" 'BEGIN { exit !(f > 0.3) }'; }
+rests() { ! feels "$1"; }
+has_ticked() { awk -v t="$(live "$1" 4 u8)" 'BEGIN { exit !(t > 4000) }'; }
+# feels_three NAME: waits until the arm has given a force, and none again, three times. A busy machine may keep forces
+# from an arm for long.
+feels_three() {
+    for _ in 1 2 3; do
+        eventually "$1 feels nothing" feels "$1"
+        eventually "a force stays on $1" rests "$1"
+    done
+}
+
 # The shots must be felt: kicks of 1.2 N towards the user (game.md). The hand must have moved to both sides.
-play good 4 "path=$folder/way"
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,live=$folder/good.live" "${match[@]}" --record "$folder/good.thaumlog" 2>"$folder/good.txt" &
+game=$!
+feels_three good
+eventually "good does not move" has_ticked good
+kill -TERM $game
+wait $game || { cat "$folder/good.txt"; failed "good does not end"; }
+told_and_replayed good
 awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; before = $8
                   if ($3 > right) right = $3; if ($3 < left) left = $3 }
     END { print "strongest", most, "N, shots", shots + 0, "hand", left, "to", right, "m"
@@ -58,13 +77,8 @@ THAUM_LIBHD=$fake FAKE_HD="path=$folder/calm,live=$folder/back.live,felt,vanish=
     "${match[@]}" --record "$folder/back.thaumlog" 2>"$folder/back.txt" &
 game=$!
 says_back() { grep -qs 'the arm is back' "$folder/back.txt"; }
-feels() { awk -v f="$(live back 2 f8)" 'BEGIN { exit !(f > 0.3) }'; }
-rests() { ! feels; }
 eventually "nobody says that it is back" says_back
-for _ in 1 2 3; do
-    eventually "it is not felt again" feels
-    eventually "the force stays" rests
-done
+feels_three back
 kill -TERM $game
 wait $game || { cat "$folder/back.txt"; failed "back does not end"; }
 told_and_replayed back
@@ -76,17 +90,25 @@ awk -F, 'FNR == 1 { file++ }
     file == 2 && FNR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
         part = $1 <= left ? "before" : $1 <= joined ? "away" : "after"
         shots[part] += force > 1 && last <= 1
-        held += part == "away" && $1 > left + 50 && force > 0  # 50 ticks are enough for the largest force to fade
+        # 50 ticks are enough for the largest force to fade.
+        held += part == "away" && $1 > left + 50 && force > 0
         last = force }
     END { print shots["before"] + 0, "shots, then", joined - left, "ticks without the arm,", held + 0, "of them with a force, then", shots["after"] + 0
-          exit !(shots["before"] >= 1 && left < joined && !held && shots["after"] >= 3) }' \
+          # The hand that takes over may feel one kick of 15 ticks: that of a shot whose kick the arm did not play.
+          exit !(shots["before"] >= 1 && left < joined && held <= 15 && shots["after"] >= 3) }' \
     "$folder/back.events.csv" "$folder/back.csv" || failed "it is not felt again"
 play stopped_and_back 6 "path=$folder/calm,felt,stop=1000,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"
 
 # Two arms of the library, which has one thread for both, play one match: each player feels shots.
-THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" FAKE_HD_SECOND="path=$folder/calm" THAUM_HD_ARMS="Default Device,Right" "$thaum" --vs --hands arm,arm \
-    --seed 1 --seconds 5 --set haptics.share=1 --set bolt.shot.damage=1 --record "$folder/two.thaumlog" 2>"$folder/two.txt" || { cat "$folder/two.txt"; failed "two arms do not play"; }
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,live=$folder/first.live" FAKE_HD_SECOND="path=$folder/calm,live=$folder/second.live" \
+    THAUM_HD_ARMS="Default Device,Right" "$thaum" --vs --hands arm,arm --seed 1 --set haptics.share=1 --set bolt.shot.damage=1 \
+    --set bolt.energy.cost=0.01 --record "$folder/two.thaumlog" 2>"$folder/two.txt" &
+game=$!
+feels_three first
+feels_three second
+kill -TERM $game
+wait $game || { cat "$folder/two.txt"; failed "two arms do not play"; }
 cat "$folder/two.txt"
 [ "$(grep -c '^arm Touch F000000[12]: .*; 0 forces differ' "$folder/two.txt")" -eq 2 ] || failed "two arms: the match computes other forces"
 "$thaum" replay "$folder/two.thaumlog" --verify --forces "$folder/two.csv" || failed "two arms: the replay differs"
