@@ -4,8 +4,8 @@
 
 namespace thaum::app {
 
-/// Tick at which the two wizards were closest, among ticks when both lived, player 1 saw the other and
-/// something flew.
+/// Tick at which the two wizards were closest, among ticks when both lived, each saw the other and something
+/// flew.
 struct Highlight {
     double distance = 1e9;  ///< distance between the wizards at that tick (m)
     Tick tick = 0;          ///< 0: no such moment

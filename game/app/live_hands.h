@@ -46,6 +46,8 @@ public:
     /// Returns std::nullopt if the key does not ask, nobody needs that half, or another player has it.
     std::optional<HandNews> take_half(int key, const Settings& settings);
 
+    /// The device that the player uses now.
+    input::DeviceKind device_of(std::uint32_t player) const;
     /// Whether the player's pad is unplugged and the player has no other device.
     bool is_lost(std::uint32_t player) const { return holds_[player].lost; }
     /// Whether a player's own binding of the key pauses the match.
@@ -62,7 +64,6 @@ private:
         bool half = false;          ///< the player continues with half of the keyboard
     };
 
-    input::DeviceKind device_of(std::uint32_t player) const;
     bool half_is_free() const;
     void rejoin(std::uint32_t player, const Settings& settings, HandNews& news);
     bool came_back(std::uint32_t player, const render::PadState& pad, const Settings& settings,

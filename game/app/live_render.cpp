@@ -18,7 +18,8 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
     Picture before = game::make_picture(), now = game::make_picture(), shown = game::make_picture();
-    std::int64_t shown_due_ns = 0;  ///< all ticks due by this time are contained in `shown` (ns)
+    game::PromptUses prompt_uses{};  ///< what the players have done in the pictures so far
+    std::int64_t shown_due_ns = 0;   ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
 };
 
@@ -36,6 +37,7 @@ void advance(TripleBuffer<Picture>& pictures, InterpolationBuffer& buffer) {
     if (!pictures.take()) return;
     std::swap(buffer.before, buffer.now);
     buffer.now = pictures.newest();
+    game::count_uses(buffer.before, buffer.now, buffer.prompt_uses);
     buffer.any = true;
 }
 
@@ -97,6 +99,7 @@ game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
 const render::Frame& frame_of(RenderState& state, const Screen& screen, double speed, render::Size size) {
     auto hud = screen.hud;
     hud.quality = state.quality.now(screen.quality, size);
+    hud.prompt_uses = state.buffer.prompt_uses;
     if (screen.arena_scene)
         game::make_arena_frame(state.arena_scene, state.buffer.now, camera_angle(), hud, size, state.memory);
     else

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "game/app/control_names.h"
 #include "game/app/menu_choices.h"
 
 namespace thaum::app {
@@ -234,6 +235,18 @@ game::Watch watched(const TakenSeats& seats) {
     return first ? game::Watch::first : game::Watch::second;
 }
 
+/// What the players are called: bots by their level, unless both players are bots; people by their team.
+std::array<std::string, game::players> names_of(const TakenSeats& seats) {
+    std::array<std::string, game::players> names;
+    for (std::size_t p = 0; p < game::players; ++p) {
+        const bool against_person = seats[1 - p].hands != nullptr;
+        if (seats[p].hands != nullptr || !against_person) continue;
+        const auto& seat = seats[p].seat;
+        names[p] = seat.kind == SeatKind::dummy ? std::string("Dummy") : text("Bot ", seat.level);
+    }
+    return names;
+}
+
 }  // namespace
 
 Screen LiveSession::screen() const {
@@ -245,7 +258,9 @@ Screen LiveSession::screen() const {
                           .bloom = settings.bloom,
                           .can_play_again = plan_.replay == nullptr,
                           .forces = forces_,
-                          .menu = menu_.is_open()},
+                          .menu = menu_.is_open(),
+                          .names = names_of(shared_.seats),
+                          .prompts = settings.prompts},
                   .quality = settings.quality,
                   .menu = menu_.picture(),
                   .arena_scene = menu_.on_start_screen(),
@@ -253,6 +268,8 @@ Screen LiveSession::screen() const {
     auto& messages = screen.hud.device_messages;
     each_held_arm(shared_.arms,
                   [&](const LiveArm& arm, std::size_t) { messages[arm.player] = arm.notice.fault; });
+    for (std::uint32_t p = 0; p < game::players; ++p)
+        if (shared_.seats[p].hands) screen.hud.controls[p] = control_names(settings, hands_.device_of(p));
     for (std::uint32_t p = 0; p < game::players; ++p)
         if (hands_.is_lost(p)) messages[p] = text("pad lost: ", how_to_rejoin);
     return screen;

@@ -37,7 +37,7 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --seed N         seed of all random numbers
   --record FILE    file for the log; default: a new file in the data folder
   --headless       no window: two bots, faster than real time
-  --seconds S      ends after S seconds of match time; headless: 60
+  --seconds S      ends after S s of match time; headless: 60; no display: a round
   --out DIR        folder for the files of --headless: duel.png, duel.thaumlog, duel.txt;
                    older ones are replaced (out)
 )";
@@ -129,14 +129,18 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     return options;
 }
 
+/// Without a display a whole round is played. Without any wish it is one between good bots that has a winner.
 int play_off_screen(const PlayOptions& options) {
+    constexpr double longest_round = 600;  // s
+    constexpr std::uint64_t seed_with_winner = 5;
+    const bool any = !options.headless && !options.mode();
     return play_offscreen_duel({.assets = game::find_assets(),
                                 .out = options.out,
                                 .log = options.record,
                                 .data = options.data,
-                                .seed = options.seed.value_or(1),
-                                .levels = options.bots,
-                                .seconds = options.seconds.value_or(60)});
+                                .seed = options.seed.value_or(any ? seed_with_winner : 1),
+                                .levels = any ? std::array{3, 3} : options.bots,
+                                .seconds = options.seconds.value_or(options.headless ? 60 : longest_round)});
 }
 
 std::array<Seat, 2> seats_of(const PlayOptions& options) {

@@ -191,6 +191,12 @@ ChoiceSetting quality_setting() {
             }};
 }
 
+ChoiceSetting prompts_setting() {
+    return {{game::prompt_wishes.begin(), game::prompt_wishes.end()},
+            [](const Settings& s) { return static_cast<std::size_t>(s.prompts); },
+            [](Settings& s, std::size_t i) { s.prompts = static_cast<game::PromptWish>(i); }};
+}
+
 template <std::size_t Player>
 ChoiceSetting force_setting() {
     std::vector<std::string_view> names;
@@ -222,6 +228,7 @@ std::span<const Setting> all_settings() {
          NumberSetting{&Settings::carried_weight, 0, 1, 0.25, 100, " %"}, true},
         {"carried_blows", "Blows on what is carried",
          NumberSetting{&Settings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
+        {"prompts", "Show which control does what", prompts_setting()},
         {"quality", "Picture quality", quality_setting()},
         {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
         {"frames_per_second", "Frame rate limit",

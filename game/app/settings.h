@@ -12,6 +12,7 @@
 
 #include "core/error.h"
 #include "game/app/faders.h"
+#include "game/hud/prompts.h"
 #include "input/bindings.h"
 #include "render/scene.h"
 
@@ -51,6 +52,7 @@ struct Settings {
     /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
     double carried_blows = 1;
     std::array<Faders, 2> cauldron{};  ///< faders of each player
+    game::PromptWish prompts{};        ///< when the screen says which control does what
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< indexed by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;

@@ -188,12 +188,19 @@ void load_wands(MatchData& data, Loader& loader) {
             refuse_taken_slot(data.wands, wand, file);
             return wand;
         };
-        auto wand = loader.load(text("wands/", kind.name, ".toml"), noting(files.emplace_back(), read));
-        shown->wands.push_back({std::string(kind.name), wand.stats.slot, wand.look});
-        data.wands.push_back(std::move(wand));
+        data.wands.push_back(
+            loader.load(text("wands/", kind.name, ".toml"), noting(files.emplace_back(), read)));
+    }
+    if (!loader.error) share_energies(data, files, loader);
+    for (std::size_t i = 0; i < data.wands.size(); ++i) {
+        const auto& wand = data.wands[i];
+        shown->wands.push_back({.name = std::string(wand_kinds()[i].name),
+                                .slot = wand.stats.slot,
+                                .look = wand.look,
+                                .energy_cap = wand.stats.energy_cap,
+                                .energy_cost = wand.stats.energy_cost});
     }
     data.presentation = std::move(shown);
-    if (!loader.error) share_energies(data, files, loader);
 }
 
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.

@@ -60,6 +60,7 @@ struct WandPresentation {
     std::string name;
     std::uint32_t slot{};
     WandLook look;
+    double energy_cap{}, energy_cost{};  ///< of the wand's own data
 };
 
 /// How a match is shown.

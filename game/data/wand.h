@@ -76,6 +76,23 @@ struct RopeKind {
     double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor
 };
 
+/// What using a wand now would do with what is under the crosshair.
+enum class TargetKind : std::uint8_t {
+    nothing,
+    foe,        ///< the other wizard, for a wand that shoots
+    take,       ///< a thing that can be taken up
+    too_far,    ///< a thing that is out of reach
+    too_heavy,  ///< a thing that is too heavy
+    hook,       ///< a point that a rope can hold on to
+};
+
+struct Target {
+    TargetKind kind{};
+    ecs::Entity thing{};  ///< the thing of take, too_far and too_heavy
+    double mass{};        ///< its mass (kg)
+    double mass_share{};  ///< its mass as a share of the largest that the wand takes
+};
+
 /// Position of the wand's tip for a hand at rest (m, eye frame).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
@@ -108,6 +125,8 @@ public:
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// While the wand holds a thing, the wheel moves the thing and does not select wands.
     virtual bool moves_by_wheel() const { return false; }
+    /// What the wand would take hold of if it were used now.
+    virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
     /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// A shot after readying the wand to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.

@@ -121,6 +121,14 @@ void add_thing(const ArenaScene& arena_scene, const ThingPicture& thing, std::ve
     set_sun(arena_scene, thing.position + vec3(0, 0.1, 0), std::span(out).subspan(first));
 }
 
+/// Makes a thing stand out that the viewer's wand would take up.
+void light_up(std::span<Instance> of) {
+    for (auto& instance : of) {
+        instance.tint *= 1.3F;
+        instance.glow = std::max(instance.glow, 0.35F);
+    }
+}
+
 }  // namespace
 
 void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
@@ -163,7 +171,13 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         const fvec3 at(vec3(arena_scene.bowl->x, height, arena_scene.bowl->z));
         out.push_back({.mesh = arena_scene.runes, .model = render::translated(at), .glow = 0.35F});
     }
-    for (const auto& thing : picture.things) add_thing(arena_scene, thing, out);
+    const auto& target = picture.wizards[viewer].target;
+    for (const auto& thing : picture.things) {
+        const auto first = out.size();
+        add_thing(arena_scene, thing, out);
+        if (target.kind == TargetKind::take && target.thing.index == thing.entity)
+            light_up(std::span(out).subspan(first));
+    }
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
         add_forces(arena_scene, wizard, player == viewer, out);

@@ -97,6 +97,9 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
     const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
+    out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after), 1e-3);
+    out.slows = cauldron.viscosity > rules.aura.thick_above;
+    out.lifts = cauldron.density < rules.aura.light_below;
 }
 
 }  // namespace thaum::game

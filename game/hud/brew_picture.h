@@ -49,9 +49,11 @@ struct CauldronPicture {
     /// Names of the ingredients; empty: free substance.
     std::array<std::string_view, fluid::substances_most> contents{};
     std::uint32_t owner{no_player};
-    double mixing{};       ///< mixing of the newest ingredient, 0 to 1
-    double heat{};         ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
-    double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
+    double mixing{};        ///< mixing of the newest ingredient, 0 to 1
+    double heat{};          ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
+    double spoils_in_s{};   ///< time until the brew boils over; 0: no ingredient yet
+    double fresh{};         ///< the share of that time that is left, 0 to 1
+    bool slows{}, lifts{};  ///< what the brew does now to wizards near it
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

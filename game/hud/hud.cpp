@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/hud/figures.h"
+
 namespace thaum::game {
 namespace {
 
@@ -55,6 +57,11 @@ double field_of_view(double fov_degrees, double aspect) {
     const double wide = std::tan(fov_degrees * radians_per_degree / 2);
     const double area = wide * wide * 9 / 16;
     return 2 * std::atan(std::sqrt(area / aspect));
+}
+
+std::string_view name_of(const HudSettings& settings, std::uint32_t player) {
+    const auto& name = settings.names[player];
+    return name.empty() ? team_name(player) : std::string_view(name);
 }
 
 std::vector<std::string> words_over_views(const Simulation& match) {

@@ -2,6 +2,7 @@
 // view shakes, bobs or flashes.
 #pragma once
 #include "game/hud/arena_scene.h"
+#include "game/hud/prompts.h"
 #include "render/context.h"
 
 namespace thaum::game {
@@ -22,8 +23,16 @@ struct HudSettings {
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.
     std::array<std::string, players> device_messages{};
+    /// What the players are called; empty: by their teams, Ember and Tide.
+    std::array<std::string, players> names{};
+    std::array<ControlNames, players> controls{};  ///< controls of each person
+    PromptWish prompts{};
+    PromptUses prompt_uses{};
     bool operator==(const HudSettings&) const = default;
 };
+
+/// What a player is called.
+std::string_view name_of(const HudSettings& settings, std::uint32_t player);
 
 /// Memory for building frames. The spans of a Frame point into it.
 struct FrameMemory {

@@ -7,6 +7,7 @@
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
 #include "game/wands/belt.h"
+#include "game/wands/shot.h"
 
 namespace thaum::game {
 namespace {
@@ -68,11 +69,30 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
     out.energy = energy_in_hand(match.data(), belt);
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
     out.readiness = wand != nullptr ? wand->rules->readiness(match.world(), wizard).value_or(0) : 0;
+    out.fired = belt.fired;
+    const auto& wands = match.data().wands;
+    for (std::size_t i = 0; i < wands.size(); ++i)
+        out.charges.at(i) = belt.energy[wands[i].stats.energy_slot];
 }
 
 void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
-    if (const auto* wand = wand_in_hand(match.data(), belt))
-        out.held = wand->rules->held_at(match.world(), wizard);
+    const auto* wand = wand_in_hand(match.data(), belt);
+    if (wand == nullptr) return;
+    out.held = wand->rules->held_at(match.world(), wizard);
+    out.holds_thing = out.held && wand->rules->grasp();
+}
+
+/// What is under the crosshair: what the wand would take hold of, or for a wand that shoots the foe.
+void take_target(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
+    constexpr double foe_reach = 60;  // m
+    const auto* wand = wand_in_hand(match.data(), belt);
+    if (wand == nullptr || out.stirs) return;
+    out.target = wand->rules->target(match.context(), wizard);
+    if (out.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
+    const auto [eye, ahead] = sight_of(match.context(), wizard);
+    const auto hit = match.physics().ray(eye, eye + foe_reach * ahead, physics::all_layers, wizard.index);
+    const auto met = hit ? match.world().entity(hit->key) : ecs::Entity{};
+    if (met && match.world().has<Wizard>(met)) out.target.kind = TargetKind::foe;
 }
 
 void take_force(const Simulation& match, std::uint32_t player, const HandState& hand_state,
@@ -143,6 +163,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.wand_turn = stylus_turn(match.world(), wizard.player);
             take_force(match, wizard.player, hand_state, p.force);
             take_brewing(match, e, motion, p);
+            if (!p.dead) take_target(match, e, belt, p);
         });
 }
 

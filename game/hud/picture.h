@@ -101,6 +101,9 @@ struct PlayerPicture {
     std::string_view wand;                         ///< kind of the wand in hand; empty: none
     std::uint32_t wand_number{};                   ///< index of the wand in Presentation::wands
     double energy{}, energy_cap{};
+    std::array<double, input::most_wands> charges{};  ///< energy of each wand of Presentation::wands
+    std::uint32_t fired{};                            ///< number of shots and throws so far
+    Target target{};     ///< what the wand would do with what is under the crosshair
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     std::int32_t kills{}, deaths{};
     double returns_in_s{};       ///< time until the wizard returns, if dead
@@ -115,6 +118,7 @@ struct PlayerPicture {
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
     vec3 wand_reach{};           ///< displacement of the wand's tip by the hand (m, eye frame)
+    bool holds_thing{};          ///< the wand holds a thing that can be thrown
     std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
     std::uint32_t hurts{};  ///< number of entries in `marks`

@@ -14,8 +14,6 @@ using render::ArcItem;
 using render::colour;
 using render::LineItem;
 
-constexpr float whole_turn = 6.2831853F;
-
 /// Projection of a wand onto the picture.
 struct Icon {
     render::Overlay& out;
@@ -63,6 +61,22 @@ void add_part(const Icon& icon, LookPart part) {
     }
 }
 
+/// Adds the bar of a wand's energy: amber below a fifth. `share` 0: not enough for one use.
+void add_charge(render::Overlay& out, const Panel& bar, double share, fvec4 full) {
+    constexpr double low = 0.2;
+    const float corner = (bar.high.y - bar.low.y) / 3,
+                filled = static_cast<float>(std::clamp(share, 0.0, 1.0));
+    out.items.emplace_back(render::RectItem{bar.low, bar.high, paints.track, corner});
+    const float middle = (bar.low.y + bar.high.y) / 2;
+    if (share <= 0) {
+        out.items.emplace_back(
+            LineItem{{bar.low.x, middle}, {bar.high.x, middle}, std::max(1.0F, corner), paints.red});
+        return;
+    }
+    const fvec2 end(bar.low.x + filled * (bar.high.x - bar.low.x), bar.high.y);
+    out.items.emplace_back(render::RectItem{bar.low, end, share < low ? paints.amber : full, corner});
+}
+
 }  // namespace
 
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint) {
@@ -72,27 +86,35 @@ void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, flo
     for (const auto& part : look.wand) add_part(icon, part);
 }
 
-void add_wand_strip(render::Overlay& out, const std::vector<WandPresentation>& wands, std::uint32_t in_hand,
-                    fvec2 lower_right, float unit) {
-    constexpr float step = 25, edge = 20;
-    const auto count = static_cast<float>(wands.size());
-    out.items.emplace_back(render::RectItem{lower_right - unit * fvec2(step * count + 4, 30), lower_right,
-                                            colour(0x140E22, 0.62F), 8 * unit});
-    const auto paint_of = [&](std::size_t i) {
-        return i == in_hand ? colour(0xFFF4D0, 1.0F) : colour(0xB8A8CC, 0.75F);
+void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_left, float unit) {
+    const auto& wands = strip.wands;
+    const auto cell_of = [&](std::size_t i) {
+        const auto before = static_cast<std::size_t>(
+            std::count_if(wands.begin(), wands.end(), [&](const auto& w) { return w.slot < wands[i].slot; }));
+        const fvec2 at(before % strip.columns, before / strip.columns);
+        const fvec2 low = upper_left + unit * at * fvec2(strip_cell_width, strip_cell_height);
+        return Panel{low, low + unit * fvec2(strip_cell_width, strip_cell_height)};
     };
-    const auto middle_of = [&](std::size_t i) {
-        const auto before =
-            std::count_if(wands.begin(), wands.end(), [&](const auto& w) { return w.slot < wands[i].slot; });
-        const float x = step * (static_cast<float>(before) - count + 0.5F) - 2;
-        return lower_right + unit * fvec2(x, -15);
+    const auto paint_of = [&](std::size_t i) {
+        return i == strip.in_hand ? colour(0xFFF4D0, 1.0F) : colour(0xB8A8CC, 0.85F);
     };
     // All shapes come before all words, because the renderer draws neighbours of one kind together.
-    for (std::size_t i = 0; i < wands.size(); ++i)
-        add_wand_icon(out, wands[i].look, middle_of(i), edge * unit, paint_of(i));
     for (std::size_t i = 0; i < wands.size(); ++i) {
-        add_text(out, text(wands[i].slot + 1), middle_of(i) + unit * fvec2(8, 1), 10 * unit, paint_of(i),
-                 render::Align::centre);
+        const auto cell = cell_of(i);
+        if (i == strip.in_hand)
+            out.items.emplace_back(render::RectItem{cell.low, cell.high, colour(0x6A4A9A, 0.7F), 6 * unit});
+        add_wand_icon(out, wands[i].look, cell.low + unit * fvec2(24, 16), 22 * unit, paint_of(i));
+        const double cap = std::max(wands[i].energy_cap, 1e-9), charge = strip.charges[i];
+        add_charge(out, {cell.low + unit * fvec2(4, 32), cell.low + unit * fvec2(strip_cell_width - 4, 38)},
+                   charge < wands[i].energy_cost ? 0 : charge / cap, strip.full);
+    }
+    for (std::size_t i = 0; i < wands.size(); ++i) {
+        const auto cell = cell_of(i);
+        const auto slot = wands[i].slot;
+        const auto& control = slot < strip.controls.size() ? strip.controls[slot] : std::string();
+        const auto words = control.empty() ? text(slot + 1) : control;
+        const Panel box{cell.low + unit * fvec2(2, 1), cell.low + unit * fvec2(strip_cell_width / 2, 14)};
+        add_text_in(out, box, words, 10 * unit, paint_of(i), render::Align::left);
     }
 }
 

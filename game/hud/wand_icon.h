@@ -1,5 +1,7 @@
 // game/hud/wand_icon.h: flat pictures of wands, drawn from the same parts as their meshes.
 #pragma once
+#include <span>
+
 #include "game/data/presentation.h"
 #include "render/scene.h"
 
@@ -9,9 +11,17 @@ namespace thaum::game {
 /// edge of the square that holds it (px).
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint);
 
-/// Adds a row of the icons of all wands in the order of their slots, with the numbers of their keys. The row
-/// ends at its lower right corner.
-void add_wand_strip(render::Overlay& out, const std::vector<WandPresentation>& wands, std::uint32_t in_hand,
-                    fvec2 lower_right, float unit);
+struct WandStrip {
+    const std::vector<WandPresentation>& wands;
+    std::span<const double> charges;        ///< energy of each wand
+    std::span<const std::string> controls;  ///< names of the controls that take a wand in hand, by slot
+    std::uint32_t in_hand{};                ///< index of the wand in hand
+    std::size_t columns{};                  ///< wands in one row
+    fvec4 full{};                           ///< colour of a wand's energy
+};
+
+/// Adds the icons of all wands in the order of their slots, with the names of their keys and their energy. The bar of
+/// a wand with less than a fifth of its energy is amber, and that of an empty one is a red line.
+void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_left, float unit);
 
 }  // namespace thaum::game

@@ -45,6 +45,7 @@ public:
     /// is logged.
     ecs::World& world_to_change();
     MatchContext& context_to_change();
+    const MatchContext& context() const { return context_; }
     physics::Physics& physics();
     const physics::Physics& physics() const;
     const MatchData& data() const { return *data_; }

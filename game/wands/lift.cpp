@@ -162,6 +162,23 @@ ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Ent
     return can_be_held ? thing : ecs::Entity{};
 }
 
+/// What is under the crosshair, for the picture: a thing that can be taken up, or why it cannot.
+Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
+    constexpr double shown_reach = 3;  // times the range
+    if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
+    const auto [eye, ahead] = sight_of(context, wizard);
+    const auto& physics = context.physics.read();
+    const double far = shown_reach * data.range;
+    const auto hit = physics.ray(eye, eye + ahead * far, physics::all_layers, wizard.index);
+    const auto thing = hit ? context.world.entity(hit->key) : ecs::Entity{};
+    if (!thing || !context.world.has<Prop>(thing)) return {};
+    const double mass = physics.desc(hit->key).mass;
+    const auto kind = mass > data.mass_max               ? TargetKind::too_heavy
+                      : hit->fraction * far > data.range ? TargetKind::too_far
+                                                         : TargetKind::take;
+    return {.kind = kind, .thing = thing, .mass = mass, .mass_share = mass / std::max(data.mass_max, 1e-9)};
+}
+
 void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::Entity thing,
           LiftHand& hand) {
     const auto& now = std::as_const(context.world);
@@ -463,6 +480,9 @@ public:
         const auto held = world.get<LiftHand>(wizard).held;
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
+    }
+    Target target(const MatchContext& context, ecs::Entity wizard) const override {
+        return target_of(context, data_, wizard);
     }
     bool moves_by_wheel() const override { return true; }
     std::optional<GraspKind> grasp() const override { return grasp_of(data_); }

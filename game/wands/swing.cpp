@@ -208,6 +208,11 @@ public:
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     }
+    Target target(const MatchContext& context, ecs::Entity wizard) const override {
+        const bool hangs = context.world.get<SwingHand>(wizard).length > 0;
+        const bool reaches = !hangs && latched_at(context, data_, wizard);
+        return {.kind = reaches ? TargetKind::hook : TargetKind::nothing};
+    }
     std::optional<RopeKind> rope() const override {
         return RopeKind{.reach = data_.reach, .aim_cos = data_.aim_cos};
     }

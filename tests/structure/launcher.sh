@@ -118,6 +118,19 @@ expect "shows the words of the compiler" says "a.cpp:1: error: no"
 expect "and not its progress" says_not "[1/2]"
 
 fresh_machine
+run
+rm "$tree/build/release/game/thaum" "$tree"/build/release/.built-*
+tool ninja <<'NINJA'
+for step in 1 2 3 4; do echo "[$step/4] Building CXX object $step.o"; done
+printf '#!/bin/bash\necho "started: $*"\n' >"$PLACE/tree/build/release/game/thaum"
+chmod +x "$PLACE/tree/build/release/game/thaum"
+NINJA
+output=$(PATH=$fake:$PATH script -qec "$tree/thaum" /dev/null </dev/null 2>&1) && code=0 || code=$?
+expect "shows a bar on a terminal" says "building [#######                       ]  25 %"
+expect "which is full at the end" says "building [##############################] 100 %"
+expect "and then starts" says "started:"
+
+fresh_machine
 echo "flags : sse2 avx" >"$place/cpuinfo"
 export THAUM_CPUINFO=$place/cpuinfo
 run

@@ -1,5 +1,5 @@
 // Tests of drawn pictures: both views, meshes, positions of drawn things, results and captions.
-#include "game/hud/hud.h"
+#include "game/hud/layout.h"
 
 #include <gtest/gtest.h>
 
@@ -348,16 +348,18 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     p.match_stats[0][0] = {.shots = 10, .hits = 4, .kills = 1, .damage = 24};
     render::Overlay overlay;
     make_overlay(p, {}, size, overlay);
-    EXPECT_TRUE(has_text(overlay, "Player 2 (Tide) wins round 2"));
+    EXPECT_TRUE(has_text(overlay, "Tide wins round 2"));
     EXPECT_TRUE(has_text(overlay, "rounds 1 : 1"));
-    EXPECT_TRUE(has_text(overlay, "Enter, A: next round (in 5 s)    Esc, B: leave"));
+    EXPECT_TRUE(has_text(overlay, "Enter, A: next round (in 5 s)    Esc, B: quit to menu"));
     EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
     p.phase = Phase::over;
     p.match_winner = 0;
     p.rounds_won = {2, 1};
     make_overlay(p, {}, size, overlay);
-    EXPECT_TRUE(has_text(overlay, "Player 1 (Ember) wins"));
-    EXPECT_TRUE(has_text(overlay, "Enter, A: again    Esc, B: leave"));
+    EXPECT_TRUE(has_text(overlay, "Ember wins"));
+    EXPECT_TRUE(has_text(overlay, "Enter, A: rematch    Esc, B: quit to menu"));
+    make_overlay(p, {.names = {"Bot 3", ""}}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Bot 3 wins"));
     make_overlay(p, {.can_play_again = false}, size, overlay);
     EXPECT_FALSE(has_text(overlay, "Enter"));
 }
@@ -397,17 +399,24 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     }
 }
 
-TEST(DeviceCaption, LongOnesAreSmallerSoThatTheViewHoldsThem) {
+TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
     const HudSettings side{.split = render::Split::side_by_side,
                            .text_scale = 2.5,
                            .device_messages = {std::string(200, 'w'), "short"}};
     const render::Size size{640, 360};
     render::Overlay overlay;
     make_overlay(picture_of(*new_match()), side, size, overlay);
-    const auto* lengthy = find_text(overlay, side.device_messages[0]);
-    ASSERT_NE(lengthy, nullptr);
-    EXPECT_LE(0.6F * 200 * lengthy->size, static_cast<float>(views_of(side, size)[0].width));
-    EXPECT_LT(lengthy->size, find_text(overlay, "short")->size);
+    std::size_t letters = 0;
+    const auto* brief = find_text(overlay, "short");
+    ASSERT_NE(brief, nullptr);
+    for (const auto& item : overlay.items) {
+        const auto* line = std::get_if<render::TextItem>(&item);
+        if (line == nullptr || line->text.find_first_not_of('w') != std::string::npos) continue;
+        letters += line->text.size();
+        EXPECT_LE(width_of(line->text, line->size), static_cast<float>(views_of(side, size)[0].width));
+        EXPECT_LT(line->size, brief->size);
+    }
+    EXPECT_EQ(letters, 2 * side.device_messages[0].size()) << "every word, and its dark copy";
 }
 
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {

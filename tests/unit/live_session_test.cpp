@@ -244,6 +244,23 @@ TEST_F(LiveSessionTest, TheSessionsPauseKeyAsksForAPauseUnlessAPlayersKeyDoes) {
     EXPECT_EQ(requests().pause, game::no_player) << "the player's hands pause";
 }
 
+TEST_F(LiveSessionTest, TheScreenNamesPlayersAndTheirControls) {
+    begin();
+    step();
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{})) << "people are called by their teams";
+    EXPECT_EQ(screen().hud.controls[0].fire, "Left mouse");
+    EXPECT_EQ(screen().hud.controls[1].fire, "RT");
+    plan_.seats[1] = {.kind = SeatKind::bot, .level = 3};
+    begin();
+    step();
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"", "Bot 3"}));
+    EXPECT_EQ(screen().hud.controls[1], game::ControlNames{}) << "a bot needs no prompt";
+    plan_.seats[0] = {.kind = SeatKind::bot, .level = 3};
+    begin();
+    step();
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{})) << "two bots are told apart by their teams";
+}
+
 TEST_F(LiveSessionTest, KeysLeaveOrRepeatAFinishedMatch) {
     begin();
     const auto again = rig::code_of(defaults_, SessionKey::again),

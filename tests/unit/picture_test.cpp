@@ -86,6 +86,84 @@ TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     EXPECT_EQ(p.wizards[1].hurts, 0U);
 }
 
+/// A match in which player 1 has a wand in hand and looks up, over everything.
+struct Looking {
+    std::unique_ptr<Simulation> match;
+    ecs::Entity me;
+
+    Looking(std::shared_ptr<const MatchData> data, std::string_view wand)
+        : match(std::make_unique<Simulation>(std::move(data),
+                                             MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}})) {
+        auto& world = match->world_to_change();
+        me = wizard_of(world, 0);
+        for (const auto& one : match->data().wands)
+            if (one.kind->name == wand) world.get<WandBelt>(me).selected = one.stats.slot;
+        world.get<Gaze>(me).pitch = 0.7;
+    }
+    /// Moves a body to a distance from the eye, under the crosshair.
+    void bring(ecs::Entity thing, double distance) const {
+        const auto& gaze = match->world().get<Gaze>(me);
+        const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
+        const vec3 eye = eye_of(match->data().wizard, match->physics().state(me.index).position);
+        auto state = match->physics().state(thing.index);
+        state.position = eye + distance * ahead;
+        match->physics().set_state(thing.index, state);
+    }
+    Target target() const { return picture_of(*match).wizards[0].target; }
+    /// The first loose thing.
+    ecs::Entity loose() const {
+        ecs::Entity found;
+        match->world().view<const Prop>().each([&](ecs::Entity e, const Prop&) {
+            if (!found) found = e;
+        });
+        return found;
+    }
+};
+
+TEST(TakePicture, SaysWhatTheWandWouldDoWithWhatIsUnderTheCrosshair) {
+    const Looking lift(match_data(), "lift");
+    EXPECT_EQ(lift.target().kind, TargetKind::nothing);
+    const auto thing = lift.loose();
+    ASSERT_TRUE(thing);
+    lift.bring(thing, 3);
+    const auto near = lift.target();
+    EXPECT_EQ(near.kind, TargetKind::take);
+    EXPECT_EQ(near.thing, thing);
+    EXPECT_EQ(near.mass, lift.match->physics().desc(thing.index).mass);
+    lift.bring(thing, 12);
+    EXPECT_EQ(lift.target().kind, TargetKind::too_far);
+    lift.bring(thing, 100);
+    EXPECT_EQ(lift.target().kind, TargetKind::nothing);
+
+    auto weak = load_match_data(assets, {.overrides = {"lift.hold.mass_max_kg=1"}});
+    ASSERT_TRUE(weak) << weak.error().message;
+    const Looking heavy(std::make_shared<const MatchData>(std::move(*weak)), "lift");
+    heavy.bring(heavy.loose(), 3);
+    EXPECT_EQ(heavy.target().kind, TargetKind::too_heavy);
+
+    const Looking bolt(match_data(), "bolt");
+    bolt.bring(bolt.loose(), 3);
+    EXPECT_EQ(bolt.target().kind, TargetKind::nothing) << "a bolt takes nothing up";
+    bolt.bring(bolt.loose(), 100);
+    bolt.bring(wizard_of(bolt.match->world(), 1), 8);
+    EXPECT_EQ(bolt.target().kind, TargetKind::foe);
+}
+
+TEST(TakePicture, HoldsTheEnergyOfEveryWand) {
+    const auto match = new_match();
+    auto& belt = match->world_to_change().get<WandBelt>(wizard_of(match->world(), 0));
+    const auto& wands = match_data()->wands;
+    for (std::size_t i = 0; i < wands.size(); ++i)
+        belt.energy[wands[i].stats.energy_slot] = 1.0 + static_cast<double>(wands[i].stats.energy_slot);
+    const auto picture = picture_of(*match);
+    for (std::size_t i = 0; i < wands.size(); ++i) {
+        EXPECT_EQ(picture.wizards[0].charges[i], 1.0 + static_cast<double>(wands[i].stats.energy_slot))
+            << wands[i].kind->name;
+        EXPECT_EQ(picture.shown->wands[i].energy_cap, wands[i].stats.energy_cap);
+        EXPECT_EQ(picture.shown->wands[i].energy_cost, wands[i].stats.energy_cost);
+    }
+}
+
 TEST(TakePicture, AllocatesNothingOnceWarm) {
     const auto match = new_match();
     auto p = picture_of(*match);

@@ -106,7 +106,8 @@ inline std::vector<Mode> modes_of_answers() {
     add("hdInitDevice", {"0300", "0301", "0303", "0304", "0600", "ffff"}, refused);
     for (const char* word : {"absent", "busy", "no_permission", "no_licence", "manual", "mute"})
         modes.push_back({word, refused});
-    for (const char* word : {"felt,vanish=100", "felt,warm=100", "felt,stop=100", "stop=1"}) modes.push_back({word, lost});
+    for (const char* word : {"felt,vanish=100", "felt,warm=100", "felt,stop=100", "stop=1"})
+        modes.push_back({word, lost});
     for (const char* word : {"late=20", "late=20,burst", "nan=100", "no_null_name", "needs_update"})
         modes.push_back({word, plays});
     return modes;

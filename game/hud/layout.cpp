@@ -1,0 +1,256 @@
+#include "game/hud/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::game {
+namespace {
+
+// Sizes in units.
+constexpr float edge = 8;  // distance of panels from the view's edge and from each other
+constexpr float health_wide = 80, health_high = 80;
+constexpr float name_high = 18;
+constexpr float left_column = edge + health_wide + edge;
+constexpr float score_half_wide = 96, score_half_high = 27;
+constexpr float under_score = 7 + 2 * score_half_high + 2;  // below a score at the top of the window
+constexpr float line = 20;                                  // height of a line of messages, notices or feed
+constexpr float forces_wide = 186, forces_high = 76;
+constexpr float under_notices = under_score + 2 * line + edge;  // below notices that are below the score
+constexpr float ring_least = 26, ring_most = 66;
+
+// A tall view has its messages above the corner panels, a flat one between them.
+constexpr float tall_least_high = 400, tall_least_wide = 236;
+constexpr float flat_least_high = 204, flat_least_wide = 410;
+constexpr float flat_messages_wide = 220;
+constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring, or from the score
+
+struct Strip {
+    float columns{}, wide{}, high{};
+};
+
+Strip strip_of(std::size_t wands, float rows) {
+    const float columns = std::max(1.0F, std::ceil(static_cast<float>(wands) / rows));
+    return {columns, columns * strip_cell_width + 2 * strip_margin, strip_head + rows * strip_cell_height};
+}
+
+/// How the views lie beside each other.
+struct Arrangement {
+    bool alone{}, stacked{};
+    std::uint32_t player{};
+    bool upper() const { return stacked && player == 0; }
+    bool lower() const { return stacked && player == 1; }
+    bool beside() const { return !alone && !stacked; }
+};
+
+/// Least width of a flat view, so that its corner panels stay clear of the ring, or of the score between two views.
+float least_flat_width(const Arrangement& how, std::size_t wands) {
+    const float middle = how.stacked ? score_half_wide : ring_least + edge;
+    return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
+}
+
+/// Length of a unit: as the settings want it, or as much less as the panels need.
+float unit_of(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale,
+              std::size_t wands) {
+    const float high = static_cast<float>(window.height) / 720 * (how.alone ? 1.35F : 1.05F);
+    const float wide = static_cast<float>(view.width) / 420;
+    const float wanted = std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
+    const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
+    const float tall = std::min(w / tall_least_wide, h / tall_least_high);
+    const float flat = std::min(w / least_flat_width(how, wands), h / flat_least_high);
+    return std::min(wanted, std::max(tall, flat));
+}
+
+/// Lays out one view in units, with the origin at its top left.
+struct InUnits {
+    float wide{}, high{};
+    bool tall{};
+
+    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{};
+    float ring{}, columns{};
+};
+
+/// Health and name at the lower left, wands at the lower right, in two rows where one leaves no room between.
+void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
+    const float w = out.wide, h = out.high;
+    out.health = {{edge, h - edge - health_high}, {edge + health_wide, h - edge}};
+    out.name = {{edge, out.health.low.y - name_high}, {edge + health_wide, out.health.low.y}};
+    const auto one_row = strip_of(wands, 1);
+    const float between = out.tall ? edge : flat_messages_wide;
+    const bool meets_score = how.upper() && w / 2 - score_half_wide < one_row.wide + 2 * edge;
+    const bool crowded = w < left_column + between + one_row.wide + edge;
+    const auto strip = meets_score || crowded ? strip_of(wands, 2) : one_row;
+    const float scale = std::min(1.0F, (w - left_column - edge) / strip.wide);
+    out.strip = {{w - edge - scale * strip.wide, h - edge - scale * strip.high}, {w - edge, h - edge}};
+    out.columns = strip.columns;
+}
+
+/// The ring, and the messages below it.
+void place_middle(const Arrangement& how, InUnits& out) {
+    const float w = out.wide, h = out.high;
+    const float floor = how.upper() ? score_half_high + 3 : 0;  // height that the score takes at the bottom
+    const float corners = std::min(out.name.low.y, out.strip.low.y);
+    const float bottom = (out.tall ? corners : h - floor) - edge / 2;
+    const float above = how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
+    const float aside =
+        out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
+    out.ring = std::clamp(std::min({h / 2 - above - edge / 2, bottom - h / 2 - edge - 2 * line, aside}),
+                          ring_least, ring_most);
+    const float top = h / 2 + out.ring + edge / 2;
+    out.messages = out.tall ? Panel{{edge, std::max(top, bottom - 6 * line)}, {w - edge, bottom}}
+                            : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
+}
+
+/// The feed: beside the score, and in an upper view below the notices.
+void place_feed(const Arrangement& how, InUnits& out) {
+    const float w = out.wide;
+    const float wide = how.upper()    ? w / 2 - out.ring - 2 * edge
+                       : how.beside() ? w - score_half_wide - 2 * edge
+                                      : w / 2 - score_half_wide - 2 * edge;
+    const float top = how.upper() ? edge + 2 * line : edge;
+    const float bottom = top + (out.tall && how.alone ? 3 : 2) * line;
+    const bool left = how.beside() && how.player == 0;
+    const float from = left ? edge : w - edge - wide;
+    out.feed = {{from, top}, {from + wide, bottom}};
+}
+
+/// The curve of the forces, as large as the left side lets it be.
+void place_forces(const Arrangement& how, InUnits& out) {
+    const float top = how.beside()  ? under_notices
+                      : how.lower() ? edge
+                      : how.upper() ? edge + 2 * line
+                                    : under_score + edge;
+    const float high = out.name.low.y - edge / 2 - top;
+    const float wide = out.wide / 2 - std::max(out.ring, how.lower() ? score_half_wide : 0) - 2 * edge;
+    const float scale = std::max(0.1F, std::min({1.0F, high / forces_high, wide / forces_wide}));
+    out.forces = {{edge, top}, fvec2(edge, top) + scale * fvec2(forces_wide, forces_high)};
+}
+
+InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands) {
+    InUnits out{.wide = size.x, .high = size.y, .tall = size.y > tall_least_high - 1};
+    place_corners(how, wands, out);
+    place_middle(how, out);
+    place_feed(how, out);
+    place_forces(how, out);
+    return out;
+}
+
+Panel placed(const Panel& box, const render::Rect& view, float unit) {
+    const fvec2 corner(static_cast<float>(view.x), static_cast<float>(view.y));
+    return {corner + unit * box.low, corner + unit * box.high};
+}
+
+ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float unit, std::size_t wands) {
+    const fvec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
+    const auto units = in_units(how, size / unit, wands);
+    const auto box = [&](const Panel& b) { return placed(b, view, unit); };
+    return {.view = view,
+            .unit = unit,
+            .centre = fvec2(static_cast<float>(view.x), static_cast<float>(view.y)) + 0.5F * size,
+            .ring = unit * units.ring,
+            .health = box(units.health),
+            .name = box(units.name),
+            .strip = box(units.strip),
+            .strip_columns = units.columns,
+            .feed = box(units.feed),
+            .messages = box(units.messages),
+            .forces = box(units.forces)};
+}
+
+/// Places the panels of the whole window.
+void place_shared(const Arrangement& how, render::Size window, HudLayout& out) {
+    const auto w = static_cast<float>(window.width), h = static_cast<float>(window.height);
+    const float u = out.unit;
+    const fvec2 middle = how.stacked ? fvec2(w, h) / 2.0F : fvec2(w / 2, 34 * u);
+    const fvec2 half = u * fvec2(score_half_wide, score_half_high);
+    out.score = {middle - half, middle + half};
+    if (how.stacked) {
+        out.notices = {u * fvec2(edge, edge / 2), {w - u * edge, u * (edge / 2 + 2 * line)}};
+    } else if (how.alone) {
+        out.notices = {u * fvec2(edge, edge), {out.score.low.x - u * edge, u * under_score}};
+    } else {
+        out.notices = {u * fvec2(edge, under_score + edge / 2),
+                       {w - u * edge, u * (under_score + edge / 2 + 2 * line)}};
+    }
+}
+
+constexpr float smallest_words = 4;        // smallest em of the typeface (px)
+constexpr float widest_character = 1.12F;  // em
+
+/// Width of a character, somewhat wider than the typeface's (em).
+float character_width(char c) {
+    constexpr std::string_view narrow = "iljftrI.,:;'|!()[] ", wide = "mwMWQ%@";
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) return 0;  // a further byte of the same character
+    if (narrow.find(c) != std::string_view::npos) return 0.48F;
+    return wide.find(c) != std::string_view::npos ? widest_character : 0.74F;
+}
+
+/// Number of bytes of whole characters that fit a line; at least one character.
+std::size_t longest_part(std::string_view words, float size, float wide) {
+    const auto most = static_cast<std::size_t>(std::max(1.0F, wide / (widest_character * size)));
+    std::size_t bytes = 0;
+    for (std::size_t count = 0; count < most && bytes < words.size(); ++count) {
+        do {
+            ++bytes;
+        } while (bytes < words.size() && (static_cast<unsigned char>(words[bytes]) & 0xC0U) == 0x80U);
+    }
+    return bytes;
+}
+
+/// Breaks words at spaces. At the smallest size a word that is longer than a line is broken, too.
+std::vector<std::string> broken(std::string_view words, float size, float wide) {
+    std::vector<std::string> lines;
+    while (!words.empty()) {
+        const auto end = std::min(words.find(' '), words.size());
+        const auto word =
+            words.substr(0, size > smallest_words ? end : std::min(end, longest_part(words, size, wide)));
+        words.remove_prefix(word.size() < end ? word.size() : std::min(end + 1, words.size()));
+        if (!lines.empty() &&
+            width_of(lines.back(), size) + width_of(word, size) + character_width(' ') * size <= wide)
+            lines.back().append(" ").append(word);
+        else
+            lines.emplace_back(word);
+    }
+    return lines;
+}
+
+bool fits(const FittedWords& words, fvec2 room) {
+    return words.height() <= room.y &&
+           std::all_of(words.lines.begin(), words.lines.end(),
+                       [&](const auto& l) { return width_of(l, words.size) <= room.x; });
+}
+
+}  // namespace
+
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands) {
+    HudLayout out;
+    const auto views = views_of(settings, window);
+    Arrangement how{.alone = settings.watch != Watch::both || settings.split == render::Split::none,
+                    .stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom};
+    for (how.player = 0; how.player < players; ++how.player) {
+        const auto& view = views[how.player];
+        if (view.width <= 0 || view.height <= 0) continue;
+        out.unit = unit_of(how, view, window, settings.text_scale, wands);
+        out.views[how.player] = view_layout(how, view, out.unit, wands);
+    }
+    place_shared(how, window, out);
+    return out;
+}
+
+float width_of(std::string_view line, float size) {
+    float ems = 0;
+    for (const char c : line) ems += character_width(c);
+    return ems * size;
+}
+
+FittedWords fit(std::string_view words, float size, fvec2 room) {
+    // The typeface has whole sizes only.
+    FittedWords out{{}, std::max(smallest_words, std::floor(size))};
+    out.lines = broken(words, out.size, room.x);
+    while (out.size > smallest_words && !fits(out, room)) {
+        out.size -= 1;
+        out.lines = broken(words, out.size, room.x);
+    }
+    return out;
+}
+
+}  // namespace thaum::game

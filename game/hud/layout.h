@@ -1,0 +1,69 @@
+// game/hud/layout.h: the places of the HUD's panels. Each panel has a box of its own, and no two boxes overlap at any
+// size of the text or the window. Whatever a panel shows must stay in its box.
+//
+//     feed      |  score  |                the feed is in the outer corner beside the score
+//     forces        notices                forces: the curve of F3
+//               ring around the crosshair
+//               messages                   captions, prompts, the brew in words
+//     name, health           strip         the strip of wands
+//
+// A flat view (one of two stacked ones) has no room for messages above the corners, so they are between them.
+#pragma once
+#include <optional>
+
+#include "game/hud/hud.h"
+
+namespace thaum::game {
+
+/// A rectangle: its top left and its bottom right (px).
+struct Panel {
+    fvec2 low{}, high{};
+    bool operator==(const Panel&) const = default;
+};
+
+/// The panels of one player's view.
+struct ViewLayout {
+    render::Rect view;
+    float unit{};    ///< length of a HUD unit (px)
+    fvec2 centre{};  ///< the crosshair
+    float ring{};    ///< largest radius around the crosshair (px): charge, marks of hurts, words of a warning
+    Panel health, name;
+    Panel strip;
+    float strip_columns{};  ///< wands in one row of the strip
+    Panel feed;
+    Panel messages;
+    Panel forces;
+};
+
+/// All panels of a window.
+struct HudLayout {
+    std::array<std::optional<ViewLayout>, players> views;  ///< std::nullopt: the view is not shown
+    float unit{};  ///< length of a unit in panels of the whole window (px)
+    Panel score;
+    Panel notices;  ///< lines for both players
+};
+
+/// Sizes of the strip (units).
+inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head = 24, strip_margin = 4;
+
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands);
+
+/// Words in lines that fit a box.
+struct FittedWords {
+    std::vector<std::string> lines;
+    float size{};  ///< em (px)
+    /// Distance from the top of one line to the top of the next (px).
+    float line_height() const { return line_spacing * size; }
+    float height() const { return static_cast<float>(lines.size()) * line_height(); }
+
+    static constexpr float line_spacing = 1.4F;
+};
+
+/// Width of a line of text, for laying it out (px). Real lines are seldom wider.
+float width_of(std::string_view line, float size);
+
+/// Breaks words at spaces into lines for a box `room` wide and high (px). The em is `size`, or as much less as the
+/// words need.
+FittedWords fit(std::string_view words, float size, fvec2 room);
+
+}  // namespace thaum::game

@@ -1,0 +1,61 @@
+#include "game/hud/prompts.h"
+
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+struct Offer {
+    PromptKind kind{};
+    const std::string* control{};
+    std::string what;
+};
+
+/// What the player can do, the most pressing thing first.
+std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
+    if (p.dead) return std::nullopt;
+    if (p.stirs) {
+        if (p.carries.empty()) return std::nullopt;
+        return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.carries)};
+    }
+    if (p.at_rim) return Offer{PromptKind::stir, &controls.stir, "Stir"};
+    if (p.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
+    if (p.held) return std::nullopt;
+    if (p.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
+    if (p.target.kind == TargetKind::hook) return Offer{PromptKind::swing, &controls.fire, "Swing"};
+    return std::nullopt;
+}
+
+void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint32_t player,
+                PromptUses& uses) {
+    const auto done = [&](PromptKind kind) { ++uses.of(player, kind); };
+    if (before.lives != now.lives || now.dead) return;
+    if (!before.stirs && now.stirs) done(PromptKind::stir);
+    if (now.stirs && !before.carries.empty() && now.carries.empty()) done(PromptKind::drop);
+    if (!before.held && now.held) done(now.holds_thing ? PromptKind::lift : PromptKind::swing);
+    if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
+}
+
+}  // namespace
+
+std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls) {
+    const auto offer = offer_to(player, controls);
+    if (!offer || offer->control->empty()) return std::nullopt;
+    return Prompt{offer->kind, text("[", *offer->control, "] ", offer->what)};
+}
+
+float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses) {
+    if (wish == PromptWish::always) return 1;
+    if (wish == PromptWish::never) return 0;
+    const auto done = uses.of(player, prompt.kind);
+    if (done >= PromptUses::learnt) return 0;
+    return 1 - static_cast<float>(done) / static_cast<float>(PromptUses::learnt);
+}
+
+void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
+    if (now.tick <= before.tick) return;
+    for (std::uint32_t player = 0; player < players; ++player)
+        count_uses(before.wizards[player], now.wizards[player], player, uses);
+}
+
+}  // namespace thaum::game

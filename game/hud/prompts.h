@@ -1,0 +1,54 @@
+// game/hud/prompts.h: what a player can do now, with the control that does it: "[E] Stir". A prompt fades as its
+// player does the thing, and is gone after the third time.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+
+#include "game/hud/picture.h"
+
+namespace thaum::game {
+
+/// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". Empty: no control.
+struct ControlNames {
+    std::string fire{}, stir{}, throw_{}, next_wand{};
+    std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
+    bool operator==(const ControlNames&) const = default;
+};
+
+enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing };
+inline constexpr std::size_t prompt_kinds = 5;
+
+/// When prompts are shown. The settings file has the names.
+enum class PromptWish : std::uint8_t { until_learnt, always, never };
+inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
+
+/// How often each player has done what a prompt says.
+struct PromptUses {
+    static constexpr std::uint32_t learnt = 3;  ///< number after which a prompt is gone
+    std::array<std::array<std::uint32_t, prompt_kinds>, players> count{};
+    bool operator==(const PromptUses&) const = default;
+
+    std::uint32_t& of(std::uint32_t player, PromptKind kind) {
+        return count[player][static_cast<std::size_t>(kind)];
+    }
+    std::uint32_t of(std::uint32_t player, PromptKind kind) const {
+        return count[player][static_cast<std::size_t>(kind)];
+    }
+};
+
+struct Prompt {
+    PromptKind kind{};
+    std::string words;
+};
+
+/// The prompt for what the player can do; std::nullopt if there is nothing, or no control does it.
+std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
+
+/// How visible a prompt is, 0 to 1.
+float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses);
+
+/// Counts what the players did between two pictures of a match.
+void count_uses(const Picture& before, const Picture& now, PromptUses& uses);
+
+}  // namespace thaum::game

@@ -1,0 +1,400 @@
+#include "game/hud/view_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/hud/event_words.h"
+#include "game/hud/figures.h"
+#include "game/hud/overlay.h"
+#include "game/hud/wand_icon.h"
+
+namespace thaum::game {
+namespace {
+
+using render::Align;
+using render::ArcItem;
+using render::colour;
+using render::LineItem;
+using render::Overlay;
+using render::RectItem;
+
+constexpr float arc_start = -2.3561945F;  // start angle of the arc, which is open at the bottom (rad)
+constexpr float arc_sweep = 4.712389F;
+constexpr double low_health = 25;    // HP
+constexpr double hit_seconds = 0.3;  // time for which the hit mark is shown (s)
+constexpr double warning_seconds = 0.9;
+constexpr double gift_seconds = 2;
+
+// Corners ---------------------------------------------------------------------------------------------------
+
+void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const ViewLayout& l) {
+    const float u = l.unit;
+    const fvec2 centre = (l.health.low + l.health.high) / 2.0F;
+    const double share = std::clamp(p.health / std::max(p.health_full, 1.0), 0.0, 1.0);
+    const double extra =
+        std::clamp((p.health - p.health_full) / std::max(p.health_cap - p.health_full, 1.0), 0.0, 1.0);
+    out.items.emplace_back(ArcItem{centre, 0, 37 * u, 0, whole_turn, paints.panel});
+    out.items.emplace_back(ArcItem{centre, 27 * u, 35 * u, arc_start, arc_sweep, paints.track});
+    const auto paint = p.health < low_health ? paints.red : opaque(team_colours(team).glow);
+    const auto arc = [&](float inner, float outer, double part, fvec4 of) {
+        if (part > 0)
+            out.items.emplace_back(
+                ArcItem{centre, inner * u, outer * u, arc_start, arc_sweep * static_cast<float>(part), of});
+    };
+    arc(27, 35, share, paint);
+    arc(22, 25, extra, paints.white);
+    if (p.shielded)
+        out.items.emplace_back(ArcItem{centre, 37 * u, 40 * u, 0, whole_turn, colour(0x9AF0E0, 1.0F)});
+    add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, 14 * u), 22 * u,
+             paints.white, Align::centre);
+    add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
+}
+
+/// Adds the strip of wands below the name and the energy of the one in hand.
+void add_wands(Overlay& out, const Picture& picture, const ControlNames& controls, std::uint32_t player,
+               const ViewLayout& l) {
+    const auto& p = picture.wizards[player];
+    if (p.wand.empty()) return;
+    const auto& strip = l.strip;
+    const float u = (strip.high.x - strip.low.x) / (l.strip_columns * strip_cell_width + 2 * strip_margin);
+    out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
+    add_wand_strip(out,
+                   {.wands = picture.shown->wands,
+                    .charges = p.charges,
+                    .controls = controls.wands,
+                    .in_hand = p.wand_number,
+                    .columns = static_cast<std::size_t>(l.strip_columns),
+                    .full = opaque(team_colours(player).glow)},
+                   strip.low + u * fvec2(strip_margin, strip_head - 1), u);
+    const float middle = strip.low.x + 0.66F * (strip.high.x - strip.low.x);
+    const Panel name{strip.low + u * fvec2(8, 2), {middle, strip.low.y + u * strip_head}};
+    add_text_in(out, name, capitalised(p.wand), 14 * u, paints.soft, Align::left);
+    const bool empty = p.energy < picture.shown->wands[p.wand_number].energy_cost;
+    const Panel energy{{middle, strip.low.y + 2 * u}, {strip.high.x - 8 * u, strip.low.y + u * strip_head}};
+    add_text_in(out, energy, empty ? "empty" : text(static_cast<int>(std::floor(p.energy))), 14 * u,
+                empty ? paints.light_red : paints.white, Align::right);
+}
+
+void add_feed(Overlay& out, const Picture& picture, const ViewLayout& l) {
+    const float u = l.unit, line = 20 * u;
+    const auto room = static_cast<std::uint32_t>((l.feed.high.y - l.feed.low.y) / line);
+    const bool left = l.feed.low.x - static_cast<float>(l.view.x) < static_cast<float>(l.view.width) / 4;
+    float top = l.feed.low.y;
+    for (std::uint32_t i = picture.feed_lines - std::min(room, picture.feed_lines); i < picture.feed_lines;
+         ++i) {
+        const auto& fed = picture.feed[i];
+        const auto& row = row_of(picture.shown->events, fed.event.kind);
+        const bool alone = fed.event.by >= players || fed.event.by == fed.event.subject;
+        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event);
+        const auto who = alone ? fed.event.subject : fed.event.by;
+        add_text_in(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
+                    opaque(team_colours(who).light), left ? Align::left : Align::right);
+        top += line;
+    }
+}
+
+// Crosshair -------------------------------------------------------------------------------------------------
+
+/// Draws around the crosshair. Lengths are in units.
+struct Pen {
+    Overlay& out;
+    fvec2 centre;
+    float unit{};
+
+    void line(fvec2 from, fvec2 to, float width, fvec4 paint) const {
+        out.items.emplace_back(LineItem{centre + unit * from, centre + unit * to, width, paint});
+    }
+    /// A line with a dark edge.
+    void edged(fvec2 from, fvec2 to, fvec4 paint) const {
+        const float width = std::max(1.5F, 1.6F * unit);
+        const fvec2 more = 0.5F * glm::normalize(to - from);
+        line(from - more, to + more, width + 2, fvec4(fvec3(paints.dark), 0.6F * paint.a));
+        line(from, to, width, paint);
+    }
+    void ring(float inner, float outer, float start, float sweep, fvec4 paint) const {
+        out.items.emplace_back(ArcItem{centre, inner * unit, outer * unit, start, sweep, paint});
+    }
+};
+
+/// Adds what the wand would do with what is under the crosshair. Each state has a shape of its own.
+void add_target(const Pen& pen, const PlayerPicture& p, std::uint32_t foe) {
+    const auto corners = [&](float from, float to, fvec4 paint) {
+        for (const fvec2 way : {fvec2(1, 1), fvec2(1, -1), fvec2(-1, 1), fvec2(-1, -1)}) {
+            pen.edged(from * way, way * fvec2(from, to), paint);
+            pen.edged(from * way, way * fvec2(to, from), paint);
+        }
+    };
+    switch (p.target.kind) {
+        case TargetKind::nothing: break;
+        case TargetKind::foe: corners(13, 7, opaque(team_colours(foe).light)); break;
+        case TargetKind::take: pen.ring(12, 14.5F, 0, whole_turn, paints.white); break;
+        case TargetKind::hook: pen.ring(12, 14.5F, -0.9F, 1.8F, paints.white); break;
+        case TargetKind::too_far:
+            for (int i = 0; i < 4; ++i)
+                pen.ring(12, 14, 0.4F + 1.5708F * static_cast<float>(i), 0.77F, paints.soft);
+            break;
+        case TargetKind::too_heavy:
+            pen.ring(12, 14, 0, whole_turn, paints.light_red);
+            pen.edged({-9, 9}, {9, -9}, paints.light_red);
+            break;
+    }
+}
+
+/// A warning that was given just now; empty if there is none.
+std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
+    if (p.since_warning_s >= warning_seconds) return {};
+    return row_of(picture.shown->events, p.warning).caption;
+}
+
+constexpr float warning_size = 14, warning_top = 16;  // units
+
+/// Whether there is room for a warning below the crosshair. Where there is none, it is the first message.
+bool warns_at_crosshair(const ViewLayout& l) {
+    return l.ring >= (warning_top + FittedWords::line_spacing * warning_size) * l.unit;
+}
+
+/// Words below the crosshair: a warning, or what is there.
+std::string_view words_below(const Picture& picture, const PlayerPicture& p, const ViewLayout& l) {
+    if (const auto warning = warning_of(picture, p); !warning.empty())
+        return warns_at_crosshair(l) ? warning : std::string_view();
+    switch (p.target.kind) {
+        case TargetKind::too_far: return "too far";
+        case TargetKind::too_heavy: return "too heavy";
+        case TargetKind::take:
+            return p.target.mass_share < 0.15 ? "light" : p.target.mass_share < 0.5 ? "medium" : "heavy";
+        default: return {};
+    }
+}
+
+void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, const ViewLayout& l) {
+    const auto& p = picture.wizards[player];
+    const Pen pen{out, l.centre, std::min(l.unit, l.ring / 24)};
+    for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)})
+        pen.edged(5.0F * way, 11.0F * way, paints.white);
+    add_target(pen, p, 1 - player);
+    if (p.readiness > 0) {
+        pen.ring(14, 17.5F, 0, whole_turn, paints.track);
+        pen.ring(14, 17.5F, 0, whole_turn * static_cast<float>(p.readiness), paints.white);
+    }
+    if (p.since_hit_s < hit_seconds) {
+        for (const fvec2 way :
+             {fvec2(0.707F), fvec2(-0.707F), fvec2(0.707F, -0.707F), fvec2(-0.707F, 0.707F)})
+            pen.edged(9.0F * way, 18.0F * way, colour(0xFFE08A, 1.0F));
+    }
+    const auto words = words_below(picture, p, l);
+    const bool warned = !warning_of(picture, p).empty();
+    const float top = l.centre.y + warning_top * pen.unit, half = 0.9F * l.ring;
+    if (!words.empty())
+        add_text_in(out, {{l.centre.x - half, top}, {l.centre.x + half, l.centre.y + l.ring}}, words,
+                    (warned ? warning_size : 11.0F) * l.unit, warned ? paints.light_red : paints.soft,
+                    Align::centre);
+}
+
+/// Direction of a vector in the player's view, clockwise from straight ahead (rad).
+float bearing(const PlayerPicture& p, vec3 towards) {
+    const vec3 local = rotation({0, 1, 0}, -p.yaw) * towards;
+    return static_cast<float>(std::atan2(local.x, -local.z));
+}
+
+/// Adds arcs towards what has hurt the player: red between a light and a dark edge, so that they stand out from any
+/// background, with a point outwards.
+void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
+    const float outer = l.ring, u = l.ring / 66;
+    for (std::uint32_t i = 0; i < p.hurts; ++i) {
+        const auto& mark = p.marks[i];
+        const auto left = static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds));
+        // A fall comes from below. A hurt without a direction is marked there as well.
+        const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
+        const float angle = known ? bearing(p, mark.towards) : whole_turn / 2;
+        const auto arc = [&](float from, float to, float half, fvec3 paint) {
+            out.items.emplace_back(ArcItem{l.centre, outer - from * u, outer - to * u, angle - half, 2 * half,
+                                           opaque(paint, left)});
+        };
+        arc(14, 0, 0.36F, fvec3(paints.dark));
+        arc(12.5F, 1.5F, 0.34F, fvec3(paints.white));
+        arc(11, 3, 0.32F, fvec3(paints.red));
+    }
+}
+
+// Messages --------------------------------------------------------------------------------------------------
+
+/// Message about the player's device, real or simulated; empty if there is none. `told`: the driver has
+/// reported the fault itself.
+std::string_view caption_of(const ForcePicture& force, bool told) {
+    using haptics::SafetyCause;
+    switch (force.arm) {
+        case ArmCondition::gone:
+            return told ? "Mouse and keys play on" : "The arm does not answer: mouse and keys play on";
+        case ArmCondition::back: return "The arm is back: hold it still";
+        case ArmCondition::clutched: return "Clutch: the arm moves free of the hand";
+        case ArmCondition::none:
+        case ArmCondition::felt: break;
+    }
+    switch (force.cause) {
+        case SafetyCause::warm: return "Forces are weaker for a while: they were strong for too long";
+        case SafetyCause::stale: return "Forces fade: the game or the arm is late";
+        case SafetyCause::over_speed: return "Forces wait until the hand is slower";
+        case SafetyCause::shut_off:
+            return "Forces are shut off after a fault: the emergency key brings them back";
+        case SafetyCause::panic: return "All forces off: the emergency key brings yours back";
+        case SafetyCause::waiting: return "Forces wait until the pull is small";
+        case SafetyCause::none:
+        case SafetyCause::capped:
+        case SafetyCause::off: break;
+    }
+    return {};
+}
+
+/// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and salt, mixed
+/// 57 %, yours, slows, spoils in 12 s".
+std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player) {
+    std::string words;
+    for (const auto name : cauldron.contents) {
+        if (!name.empty()) words += text(words.empty() ? "" : " and ", name);
+    }
+    if (words.empty()) return "Pure brew";
+    words = text(capitalised(words), ", mixed ", std::lround(100 * cauldron.mixing), " %");
+    if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
+    if (cauldron.slows) words += ", slows";
+    if (cauldron.lifts) words += ", lifts";
+    if (cauldron.spoils_in_s > 0)
+        words += text(", spoils in ", std::lround(std::ceil(cauldron.spoils_in_s)), " s");
+    return words;
+}
+
+/// Bars below a message about the brew: how well it is mixed, and the time until it spoils (shares).
+struct BrewGauge {
+    float mixed{}, fresh{};
+    fvec4 paint{};  ///< colour of the owner
+};
+
+struct Message {
+    std::string words;
+    fvec4 paint{};
+    std::optional<BrewGauge> gauge{};
+};
+
+BrewGauge gauge_of(const CauldronPicture& cauldron) {
+    const bool owned = cauldron.owner < players;
+    return {.mixed = static_cast<float>(std::clamp(cauldron.mixing, 0.0, 1.0)),
+            .fresh = static_cast<float>(std::clamp(cauldron.fresh, 0.0, 1.0)),
+            .paint = owned ? opaque(team_colours(cauldron.owner).glow) : paints.white};
+}
+
+constexpr float gauge_high = 11, gauge_wide = 150;  // units
+
+/// Adds the two bars with their top at `top`. The time is amber in its last quarter.
+void add_gauge(Overlay& out, const BrewGauge& gauge, const Panel& box, float top, float u) {
+    const float wide = std::min(gauge_wide * u, box.high.x - box.low.x);
+    const float left = (box.low.x + box.high.x - wide) / 2;
+    const auto bar = [&](float from, float high, float share, fvec4 paint) {
+        const fvec2 low(left, top + from * u);
+        out.items.emplace_back(RectItem{low, low + fvec2(wide, high * u), paints.track, high * u / 3});
+        if (share > 0)
+            out.items.emplace_back(RectItem{low, low + fvec2(share * wide, high * u), paint, high * u / 3});
+    };
+    bar(1, 5, gauge.mixed, gauge.paint);
+    if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
+}
+
+/// What the player is told, the most important first.
+std::vector<Message> messages_to(const Picture& picture, const HudSettings& settings, std::uint32_t player,
+                                 const ViewLayout& l) {
+    const auto& p = picture.wizards[player];
+    const auto& device_message = settings.device_messages[player];
+    std::vector<Message> all;
+    const auto add = [&](std::string words, fvec4 paint) {
+        if (!words.empty()) all.push_back({std::move(words), paint});
+    };
+    if (!p.dead && !warns_at_crosshair(l)) add(std::string(warning_of(picture, p)), paints.light_red);
+    add(std::string(caption_of(p.force, !device_message.empty())), paints.white);
+    add(device_message, paints.light_red);
+    if (p.dead) return all;
+    if (const auto prompt = prompt_of(p, settings.controls[player])) {
+        const float strength = strength_of(*prompt, player, settings.prompts, settings.prompt_uses);
+        if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
+    }
+    if (p.stirs || p.at_rim) {
+        all.push_back({words_of_brew(picture.cauldron, player), paints.white, gauge_of(picture.cauldron)});
+    } else if (!p.carries.empty()) {
+        add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
+    }
+    if (p.since_gift_s <= gift_seconds)
+        add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift), paints.white);
+    return all;
+}
+
+/// Adds the messages from the bottom of their box upwards, as many as fit.
+void add_messages(Overlay& out, const std::vector<Message>& messages, const ViewLayout& l) {
+    const float size = std::floor(15 * l.unit), gap = 3 * l.unit;
+    float bottom = l.messages.high.y;
+    for (const auto& message : messages) {
+        const fvec2 room(l.messages.high.x - l.messages.low.x - size, bottom - l.messages.low.y);
+        const float below = message.gauge ? gauge_high * l.unit : 0;
+        const bool first = bottom >= l.messages.high.y;
+        if (!first && room.y < FittedWords::line_spacing * size + below) return;
+        const auto words = fit(message.words, size, room - fvec2(0, below));
+        if (!first && words.size < size) return;
+        const float top = bottom - words.height() - below;
+        add_plate(out, l.messages, top, words, message.paint);
+        if (message.gauge) add_gauge(out, *message.gauge, l.messages, bottom - below, l.unit);
+        bottom = top - gap;
+    }
+}
+
+// Forces ----------------------------------------------------------------------------------------------------
+
+/// Plots the force on the hand over the last two seconds, the newest at the right.
+void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l) {
+    const fvec2 size = l.forces.high - l.forces.low;
+    const float u = size.x / 186;
+    out.items.emplace_back(RectItem{l.forces.low, l.forces.high, paints.panel, 6 * u});
+    const auto columns = static_cast<float>(force.strongest.size());
+    const float column = (size.x - 12 * u) / columns, high = 46 * u;
+    const fvec2 low(l.forces.low.x + 6 * u, l.forces.high.y - 6 * u);
+    const auto cap = static_cast<float>(std::max(force.cap, 1e-6));
+    for (std::size_t i = 0; i < force.strongest.size(); ++i) {
+        const float share = std::min(force.strongest[i] / cap, 1.0F);
+        const fvec2 foot = low + fvec2(static_cast<float>(i) * column, 0);
+        if (share > 0)
+            out.items.emplace_back(RectItem{foot - fvec2(0, std::max(1.0F, share * high)),
+                                            foot + fvec2(column, 0),
+                                            opaque(force_colour(static_cast<double>(share))), 0});
+    }
+    const float now = *std::max_element(force.strongest.end() - 8, force.strongest.end());
+    add_text_in(out, {l.forces.low + u * fvec2(6, 5), {l.forces.high.x - 6 * u, low.y - high}},
+                text(fixed(std::min(static_cast<double>(now), force.cap), 2), " of ", fixed(force.cap, 2),
+                     " N, +", fixed(1000 * force.created, 1), " mJ"),
+                12 * u, paints.white, Align::left);
+}
+
+void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
+    add_veil(out, l.view, colour(0x0C0616, 0.5F));
+    const float half = 0.46F * static_cast<float>(l.view.width);
+    add_text_in(out, {l.centre - fvec2(half, 18 * l.unit), l.centre + fvec2(half, 18 * l.unit)},
+                text("Resurrection in ", fixed(p.returns_in_s, 1), " s"), 24 * l.unit, paints.white,
+                Align::centre);
+}
+
+}  // namespace
+
+void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
+                      const ViewLayout& l) {
+    const auto& p = picture.wizards[player];
+    const bool plays = picture.phase == Phase::playing && !picture.paused;
+    if (plays && p.dead) add_death(out, p, l);
+    if (plays && !p.dead) {
+        add_crosshair(out, picture, player, l);
+        add_hurt_marks(out, p, l);
+    }
+    if (plays) add_messages(out, messages_to(picture, settings, player, l), l);
+    add_health(out, p, player, l);
+    add_text_in(out, l.name, name_of(settings, player), 14 * l.unit, opaque(team_colours(player).light),
+                Align::left);
+    add_wands(out, picture, settings.controls[player], player, l);
+    if (plays) add_feed(out, picture, l);
+    if (settings.forces) add_force_plot(out, p.force, l);
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,11 @@
+// game/hud/view_overlay.h: the flat part of one player's view: crosshair, health, wands, messages.
+#pragma once
+#include "game/hud/layout.h"
+#include "render/scene.h"
+
+namespace thaum::game {
+
+void add_view_overlay(render::Overlay& out, const Picture& picture, const HudSettings& settings,
+                      std::uint32_t player, const ViewLayout& layout);
+
+}  // namespace thaum::game

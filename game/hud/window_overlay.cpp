@@ -1,0 +1,133 @@
+// The flat part of a frame: the overlays of the views, and over them the panels of the whole window.
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/hud/figures.h"
+#include "game/hud/overlay.h"
+#include "game/hud/result_panel.h"
+#include "game/hud/view_overlay.h"
+
+namespace thaum::game {
+namespace {
+
+using render::Align;
+using render::Overlay;
+using render::Rect;
+
+std::string clock(double seconds_left) {
+    const int whole = static_cast<int>(std::ceil(std::max(seconds_left, 0.0)));
+    const int rest = whole % 60;
+    return text(whole / 60, rest < 10 ? ":0" : ":", rest);
+}
+
+std::string goal_line(const Picture& picture) {
+    auto goal = text("first to ", picture.kills_to_win);
+    if (picture.rounds <= 1) return goal;
+    return text("rounds ", picture.rounds_won[0], " : ", picture.rounds_won[1], ", ", goal);
+}
+
+fvec2 middle_of(const Panel& box) { return (box.low + box.high) / 2.0F; }
+
+/// Adds score and clock.
+void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) {
+    const fvec2 middle = middle_of(box);
+    out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * u});
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const float side = player == 0 ? -1.0F : 1.0F;
+        add_mark(out, player, middle + u * fvec2(76 * side, -4), 10 * u);
+        add_text(out, text(picture.wizards[player].kills), middle + u * fvec2(44 * side, -22), 25 * u,
+                 opaque(team_colours(player).light), Align::centre);
+    }
+    add_text(out, clock(picture.left_s), middle + u * fvec2(0, -25), 19 * u, paints.white, Align::centre);
+    add_text_in(out, {{box.low.x, middle.y + 7 * u}, {box.high.x, box.high.y}}, goal_line(picture), 11 * u,
+                paints.soft, Align::centre);
+}
+
+/// Adds the score of the practice range and the state of the dummy.
+void add_practice(Overlay& out, const PracticePicture& practice, const Panel& box, float u) {
+    out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * u});
+    const float middle = middle_of(box).y + 4 * u;
+    const fvec2 margin(6 * u, 3 * u);
+    add_text_in(out, {box.low + margin, {box.high.x - margin.x, middle}}, practice.score, 17 * u,
+                paints.white, Align::centre);
+    add_text_in(out, {{box.low.x + margin.x, middle}, box.high - margin}, practice.dummy, 13 * u, paints.soft,
+                Align::centre);
+}
+
+struct Notice {
+    std::string words;
+    fvec4 paint{};
+};
+
+/// Lines for both players, the most important first.
+std::vector<Notice> notices_of(const Picture& picture) {
+    std::vector<Notice> all;
+    if (!picture.caption.words.empty())
+        all.push_back({picture.caption.words, picture.caption.fault ? paints.light_red : paints.white});
+    if (picture.overloaded) {
+        all.push_back({text("The game fell behind by ", fixed(picture.skipped / 1000.0, 1),
+                            " s. Try low picture quality."),
+                       paints.light_red});
+    }
+    if (picture.mark != 0) all.push_back({text("bookmark ", picture.mark), paints.soft});
+    return all;
+}
+
+/// Adds the notices from the top of their box downwards, as many as fit.
+void add_notices(Overlay& out, const Picture& picture, const Panel& box, float u) {
+    const float size = std::floor(14 * u);
+    float top = box.low.y;
+    for (const auto& notice : notices_of(picture)) {
+        const fvec2 room(box.high.x - box.low.x - size, box.high.y - top);
+        const bool first = top <= box.low.y;
+        if (!first && room.y < FittedWords::line_spacing * size) return;
+        const auto words = fit(notice.words, size, room);
+        if (!first && words.size < size) return;
+        add_plate(out, box, top, words, notice.paint);
+        top += words.height() + 2 * u;
+    }
+}
+
+void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
+    if (settings.watch != Watch::both || settings.split == render::Split::none) return;
+    const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
+    const bool stacked = settings.split == render::Split::top_bottom;
+    const fvec2 from = stacked ? fvec2(0, h / 2) : fvec2(w / 2, 0),
+                to = stacked ? fvec2(w, h / 2) : fvec2(w / 2, h);
+    out.items.emplace_back(render::LineItem{from, to, 4, paints.dark});
+}
+
+/// Moves words behind shapes from an item on, because the renderer draws neighbours of one kind together. Only for
+/// shapes that cover no words.
+void gather(Overlay& out, std::size_t first) {
+    std::stable_partition(out.items.begin() + static_cast<std::ptrdiff_t>(first), out.items.end(),
+                          [](const auto& item) { return !std::holds_alternative<render::TextItem>(item); });
+}
+
+}  // namespace
+
+void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size, Overlay& out) {
+    out.items.clear();
+    add_seam(out, settings, size);
+    if (settings.menu) return;
+    const auto layout = lay_out(settings, size, picture.shown->wands.size());
+    for (std::uint32_t player = 0; player < players; ++player) {
+        if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
+    }
+    if (picture.practice.on)
+        add_practice(out, picture.practice, layout.score, layout.unit);
+    else
+        add_score(out, picture, layout.score, layout.unit);
+    add_notices(out, picture, layout.notices, layout.unit);
+    gather(out, 0);
+    const auto panel = out.items.size();
+    const Rect window{0, 0, size.width, size.height};
+    if (picture.phase != Phase::playing)
+        add_result_panel(out, picture, settings, window, layout.unit);
+    else if (picture.paused)
+        add_pause_panel(out, picture, settings, window, layout.unit);
+    gather(out, panel);
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,39 @@
+// Tests of the names that prompts have for controls.
+#include "game/app/control_names.h"
+
+#include <gtest/gtest.h>
+
+namespace thaum::app {
+namespace {
+
+using input::Action;
+using input::DeviceKind;
+
+TEST(ControlNames, AreThoseOfTheBindings) {
+    Settings settings;
+    const auto keys = control_names(settings, DeviceKind::keyboard_mouse);
+    EXPECT_EQ(keys.fire, "Left mouse");
+    EXPECT_EQ(keys.stir, "E");
+    EXPECT_EQ(keys.throw_, "F");
+    EXPECT_EQ(keys.wands[0], "1");
+    EXPECT_EQ(keys.wands[4], "5");
+    const auto pad = control_names(settings, DeviceKind::pad);
+    EXPECT_EQ(pad.fire, "RT");
+    EXPECT_EQ(pad.stir, "X");
+    EXPECT_EQ(pad.wands[0], "") << "a pad steps through the wands";
+    EXPECT_EQ(pad.next_wand, "RB");
+    EXPECT_EQ(control_names(settings, DeviceKind::keyboard_half).fire, "Keypad 0");
+}
+
+TEST(ControlNames, FollowANewBindingAndAreEmptyWithoutOne) {
+    Settings settings;
+    auto& bindings = settings.bindings_of(DeviceKind::keyboard_mouse);
+    bindings.of(Action::stir) = {{input::Control::Source::wheel, 0, 1}};
+    bindings.of(Action::fire).clear();
+    const auto names = control_names(settings, DeviceKind::keyboard_mouse);
+    EXPECT_EQ(names.stir, "Wheel up");
+    EXPECT_EQ(names.fire, "");
+}
+
+}  // namespace
+}  // namespace thaum::app

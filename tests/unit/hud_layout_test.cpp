@@ -1,0 +1,224 @@
+// Tests of the HUD's layout: at every size of text and window each panel has a place of its own, and words stay in it.
+#include "game/hud/layout.h"
+
+#include "core/text.h"
+#include "render/font.h"
+#include "unit/hud_rig.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+struct Arranged {
+    Watch watch{};
+    render::Split split{};
+    std::string_view name;
+};
+constexpr std::array<Arranged, 3> arrangements{{{Watch::both, render::Split::top_bottom, "stacked"},
+                                                {Watch::both, render::Split::side_by_side, "beside"},
+                                                {Watch::first, render::Split::top_bottom, "alone"}}};
+constexpr std::array<render::Size, 8> windows{
+    {{640, 480}, {640, 360}, {800, 600}, {1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1080}, {3840, 2160}}};
+
+/// Calls f(settings, window, name) for every size of text and window and every arrangement of views.
+template <class F>
+void each_case(F f) {
+    for (const auto& how : arrangements) {
+        for (const auto& window : windows) {
+            for (double scale = 1; scale <= 2.5; scale += 0.25) {
+                const HudSettings settings{.split = how.split, .watch = how.watch, .text_scale = scale};
+                f(settings, window, text(how.name, " ", window.width, " x ", window.height, " at ", scale));
+            }
+        }
+    }
+}
+
+struct NamedBox {
+    std::string name;
+    Panel box;
+};
+
+std::vector<NamedBox> boxes_of(const HudLayout& layout) {
+    std::vector<NamedBox> boxes{{"score", layout.score}, {"notices", layout.notices}};
+    for (std::uint32_t p = 0; p < players; ++p) {
+        if (!layout.views[p]) continue;
+        const auto& v = *layout.views[p];
+        const auto add = [&](std::string_view name, const Panel& box) {
+            boxes.push_back({text(name, " ", p + 1), box});
+        };
+        add("health", v.health);
+        add("name", v.name);
+        add("strip", v.strip);
+        add("feed", v.feed);
+        add("messages", v.messages);
+        add("forces", v.forces);
+        add("ring", {v.centre - fvec2(v.ring), v.centre + fvec2(v.ring)});
+    }
+    return boxes;
+}
+
+bool overlap(const Panel& a, const Panel& b) {
+    constexpr float slack = 0.01F;
+    return a.low.x + slack < b.high.x && b.low.x + slack < a.high.x && a.low.y + slack < b.high.y &&
+           b.low.y + slack < a.high.y;
+}
+
+TEST(HudLayout, NoTwoPanelsOverlapAtAnySize) {
+    for (const std::size_t wands : {1U, 5U, 6U, 9U}) {
+        each_case([&](const HudSettings& settings, render::Size window, const std::string& name) {
+            const auto boxes = boxes_of(lay_out(settings, window, wands));
+            for (std::size_t a = 0; a < boxes.size(); ++a) {
+                for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+                    EXPECT_FALSE(overlap(boxes[a].box, boxes[b].box))
+                        << name << ", " << wands << " wands: " << boxes[a].name << " and " << boxes[b].name;
+                }
+            }
+        });
+    }
+}
+
+TEST(HudLayout, EveryPanelHasRoomInsideItsView) {
+    each_case([](const HudSettings& settings, render::Size window, const std::string& name) {
+        const auto layout = lay_out(settings, window, 5);
+        for (const auto& [what, box] : boxes_of(layout)) {
+            EXPECT_GE(box.low.x, 0) << name << ": " << what;
+            EXPECT_GE(box.low.y, 0) << name << ": " << what;
+            EXPECT_LE(box.high.x, static_cast<float>(window.width)) << name << ": " << what;
+            EXPECT_LE(box.high.y, static_cast<float>(window.height)) << name << ": " << what;
+            EXPECT_GT(box.high.x - box.low.x, 10) << name << ": " << what;
+            EXPECT_GT(box.high.y - box.low.y, 8) << name << ": " << what;
+        }
+    });
+}
+
+TEST(HudLayout, LargerTextIsLargerUpToWhatTheViewHolds) {
+    for (const auto& how : arrangements) {
+        for (const auto& window : windows) {
+            float before = 0;
+            for (double scale = 1; scale <= 2.5; scale += 0.25) {
+                const auto layout =
+                    lay_out({.split = how.split, .watch = how.watch, .text_scale = scale}, window, 5);
+                EXPECT_GE(layout.unit, before);
+                before = layout.unit;
+            }
+            const auto usual = lay_out({.split = how.split, .watch = how.watch}, window, 5).unit;
+            EXPECT_GE(before, 1.3F * usual) << how.name << " " << window.width << " x " << window.height;
+        }
+    }
+}
+
+TEST(HudLayout, WindowsOfAnyShapeHaveALayout) {
+    for (const auto& window : {render::Size{1, 1}, {16384, 100}, {100, 16384}, {2, 4000}}) {
+        for (const auto& how : arrangements) {
+            const auto layout =
+                lay_out({.split = how.split, .watch = how.watch, .text_scale = 2.5}, window, 5);
+            for (const auto& [what, box] : boxes_of(layout)) {
+                EXPECT_TRUE(std::isfinite(box.low.x) && std::isfinite(box.high.y)) << what;
+            }
+            render::Overlay overlay;
+            make_overlay(picture_of(*new_match()), {.split = how.split, .watch = how.watch}, window, overlay);
+        }
+    }
+}
+
+TEST(FittedWords, BreakAtSpacesAndShrinkOnlyIfTheyMust) {
+    const auto whole = fit("one two three", 10, {1000, 100});
+    EXPECT_EQ(whole.lines, std::vector<std::string>{"one two three"});
+    EXPECT_EQ(whole.size, 10);
+    const auto broken = fit("one two three", 10, {width_of("one two", 10) + 1, 100});
+    EXPECT_EQ(broken.lines, (std::vector<std::string>{"one two", "three"}));
+    EXPECT_EQ(broken.size, 10);
+    const auto small = fit("one two three", 10, {70, 13});
+    EXPECT_LT(small.size, 10);
+    EXPECT_GT(small.size, 4);
+    EXPECT_LE(small.height(), 13);
+    EXPECT_TRUE(fit("", 10, {40, 13}).lines.empty());
+}
+
+// ---- what is really said ----------------------------------------------------------------------------------
+
+/// A match in which everything is said at once.
+Picture talkative() {
+    auto picture = picture_of(*new_match());
+    for (auto& p : picture.wizards) {
+        p.carries = "iron";
+        p.at_rim = true;
+        p.since_gift_s = 0.5;
+        p.gift = {.kind = EventKind::power_up, .amount = 25};
+        p.since_warning_s = 0.1;
+        p.warning = EventKind::dry;
+        p.force.cause = haptics::SafetyCause::shut_off;
+        p.hurts = 1;
+    }
+    picture.cauldron.contents[0] = "ember";
+    picture.cauldron.contents[1] = "salt";
+    picture.cauldron.owner = 1;
+    picture.cauldron.spoils_in_s = 12;
+    picture.feed_lines = static_cast<std::uint32_t>(picture.feed.size());
+    for (auto& line : picture.feed) {
+        line.event = {.kind = EventKind::death,
+                      .subject = 0,
+                      .by = 1,
+                      .detail = static_cast<std::uint32_t>(hit_kind("bolt_hit"))};
+    }
+    picture.caption.words = "read wands/bolt.toml";
+    picture.overloaded = true;
+    picture.skipped = 1107;
+    picture.mark = 3;
+    return picture;
+}
+
+struct SaidWords {
+    std::string words;
+    Panel box;
+};
+
+/// The words of an overlay and where they are. Each is drawn twice, because a dark copy lies below it.
+std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& font) {
+    std::vector<SaidWords> all;
+    const render::TextItem* before = nullptr;
+    for (const auto& item : overlay.items) {
+        const auto* said = std::get_if<render::TextItem>(&item);
+        if (said == nullptr) continue;
+        if (before != nullptr && before->text == said->text) {
+            const auto size = font.measure(said->text, said->size);
+            const float left = said->align == render::Align::left     ? 0
+                               : said->align == render::Align::centre ? size.x / 2
+                                                                      : size.x;
+            const fvec2 low = said->position - fvec2(left, 0);
+            all.push_back({said->text, {low, low + size}});
+            before = nullptr;
+        } else {
+            before = said;
+        }
+    }
+    return all;
+}
+
+TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    const auto picture = talkative();
+    std::size_t said = 0;
+    each_case([&](HudSettings settings, render::Size window, const std::string& name) {
+        settings.forces = true;
+        settings.prompts = PromptWish::always;
+        for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
+        for (auto& one : settings.device_messages) one = "The arm's motors are too warm: let them rest";
+        render::Overlay overlay;
+        make_overlay(picture, settings, window, overlay);
+        const auto words = words_of(overlay, *font);
+        said += words.size();
+        for (std::size_t a = 0; a < words.size(); ++a) {
+            EXPECT_GE(words[a].box.low.x, -1) << name << ": " << words[a].words;
+            EXPECT_LE(words[a].box.high.x, static_cast<float>(window.width) + 1)
+                << name << ": " << words[a].words;
+            for (std::size_t b = a + 1; b < words.size(); ++b)
+                EXPECT_FALSE(overlap(words[a].box, words[b].box))
+                    << name << ": '" << words[a].words << "' and '" << words[b].words << "'";
+        }
+    });
+    EXPECT_GT(said, 20U * arrangements.size() * windows.size() * 7);
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests

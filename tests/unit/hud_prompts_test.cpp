@@ -1,0 +1,104 @@
+// Tests of prompts: they name the bound control of what can be done, and fade as it is done.
+#include "game/hud/prompts.h"
+
+#include "unit/hud_rig.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+const ControlNames names{
+    .fire = "Left mouse", .stir = "E", .throw_ = "F", .next_wand = "Wheel down", .wands = {"1"}};
+
+std::string said_to(const PlayerPicture& player, const ControlNames& controls = names) {
+    const auto prompt = prompt_of(player, controls);
+    return prompt ? prompt->words : std::string();
+}
+
+TEST(Prompts, NameTheControlOfWhatCanBeDone) {
+    PlayerPicture p;
+    EXPECT_EQ(said_to(p), "");
+    p.target.kind = TargetKind::take;
+    EXPECT_EQ(said_to(p), "[Left mouse] Lift");
+    p.target.kind = TargetKind::too_heavy;
+    EXPECT_EQ(said_to(p), "");
+    p.held = vec3(0);
+    p.holds_thing = true;
+    EXPECT_EQ(said_to(p), "[F] Throw");
+    p = {};
+    p.target.kind = TargetKind::hook;
+    EXPECT_EQ(said_to(p), "[Left mouse] Swing");
+    p.at_rim = true;
+    EXPECT_EQ(said_to(p), "[E] Stir");
+    p.stirs = true;
+    EXPECT_EQ(said_to(p), "");
+    p.carries = "iron";
+    EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
+    p.dead = true;
+    EXPECT_EQ(said_to(p), "");
+}
+
+TEST(Prompts, AreNotShownToWhoeverHasNoControl) {
+    PlayerPicture p;
+    p.at_rim = true;
+    EXPECT_EQ(said_to(p, {}), "");
+}
+
+TEST(Prompts, FadeAsTheThingIsDoneAndAreGoneAfterTheThirdTime) {
+    const Prompt prompt{PromptKind::stir, "[E] Stir"};
+    PromptUses uses;
+    float before = 2;
+    for (std::uint32_t done = 0; done < PromptUses::learnt; ++done) {
+        const float now = strength_of(prompt, 1, PromptWish::until_learnt, uses);
+        EXPECT_GT(now, 0);
+        EXPECT_LT(now, before);
+        before = now;
+        ++uses.of(1, PromptKind::stir);
+    }
+    EXPECT_EQ(strength_of(prompt, 1, PromptWish::until_learnt, uses), 0);
+    EXPECT_EQ(strength_of(prompt, 0, PromptWish::until_learnt, uses), 1) << "the other player";
+    EXPECT_EQ(strength_of(prompt, 1, PromptWish::always, uses), 1);
+    EXPECT_EQ(strength_of(prompt, 0, PromptWish::never, uses), 0);
+}
+
+/// Two pictures 10 ticks apart, of which the second one differs as `change` makes it.
+template <class F>
+PromptUses uses_of(Picture before, F change) {
+    before.tick = 100;
+    Picture now = before;
+    now.tick = 110;
+    change(now.wizards[0]);
+    PromptUses uses;
+    count_uses(before, now, uses);
+    return uses;
+}
+
+TEST(Prompts, UsesAreCountedFromWhatThePicturesShow) {
+    Picture start;
+    EXPECT_EQ(uses_of(start, [](PlayerPicture&) {}), PromptUses{});
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.stirs = true; }).of(0, PromptKind::stir), 1U);
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.held = vec3(0); }).of(0, PromptKind::swing), 1U);
+    start.wizards[0].stirs = true;
+    start.wizards[0].carries = "iron";
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.carries = {}; }).of(0, PromptKind::drop), 1U);
+    start = {};
+    start.wizards[0].held = vec3(0);
+    start.wizards[0].holds_thing = true;
+    const auto let_go = [](PlayerPicture& p) {
+        p.held.reset();
+        p.holds_thing = false;
+    };
+    EXPECT_EQ(uses_of(start, let_go), PromptUses{}) << "a thing that is put down is not thrown";
+    const auto thrown = uses_of(start, [&](PlayerPicture& p) {
+        let_go(p);
+        ++p.fired;
+    });
+    EXPECT_EQ(thrown.of(0, PromptKind::throw_thing), 1U);
+    const auto died = uses_of(start, [](PlayerPicture& p) {
+        p.stirs = true;
+        ++p.lives;
+    });
+    EXPECT_EQ(died, PromptUses{}) << "a new life is no deed";
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
