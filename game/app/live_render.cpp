@@ -18,7 +18,7 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and the picture interpolated between them for the present time.
 struct InterpolationBuffer {
     Picture before = game::make_picture(), now = game::make_picture(), shown = game::make_picture();
-    game::PromptUses prompt_uses{};  ///< what the players have done in the pictures so far
+    game::PromptUses prompt_uses{};  ///< uses of controls, counted over all pictures so far
     std::int64_t shown_due_ns = 0;   ///< all ticks due by this time are contained in `shown` (ns)
     bool any = false;
 };

@@ -235,7 +235,8 @@ game::Watch watched(const TakenSeats& seats) {
     return first ? game::Watch::first : game::Watch::second;
 }
 
-/// What the players are called: bots by their level, unless both players are bots; people by their team.
+/// Returns the players' names for the screen: "Bot 3" for a bot against a person, "Dummy" for the range's dummy.
+/// An empty name stands for the name of the team.
 std::array<std::string, game::players> names_of(const TakenSeats& seats) {
     std::array<std::string, game::players> names;
     for (std::size_t p = 0; p < game::players; ++p) {

@@ -131,7 +131,7 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
 
 /// Without a display a whole round is played. Without any wish it is one between good bots that has a winner.
 int play_off_screen(const PlayOptions& options) {
-    constexpr double longest_round = 600;  // s
+    constexpr double longest_round = 600;  // longest time that is played for one round (s)
     constexpr std::uint64_t seed_with_winner = 5;
     const bool any = !options.headless && !options.mode();
     return play_offscreen_duel({.assets = game::find_assets(),

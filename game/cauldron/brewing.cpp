@@ -156,12 +156,8 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 // ---- aura -------------------------------------------------------------------------------------------------
 
-bool is_light(const MatchData& data, const Cauldron& cauldron) {
-    return cauldron.density < data.cauldron->aura.light_below;
-}
-
 void lift_all(MatchContext& context, const Cauldron& cauldron) {
-    if (!is_light(context.data, cauldron)) return;
+    if (!is_light(context.data.cauldron->aura, cauldron)) return;
     const double share = 1 - context.data.cauldron->aura.light_gravity;
     auto& physics = context.physics.write();
     std::as_const(context.world)
@@ -174,6 +170,11 @@ void lift_all(MatchContext& context, const Cauldron& cauldron) {
 }
 
 }  // namespace
+
+bool is_light(const AuraRules& aura, const Cauldron& cauldron) { return cauldron.density < aura.light_below; }
+bool is_thick(const AuraRules& aura, const Cauldron& cauldron) {
+    return cauldron.viscosity > aura.thick_above;
+}
 
 double recent_work(const Ladle& ladle) { return std::accumulate(ladle.work.begin(), ladle.work.end(), 0.0); }
 
@@ -194,7 +195,7 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     if (!data.cauldron || world.count<Cauldron>() == 0) return 1;
     const auto& cauldron = world.single<Cauldron>();
     const auto& aura = data.cauldron->aura;
-    return cauldron.viscosity > aura.thick_above && near(data, cauldron, place) ? aura.thick_pace : 1;
+    return is_thick(aura, cauldron) && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
 
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {

@@ -16,6 +16,11 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 /// stirring with the flow, and spoiling. Every tick: lift on wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
+/// Tells whether the brew is light enough to lift wizards near it.
+bool is_light(const AuraRules& aura, const Cauldron& cauldron);
+/// Tells whether the brew is thick enough to slow wizards near it.
+bool is_thick(const AuraRules& aura, const Cauldron& cauldron);
+
 /// Work of a ladle on the brew in the last 1.5 s (J).
 double recent_work(const Ladle& ladle);
 

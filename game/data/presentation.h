@@ -60,7 +60,7 @@ struct WandPresentation {
     std::string name;
     std::uint32_t slot{};
     WandLook look;
-    double energy_cap{}, energy_cost{};  ///< of the wand's own data
+    double energy_cap{}, energy_cost{};  ///< energy of a full wand, and least energy of one use
 };
 
 /// How a match is shown.

@@ -76,7 +76,7 @@ struct RopeKind {
     double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor
 };
 
-/// What using a wand now would do with what is under the crosshair.
+/// Kinds of things under the crosshair, by what a use of the wand would do with them.
 enum class TargetKind : std::uint8_t {
     nothing,
     foe,        ///< the other wizard, for a wand that shoots
@@ -86,6 +86,7 @@ enum class TargetKind : std::uint8_t {
     hook,       ///< a point that a rope can hold on to
 };
 
+/// The thing under the crosshair, as a wand sees it.
 struct Target {
     TargetKind kind{};
     ecs::Entity thing{};  ///< the thing of take, too_far and too_heavy
@@ -125,7 +126,7 @@ public:
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// While the wand holds a thing, the wheel moves the thing and does not select wands.
     virtual bool moves_by_wheel() const { return false; }
-    /// What the wand would take hold of if it were used now.
+    /// Returns the thing under the crosshair that a use of the wand would take hold of, or why it would not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
     /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }

@@ -4,6 +4,7 @@
 
 #include "fluid/sample.h"
 #include "game/brew/brew_state.h"
+#include "game/cauldron/brewing.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/match/simulation.h"
@@ -98,8 +99,8 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
     out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after), 1e-3);
-    out.slows = cauldron.viscosity > rules.aura.thick_above;
-    out.lifts = cauldron.density < rules.aura.light_below;
+    out.slows = is_thick(rules.aura, cauldron);
+    out.lifts = is_light(rules.aura, cauldron);
 }
 
 }  // namespace thaum::game

@@ -52,8 +52,8 @@ struct CauldronPicture {
     double mixing{};        ///< mixing of the newest ingredient, 0 to 1
     double heat{};          ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
     double spoils_in_s{};   ///< time until the brew boils over; 0: no ingredient yet
-    double fresh{};         ///< the share of that time that is left, 0 to 1
-    bool slows{}, lifts{};  ///< what the brew does now to wizards near it
+    double fresh{};         ///< spoils_in_s as a share of the whole time, 0 to 1
+    bool slows{}, lifts{};  ///< whether the brew slows, and whether it lifts, wizards near it
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

@@ -23,15 +23,15 @@ struct HudSettings {
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.
     std::array<std::string, players> device_messages{};
-    /// What the players are called; empty: by their teams, Ember and Tide.
+    /// Names of the players on the screen; an empty name stands for the team's: Ember or Tide.
     std::array<std::string, players> names{};
     std::array<ControlNames, players> controls{};  ///< controls of each person
-    PromptWish prompts{};
-    PromptUses prompt_uses{};
+    PromptWish prompts{};                          ///< when prompts are shown
+    PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says
     bool operator==(const HudSettings&) const = default;
 };
 
-/// What a player is called.
+/// Returns a player's name on the screen.
 std::string_view name_of(const HudSettings& settings, std::uint32_t player);
 
 /// Memory for building frames. The spans of a Frame point into it.

@@ -23,7 +23,7 @@ struct HudPaints {
 };
 inline const HudPaints paints;
 
-inline constexpr float whole_turn = 6.2831853F;  // rad
+inline constexpr float whole_turn = 6.2831853F;  ///< angle of a full circle (rad)
 
 /// Adds text with a dark copy below it, readable on any background.
 void add_text(render::Overlay& out, std::string words, fvec2 position, float size, fvec4 paint,

@@ -82,9 +82,9 @@ void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
     out.holds_thing = out.held && wand->rules->grasp();
 }
 
-/// What is under the crosshair: what the wand would take hold of, or for a wand that shoots the foe.
+/// Fills in the target: the thing that the wand would take hold of or, for a wand that shoots, the foe.
 void take_target(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
-    constexpr double foe_reach = 60;  // m
+    constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
     const auto* wand = wand_in_hand(match.data(), belt);
     if (wand == nullptr || out.stirs) return;
     out.target = wand->rules->target(match.context(), wizard);

@@ -103,7 +103,7 @@ struct PlayerPicture {
     double energy{}, energy_cap{};
     std::array<double, input::most_wands> charges{};  ///< energy of each wand of Presentation::wands
     std::uint32_t fired{};                            ///< number of shots and throws so far
-    Target target{};     ///< what the wand would do with what is under the crosshair
+    Target target{};     ///< the thing under the crosshair, as the wand in hand sees it
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     std::int32_t kills{}, deaths{};
     double returns_in_s{};       ///< time until the wizard returns, if dead

@@ -11,7 +11,7 @@ struct Offer {
     std::string what;
 };
 
-/// What the player can do, the most pressing thing first.
+/// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
     if (p.stirs) {

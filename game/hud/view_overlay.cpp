@@ -298,7 +298,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, const Panel& box, float top
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
-/// What the player is told, the most important first.
+/// Returns all messages to a player, the most important first.
 std::vector<Message> messages_to(const Picture& picture, const HudSettings& settings, std::uint32_t player,
                                  const ViewLayout& l) {
     const auto& p = picture.wizards[player];

@@ -150,32 +150,39 @@ haptics::CouplingFrame frame_of(const MatchContext& context, const LiftData& dat
 
 // ---- taking up and letting go -----------------------------------------------------------------------------
 
-/// The loose thing under the crosshair, if it is near and light enough.
-ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
-    const auto [eye, ahead] = sight_of(context, wizard);
-    const auto hit =
-        context.physics.read().ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
-    if (!hit) return {};
-    const auto thing = context.world.entity(hit->key);
-    const bool can_be_held = thing && context.world.has<Prop>(thing) &&
-                             context.physics.read().desc(hit->key).mass <= data.mass_max;
-    return can_be_held ? thing : ecs::Entity{};
-}
+/// A loose thing under the crosshair.
+struct Sighted {
+    ecs::Entity thing{};  ///< no entity: there is none
+    double mass{};        ///< mass of the thing (kg)
+    double distance{};    ///< distance from the eye to its surface (m)
+};
 
-/// What is under the crosshair, for the picture: a thing that can be taken up, or why it cannot.
-Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
-    constexpr double shown_reach = 3;  // times the range
-    if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
+/// Finds the loose thing under the crosshair, up to `far` m from the eye.
+Sighted loose_thing_ahead(const MatchContext& context, ecs::Entity wizard, double far) {
     const auto [eye, ahead] = sight_of(context, wizard);
     const auto& physics = context.physics.read();
-    const double far = shown_reach * data.range;
     const auto hit = physics.ray(eye, eye + ahead * far, physics::all_layers, wizard.index);
-    const auto thing = hit ? context.world.entity(hit->key) : ecs::Entity{};
+    if (!hit) return {};
+    const auto thing = context.world.entity(hit->key);
     if (!thing || !context.world.has<Prop>(thing)) return {};
-    const double mass = physics.desc(hit->key).mass;
-    const auto kind = mass > data.mass_max               ? TargetKind::too_heavy
-                      : hit->fraction * far > data.range ? TargetKind::too_far
-                                                         : TargetKind::take;
+    return {thing, physics.desc(hit->key).mass, hit->fraction * far};
+}
+
+/// The loose thing under the crosshair, if it is near and light enough.
+ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
+    const auto sighted = loose_thing_ahead(context, wizard, data.range);
+    return sighted.mass <= data.mass_max ? sighted.thing : ecs::Entity{};
+}
+
+/// Tells the picture whether the loose thing under the crosshair can be taken up, or why it cannot.
+Target target_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
+    constexpr double shown_reach = 3;  // multiple of the wand's range up to which a thing is told
+    if (std::as_const(context.world).get<LiftHand>(wizard).held) return {};
+    const auto [thing, mass, distance] = loose_thing_ahead(context, wizard, shown_reach * data.range);
+    if (!thing) return {};
+    const auto kind = mass > data.mass_max    ? TargetKind::too_heavy
+                      : distance > data.range ? TargetKind::too_far
+                                              : TargetKind::take;
     return {.kind = kind, .thing = thing, .mass = mass, .mass_share = mass / std::max(data.mass_max, 1e-9)};
 }
 

@@ -61,7 +61,7 @@ struct BusyScene {
 
     void come(Key key) {
         const BodyDesc desc = any_shape();
-        // In statements of their own: the order in which arguments are evaluated is the compiler's choice.
+        // Two statements, because the order in which arguments are evaluated is the compiler's choice.
         const vec3 velocity{unit(), unit(), unit()};
         const vec3 position{unit() * 8 - 4, 1 + unit() * 4, unit() * 8 - 4};
         put(key, desc, at(position, velocity));
