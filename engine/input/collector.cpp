@@ -94,6 +94,12 @@ void HandsCollector::set_look(double gain, bool inverted) {
     publish();
 }
 
+void HandsCollector::set_turn_ramp(double seconds) {
+    constexpr double most = 10;  // longer than any useful ramp
+    const double length = std::isfinite(seconds) ? std::clamp(seconds, 0.0, most) : 0;
+    ramp_ticks_.store(static_cast<std::uint32_t>(std::lround(length * 1000)), std::memory_order_relaxed);
+}
+
 void HandsCollector::focus_lost() {
     for (auto& bound : bound_) update(bound, 0);
     controls_before_ = on_ = 0;
@@ -226,6 +232,22 @@ std::uint8_t HandsCollector::newest_wand(std::uint32_t down) {
     return wand_;
 }
 
+/// Level of a turn that is still growing. A turn begins at rest or by a change of direction.
+std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
+    constexpr double least = 0.3;  // share of the level at the turn's beginning
+    if (level == 0) {
+        turn.ticks = 0;
+        return 0;
+    }
+    if (turn.right != (level > 0)) turn = {.ticks = 0, .right = level > 0};
+    const auto length = ramp_ticks_.load(std::memory_order_relaxed);
+    if (turn.ticks >= length) return level;
+    const double share = least + (1 - least) * turn.ticks / length;
+    ++turn.ticks;
+    const auto grown = static_cast<std::int32_t>(std::lround(share * level));
+    return grown != 0 ? grown : (level > 0 ? 1 : -1);
+}
+
 DeviceSample HandsCollector::take() {
     DeviceSample sample;
     sample.counts[hand::look_right] = take_new(right_, right_taken_);
@@ -234,8 +256,8 @@ DeviceSample HandsCollector::take() {
     const auto levels = levels_.load(std::memory_order_relaxed);
     sample.counts[hand::strafe] = signed_level(levels, 0);
     sample.counts[hand::forward] = signed_level(levels, 1);
-    sample.counts[hand::turn_right] = signed_level(levels, 2);
-    sample.counts[hand::turn_up] = signed_level(levels, 3);
+    sample.counts[hand::turn_right] = ramped(signed_level(levels, 2), turn_right_);
+    sample.counts[hand::turn_up] = ramped(signed_level(levels, 3), turn_up_);
     sample.counts[hand::trigger] = static_cast<std::int32_t>(levels >> 32U & 0xffU);
     const auto buttons = buttons_.fetch_and(0xffffffffU, std::memory_order_relaxed);
     const auto down = static_cast<std::uint32_t>(buttons | buttons >> latch_shift);

@@ -40,6 +40,10 @@ public:
     /// For changes after the DeviceSpec was made, which holds for the whole log.
     void set_look(double gain, bool inverted);
 
+    /// Sets the time over which a turn of the view by keys or a stick grows to its full speed (s, at least 0), so
+    /// that a short press turns only a little. 0: at once.
+    void set_turn_ramp(double seconds);
+
     /// For the simulation thread: the input since the last call. A press between two calls shows in one
     /// sample. Counts beyond int32 wait for the next sample.
     DeviceSample take();
@@ -78,7 +82,17 @@ private:
     std::atomic<std::uint64_t> buttons_{0};
     std::atomic<std::uint64_t> levels_{0};  ///< five bytes: strafe, forward, turn_right, turn_up, trigger
 
+    std::atomic<std::uint32_t> ramp_ticks_{0};
+
+    /// A turn of the view about one axis by keys or a stick.
+    struct Turn {
+        std::uint32_t ticks = 0;  ///< ticks since the turn began
+        bool right = false;       ///< to the right, or up
+    };
+    std::int32_t ramped(std::int32_t level, Turn& turn) const;
+
     // Used by the simulation thread.
+    Turn turn_right_, turn_up_;
     std::int64_t right_taken_ = 0, up_taken_ = 0, wheel_taken_ = 0;
 };
 

@@ -123,6 +123,8 @@ struct DeviceSpec {
     std::array<std::uint32_t, 3> box_um{};
     /// Reduction of the felt force of each source in a fluid (%, at most 100).
     std::array<std::uint8_t, fluid_faders> fluid_reduction{};
+    /// Strength of the help with aiming (%, at most 100; game/context/aim_assist.h).
+    std::uint8_t aim_assist{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// Sets the largest force that the player wants, 0 to 100 % of the device's force. 0 means no forces.

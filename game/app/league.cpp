@@ -59,7 +59,8 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
     std::vector<int> levels;
     while (true) {
         const auto comma = words.find(',');
-        const auto level = parse_whole(words.substr(0, comma), "--levels", 1, game::bot_levels);
+        const auto level =
+            parse_whole(words.substr(0, comma), "--levels", game::easiest_bot, game::hardest_bot);
         if (!level) return tl::unexpected(level.error());
         levels.push_back(static_cast<int>(*level));
         if (comma == std::string_view::npos) break;

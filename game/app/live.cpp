@@ -58,6 +58,13 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, game::log_header(*session.next().data(), setup, std::move(names)));
 }
 
+/// Seconds to the start of the next match: none in the range, in a replay, and in a session that measures itself.
+int countdown_of(const Live& live) {
+    const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
+                      live.session.next().is_practice();
+    return none ? 0 : live.session.menu().settings().countdown_s;
+}
+
 /// Plays one match. The error: the simulation thread could not be started.
 Expected<void> play_match(Live& live, MatchStart start) {
     auto& shared = live.shared;
@@ -84,14 +91,15 @@ Expected<void> play_matches(Live& live) {
     for (std::uint64_t number = 1; !live.shared.stop; ++number) {
         if (live.plan.start_screen && !again && !run_start_screen(session, live.shared, live.window)) break;
         session.take_seats(live.window.window.pads());
+        const int countdown = countdown_of(live);
         auto recording = open_recording(live, seed, number);
         // A log that the user named must be opened. If the default folder fails, the match is played without
         // a log.
         if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
         if (!recording)
             std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
-        auto played =
-            play_match(live, {session.next().data(), seed, recording ? std::move(*recording) : Recording()});
+        auto played = play_match(
+            live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown});
         if (!played) return played;
         again = live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;

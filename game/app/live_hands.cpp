@@ -48,6 +48,7 @@ void PlayerHands::rebind(const Settings& settings) const {
         const auto& hands = seats_[p].hands;
         if (!hands) continue;
         hands->rebind(settings.bindings_of(device_of(p)));
+        hands->set_turn_ramp(settings.turn_ramp_s);
         hands->set_look(settings.sensitivity / seated_.sensitivity, settings.invert_y != seated_.invert_y);
     }
 }

@@ -74,6 +74,15 @@ std::string device_name(const Seat& seat) {
     }
 }
 
+double aim_assist_of(const Settings& settings, DeviceKind kind) {
+    switch (kind) {
+        case DeviceKind::keyboard_mouse: return settings.aim_assist_mouse;
+        case DeviceKind::keyboard_half: return settings.aim_assist_keys;
+        case DeviceKind::pad: return settings.aim_assist_pad;
+        default: return 0;
+    }
+}
+
 TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     if (seat.kind == SeatKind::bot) return {seat, game::bot_device(player, seat.level), nullptr};
     if (seat.kind == SeatKind::dummy) return {seat, game::dummy_device(), nullptr};
@@ -87,6 +96,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     if (const auto percent = force_choices[settings.force[player]].percent) spec.set_force_percent(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
     spec.set_carried_percent(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
+    spec.aim_assist = static_cast<std::uint8_t>(percent_of(aim_assist_of(settings, spec.kind)));
     ask_for(settings.cauldron[player], spec);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }

@@ -56,6 +56,7 @@ struct SimulationThread {
     Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
+    int countdown = 0;             ///< seconds to the start of the match; 0: it has begun
     std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
 };
 
@@ -95,7 +96,6 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 
 bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.requests.marks;
-    for (auto& arm : s.shared.arms) arm->servo.begin_match();
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
@@ -112,7 +112,6 @@ bool start_round(SimulationThread& s, MatchStart start) {
         s.round.match = s.round.own.get();
     }
     if (auto* log = std::get_if<input::LogWriter>(&start.recording)) s.round.kept = std::move(*log);
-    s.start_ns = monotonic_ns();
     return add_bots(s, start.seed);
 }
 
@@ -266,6 +265,7 @@ void publish(SimulationThread& s) {
     game::take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
     picture.mark = recent_mark(s);
+    picture.countdown = s.countdown;
     picture.practice = {};
     picture.caption = {};
     if (auto* practice = practice_of(s.round)) practice->show(picture);
@@ -335,6 +335,36 @@ bool is_time_up(const SimulationThread& s) {
     return s.plan.seconds && s.shared.report.ticks >= ticks(*s.plan.seconds);
 }
 
+/// Drops input that came before the match. A wish to pause is kept.
+void drop_input(SimulationThread& s) {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto& hands = s.shared.seats[p].hands;
+        if (hands && hands->take().down(Button::pause)) s.shared.requests.pause = p;
+    }
+}
+
+/// Shows the start of the match while its seconds are counted down. The match itself begins afterwards.
+void count_down(SimulationThread& s, int whole_seconds) {
+    constexpr std::int64_t ns_per_second = 1'000'000'000;
+    const auto end = monotonic_ns() + whole_seconds * ns_per_second;
+    for (auto now = monotonic_ns(); now < end; now = monotonic_ns()) {
+        if (s.shared.stop || s.shared.requests.end) break;
+        s.countdown = static_cast<int>((end - now + ns_per_second - 1) / ns_per_second);
+        drop_input(s);
+        publish(s);
+        sleep_until_ns(now + static_cast<std::int64_t>(idle_publish_period) * ns_per_tick);
+    }
+    s.countdown = 0;
+    drop_input(s);
+}
+
+/// Begins the match that start_round has made, after its countdown.
+void begin_match(SimulationThread& s, int countdown) {
+    if (countdown > 0) count_down(s, countdown);
+    for (auto& arm : s.shared.arms) arm->servo.begin_match();
+    if (s.plan.replay == nullptr) s.start_ns = monotonic_ns();
+}
+
 void run_session(SimulationThread& s) {
     Staller staller{s.plan.stall};
     publish(s);
@@ -371,10 +401,13 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
     SimulationThread session{.plan = plan, .shared = shared, .wake = wake};
     if (plan.replay != nullptr) play_at(session, plan.speed);
-    if (start_round(session, std::move(start)))
+    const int countdown = start.countdown;
+    if (start_round(session, std::move(start))) {
+        begin_match(session, countdown);
         run_session(session);
-    else
+    } else {
         shared.stop = true;
+    }
     ++shared.report.matches;
     shared.progress.ended = true;
     wake();

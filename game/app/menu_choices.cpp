@@ -12,7 +12,6 @@ namespace thaum::app {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
-constexpr int most_levels = 7;
 constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round mean no limit
 
 std::string clock_of(Tick length) {
@@ -90,11 +89,11 @@ MenuContext find_menu_context(const LivePlan& plan) {
         .rules = all_rules(plan), .arenas = all_arenas(plan), .ends_match = plan.start_screen};
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
-    for (int level = 1; level <= most_levels; ++level) {
+    for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {
         if (game::load_bot_skill(plan.assets, level)) context.levels.push_back(level);
     }
-    // level 1 stands in; the match will report the missing file
-    if (context.levels.empty()) context.levels.push_back(1);
+    // The easiest stands in; the match will report the missing file.
+    if (context.levels.empty()) context.levels.push_back(game::easiest_bot);
     return context;
 }
 

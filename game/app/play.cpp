@@ -22,7 +22,7 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
                    keypad if there is no pad
-  --solo LEVEL     against a bot of level 1, 2 or 3
+  --solo LEVEL     against a bot of level 0 (for a first round) to 3
   --demo           two bots
   --hands A[,B]    the players' devices: mouse, half (the keypad), pad, or arm: a force
                    feedback arm and the mouse (second arm: pad or keypad). arm:0,arm:1:
@@ -65,9 +65,9 @@ struct PlayOptions {
 Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
     if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
-    const auto first = parse_whole(words.substr(0, comma), "--bots", 1, game::bot_levels);
+    const auto first = parse_whole(words.substr(0, comma), "--bots", game::easiest_bot, game::hardest_bot);
     if (!first) return tl::unexpected(first.error());
-    const auto second = parse_whole(words.substr(comma + 1), "--bots", 1, game::bot_levels);
+    const auto second = parse_whole(words.substr(comma + 1), "--bots", game::easiest_bot, game::hardest_bot);
     if (!second) return tl::unexpected(second.error());
     return std::array{static_cast<int>(*first), static_cast<int>(*second)};
 }
@@ -76,7 +76,7 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
 Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
     options.headless = arguments.has("--headless");
     options.demo = arguments.has("--demo");
-    const auto level = arguments.whole("--solo", 1, game::bot_levels, 1);
+    const auto level = arguments.whole("--solo", game::easiest_bot, game::hardest_bot, 1);
     if (!level) return tl::unexpected(level.error());
     if (arguments.has("--solo")) options.solo = static_cast<int>(*level);
     options.vs = arguments.has("--vs");

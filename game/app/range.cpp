@@ -30,7 +30,7 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
   --seed N         seed of all random numbers
   --headless       no window: a bot practises, faster than real time, and the
                    score is printed; files are read once
-  --bot LEVEL      level of that bot: 1, 2 or 3 (default)
+  --bot LEVEL      level of that bot, 0 to 3 (3)
   --seconds S      ends after S seconds of match time; headless: 60
 )";
 
@@ -70,7 +70,7 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     options.headless = arguments->has("--headless");
     if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
     if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
-    const auto bot = arguments->whole("--bot", 1, game::bot_levels, 3);
+    const auto bot = arguments->whole("--bot", game::easiest_bot, game::hardest_bot, 3);
     if (!bot) return tl::unexpected(bot.error());
     options.bot = static_cast<int>(*bot);
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});

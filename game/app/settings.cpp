@@ -222,6 +222,14 @@ std::span<const Setting> all_settings() {
         {"invert_y", "Invert look (vertical)", FlagSetting{&Settings::invert_y}},
         {"turn_deg_per_s", "Stick and arrow speed",
          NumberSetting{&Settings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
+        {"turn_ramp_s", "Slow start of stick and arrows",
+         NumberSetting{&Settings::turn_ramp_s, 0, 0.5, 0.05, 1, " s"}},
+        {"aim_assist_pad", "Aim assist: pad", NumberSetting{&Settings::aim_assist_pad, 0, 1, 0.1, 100, " %"},
+         true},
+        {"aim_assist_keys", "Aim assist: keypad and arrows",
+         NumberSetting{&Settings::aim_assist_keys, 0, 1, 0.1, 100, " %"}, true},
+        {"aim_assist_mouse", "Aim assist: mouse",
+         NumberSetting{&Settings::aim_assist_mouse, 0, 1, 0.1, 100, " %"}, true},
         {"force_1", "Force on player 1's hand", force_setting<0>(), true},
         {"force_2", "Force on player 2's hand", force_setting<1>(), true},
         {"carried_weight", "Weight of what is carried",
@@ -233,6 +241,7 @@ std::span<const Setting> all_settings() {
         {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
         {"frames_per_second", "Frame rate limit",
          NumberSetting{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
+        {"countdown_s", "Countdown (seconds)", WholeSetting{&Settings::countdown_s, 0, 10, 1}, true},
         {"logs_kept", "Recordings to keep", WholeSetting{&Settings::logs_kept, 1, 100000, 10}},
     };
     return settings;

@@ -44,7 +44,11 @@ struct Settings {
     double frames_per_second = 60;
     double sensitivity = 1;
     double turn_deg_per_s = 200;
+    /// time over which a turn by stick or keys grows to its full speed (s)
+    double turn_ramp_s = 0.15;
     bool invert_y = false;
+    /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
+    double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
     /// index into force_choices for each player
     std::array<std::size_t, 2> force{gentle_force, gentle_force};
     /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
@@ -53,6 +57,7 @@ struct Settings {
     double carried_blows = 1;
     std::array<Faders, 2> cauldron{};  ///< faders of each player
     game::PromptWish prompts{};        ///< when the screen says which control does what
+    int countdown_s = 3;               ///< seconds from the start screen to the start of a match
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< indexed by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;

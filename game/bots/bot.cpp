@@ -295,8 +295,8 @@ StirSkill read_stirring(const ConfigTable& table) {
 }  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
-    if (level < 1 || level > bot_levels)
-        return fail(text("there is no bot of level ", level, ", only 1 to ", bot_levels));
+    if (level < easiest_bot || level > hardest_bot)
+        return fail(text("there is no bot of level ", level, ", only ", easiest_bot, " to ", hardest_bot));
     const auto name = text("bots/level_", level, ".toml");
     const auto source = read_text_file(assets / name, 1U << 16U);
     if (!source) return tl::unexpected(source.error());

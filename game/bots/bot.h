@@ -14,8 +14,8 @@
 
 namespace thaum::game {
 
-/// Highest level. Levels start at 1.
-inline constexpr int bot_levels = 3;
+/// Lowest and highest level.
+inline constexpr int easiest_bot = 0, hardest_bot = 3;
 
 /// Skill in the use of a wand that takes up loose things.
 struct LiftSkill {

@@ -53,6 +53,13 @@ AuraRules read_aura(const ConfigTable& table) {
             .refill_speed = table.number("refill_speed_m_s", {0, 100})};
 }
 
+BoonRules read_boon(const ConfigTable& table) {
+    return {.mixed = table.number("mixed", {0, 1}),
+            .after = ticks(table.number("after_s", {0, 3600})),
+            .lasts = ticks(table.number("lasts_s", {0, 3600})),
+            .healing = table.number("health_per_s", {0, 1e4})};
+}
+
 void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.drop_amount = table.number("drop_m3", {0, 10});
     rules.drop_radius = table.number("drop_radius_m", {0.01, 2});
@@ -90,6 +97,7 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .surface = read_spring_surface(root.table("surface")),
         .ladle = read_ladle(root.table("ladle")),
         .aura = read_aura(root.table("aura")),
+        .boon = read_boon(root.table("boon")),
         .ingredients = {}};
     read_brewing(root.table("brewing"), rules);
     for (const auto& table : root.tables("ingredient")) rules.ingredients.push_back(read_ingredient(table));

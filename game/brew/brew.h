@@ -55,6 +55,14 @@ struct AuraRules {
     double refill_speed{};  ///< least speed of the flow that refills wands (m/s)
 };
 
+/// Reward for a brew that is kept well mixed. Each brew gives it once.
+struct BoonRules {
+    double mixed{};    ///< mixing number from which the brew is well mixed, 0 to 1
+    Tick after{};      ///< ticks for which one owner must keep it well mixed
+    Tick lasts{};      ///< ticks for which it heals
+    double healing{};  ///< health that the owner gains near the bowl, up to the start value (HP/s)
+};
+
 /// Settings from assets/cauldron.toml.
 struct CauldronRules {
     int cells_across{};
@@ -66,6 +74,7 @@ struct CauldronRules {
     fluid::SpringSurfaceSettings surface{};  ///< spring surface; `side` is computed from the bowl
     LadleRules ladle{};
     AuraRules aura{};
+    BoonRules boon{};
     double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
     double recoil{};                      ///< momentum that a dropped ingredient gives to the ladle (N s)
     Tick recoil_length{};

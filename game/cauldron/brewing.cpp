@@ -100,6 +100,7 @@ void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     const std::uint32_t stronger = work[0] > work[1] ? 0 : 1;
     if (stronger == cauldron.owner || work[stronger] < context.data.cauldron->wrest_least) return;
     cauldron.owner = stronger;
+    cauldron.mixed_since = 0;
     record(context, {.tick = tick,
                      .kind = EventKind::wrested,
                      .subject = stronger,
@@ -113,14 +114,46 @@ void refill(MatchContext& context, const BrewWork* work, Tick tick) {
     auto& world = context.world;
     const auto& aura = context.data.cauldron->aura;
     world.view<const Ladle, WandBelt>().each([&](const Ladle& ladle, WandBelt& belt) {
-        const vec3 flow = current_at(std::as_const(world), work, ladle.place, tick);
-        if (glm::length(flow) < aura.refill_speed || glm::dot(flow, ladle.velocity) <= 0) return;
+        if (!is_refilling(aura, std::as_const(world), work, ladle, tick)) return;
         for (const auto& wand : context.data.wands) {
             auto& energy = belt.energy[wand.stats.energy_slot];
             if (wand.stats.energy_slot != wand.stats.slot) continue;
             energy = std::min(wand.stats.energy_cap, energy + aura.refill * gameplay_dt);
         }
     });
+}
+
+// ---- boon -------------------------------------------------------------------------------------------------
+
+/// Grants the boon to the owner of a brew that has been well mixed for long enough.
+void grant_boon(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    const auto& boon = context.data.cauldron->boon;
+    const bool mixed = cauldron.begun != 0 && cauldron.mixing >= boon.mixed;
+    if (!mixed) cauldron.mixed_since = 0;
+    if (!mixed || cauldron.boon_given != 0) return;
+    if (cauldron.mixed_since == 0) cauldron.mixed_since = tick;
+    if (tick < cauldron.mixed_since + boon.after) return;
+    cauldron.boon_given = 1;
+    cauldron.boon_until = tick + boon.lasts;
+    cauldron.boon_for = cauldron.owner;
+    record(context, {.tick = tick,
+                     .kind = EventKind::boon,
+                     .subject = cauldron.owner,
+                     .by = cauldron.owner,
+                     .amount = boon.healing * seconds(boon.lasts),
+                     .place = cauldron.middle});
+}
+
+/// Heals the player who has the boon, near the bowl and up to the health of a new wizard.
+void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
+    if (tick >= cauldron.boon_until) return;
+    const double full = context.data.wizard.health;
+    const double gain = context.data.cauldron->boon.healing * gameplay_dt;
+    context.world.view<const Wizard, const Motion, Health, ecs::Without<Dead>>().each(
+        [&](const Wizard& wizard, const Motion& motion, Health& health) {
+            if (wizard.player != cauldron.boon_for || !near(context.data, cauldron, motion.position)) return;
+            if (health.points < full) health.points = std::min(full, health.points + gain);
+        });
 }
 
 // ---- spoiling ---------------------------------------------------------------------------------------------
@@ -151,6 +184,7 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .place = cauldron.middle});
     cauldron.begun = 0;
     cauldron.owner = no_player;
+    cauldron.boon_given = 0;
     cauldron.spoilt = 1;
 }
 
@@ -176,6 +210,12 @@ bool is_thick(const AuraRules& aura, const Cauldron& cauldron) {
     return cauldron.viscosity > aura.thick_above;
 }
 
+bool is_refilling(const AuraRules& aura, const ecs::World& world, const BrewWork* work, const Ladle& ladle,
+                  Tick tick) {
+    const vec3 flow = current_at(world, work, ladle.place, tick);
+    return glm::length(flow) >= aura.refill_speed && glm::dot(flow, ladle.velocity) > 0;
+}
+
 double recent_work(const Ladle& ladle) { return std::accumulate(ladle.work.begin(), ladle.work.end(), 0.0); }
 
 void spawn_niches(MatchContext& context) {
@@ -197,6 +237,20 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     const auto& aura = data.cauldron->aura;
     return is_thick(aura, cauldron) && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
+
+namespace {
+
+/// Drops ingredients whose carriers press fire at the brew.
+void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    context.world.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
+        [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Ladle& ladle,
+            const Pouch& pouch) {
+            if ((controls.pressed & bit(input::Button::fire)) != 0)
+                drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
+        });
+}
+
+}  // namespace
 
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
@@ -220,14 +274,11 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                   .needs = world.mask<BrewSamples>(),
                   .run = [&context, &brew](ecs::World& w, Tick tick) {
                       auto& cauldron = w.single<Cauldron>();
-                      w.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
-                          [&](ecs::Entity e, const Wizard& wizard, const Controls& controls,
-                              const Ladle& ladle, const Pouch& pouch) {
-                              if ((controls.pressed & bit(input::Button::fire)) != 0)
-                                  drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
-                          });
+                      drop_all(context, cauldron, tick);
                       wrest(context, cauldron, tick);
                       refill(context, brew.read().work.get(), tick);
+                      grant_boon(context, cauldron, tick);
+                      heal_by_boon(context, cauldron, tick);
                       spoil(context, cauldron, tick);
                   }});
     schedule.add(

@@ -13,13 +13,17 @@ void spawn_niches(MatchContext& context);
 double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
 /// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
-/// stirring with the flow, and spoiling. Every tick: lift on wizards near a light brew.
+/// stirring with the flow, the boon of a well-mixed brew, and spoiling. Every tick: lift on wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
 /// Tells whether the brew is light enough to lift wizards near it.
 bool is_light(const AuraRules& aura, const Cauldron& cauldron);
 /// Tells whether the brew is thick enough to slow wizards near it.
 bool is_thick(const AuraRules& aura, const Cauldron& cauldron);
+
+/// Tells whether stirring with this ladle refills the wands of its wizard now: it moves with the flow.
+bool is_refilling(const AuraRules& aura, const ecs::World& world, const BrewWork* work, const Ladle& ladle,
+                  Tick tick);
 
 /// Work of a ladle on the brew in the last 1.5 s (J).
 double recent_work(const Ladle& ladle);

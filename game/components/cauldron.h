@@ -83,6 +83,11 @@ struct Cauldron {
     double viscosity{1};  ///< mean over the brew, relative to pure brew
     double density{1};    ///< mean over the brew, relative to pure brew
     double speed{};       ///< mean over the brew (m/s)
+    /// When the brew became well mixed under its present owner (ticks of play); 0: it is not.
+    Tick mixed_since{};
+    Tick boon_until{};                  ///< tick before which the boon heals
+    std::uint32_t boon_for{no_player};  ///< player whom the boon heals
+    std::uint32_t boon_given{};         ///< 1: this brew has already given its boon
     static constexpr std::string_view name = "Cauldron";
     static constexpr auto fields() {
         using C = Cauldron;
@@ -93,7 +98,9 @@ struct Cauldron {
             field("newest", &C::newest), field("under_way", &C::step_running), field("owner", &C::owner),
             field("spoilt", &C::spoilt), field("stepped", &C::stepped), field("bursts", &C::bursts),
             field("begun", &C::begun), field("mixing", &C::mixing), field("viscosity", &C::viscosity),
-            field("density", &C::density), field("speed", &C::speed));
+            field("density", &C::density), field("speed", &C::speed), field("mixed_since", &C::mixed_since),
+            field("boon_until", &C::boon_until), field("boon_for", &C::boon_for),
+            field("boon_given", &C::boon_given));
     }
 };
 

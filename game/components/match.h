@@ -54,8 +54,8 @@ struct Dice {
 /// last (game/data/event_kinds.h, which also names all kinds).
 enum class EventKind : std::uint32_t {
     none = 0,
-    shot = 1,  ///< detail: EventKind of a hit by this shot
-    object_hit = 3,
+    shot = 1,        ///< detail: EventKind of a hit by this shot
+    object_hit = 3,  ///< detail: Surface of the thing (components/body.h)
     fall = 4,
     death = 5,  ///< detail: EventKind that caused the death
     spawn = 6,  ///< detail: number of the pad
@@ -69,7 +69,8 @@ enum class EventKind : std::uint32_t {
     dropped = 15,      ///< an ingredient was dropped into the brew; detail: its number; amount: volume (m^3)
     wrested = 16,      ///< a player took the brew over; amount: that player's work in the last 1.5 s (J)
     boiled_over = 17,  ///< the brew boiled over and lost its ingredients; subject: the owner
-    spoilt = 18        ///< a wizard was hurt by a brew that boiled over
+    spoilt = 18,       ///< a wizard was hurt by a brew that boiled over
+    boon = 19          ///< a well-mixed brew begins to heal its owner; amount: health that it can give (HP)
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

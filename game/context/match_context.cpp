@@ -110,6 +110,7 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
                      .kind = hurt.how,
                      .subject = player,
                      .by = hurt.by,
+                     .detail = hurt.detail,
                      .amount = hurt.points,
                      .place = hurt.place});
 }

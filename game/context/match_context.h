@@ -92,6 +92,7 @@ struct Hurt {
     std::uint32_t by = no_player;
     EventKind how{};
     vec3 place{};
+    std::uint32_t detail{};  ///< Event::detail of the recorded event
 };
 
 /// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and

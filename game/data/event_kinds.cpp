@@ -47,6 +47,7 @@ const RuleKind rule_kinds[] = {
     {EventKind::wrested, {.name = "wrested", .cause = {}, .unit = "J", .placed = true}},
     {EventKind::boiled_over, {.name = "boiled_over", .cause = {}, .placed = true}},
     {EventKind::spoilt, hit_info("spoilt", "brew", 5)},
+    {EventKind::boon, {.name = "boon", .cause = {}, .unit = "hp", .placed = true, .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

@@ -20,6 +20,7 @@ RuleSet read_rule_set(const Config& file) {
     RuleSet rules;
     rules.energy_regain = root.boolean("energy_regain", true);
     rules.spawn_shield = root.boolean("spawn_shield", true);
+    rules.aim_assist = root.boolean("aim_assist", true);
     rules.cauldron = root.boolean("cauldron", true);
     for (std::size_t kind = 0; kind < power_up_names.size(); ++kind) {
         const auto table = root.table(power_up_names[kind]);

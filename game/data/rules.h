@@ -32,7 +32,8 @@ struct PowerUpRules {
 struct RuleSet {
     bool energy_regain = true;  ///< wands regain energy by themselves at the rates in their files
     bool spawn_shield = true;
-    bool cauldron = true;  ///< a bowl in the arena holds a brew
+    bool aim_assist = true;  ///< players may be helped with aiming (game/context/aim_assist.h)
+    bool cauldron = true;    ///< a bowl in the arena holds a brew
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 

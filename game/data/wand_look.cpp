@@ -70,6 +70,9 @@ WandLook read_wand_look(const ConfigTable& look) {
     constexpr std::size_t most_parts = 64;
     WandLook read;
     read.flat = look.boolean("flat", false);
+    read.steady_force = look.string("steady_force", read.steady_force);
+    if (read.steady_force.empty() || read.steady_force.size() > 16)
+        look.report("steady_force", "'steady_force' must be a word of at most 16 characters");
     for (const auto& part : look.tables("wand")) read.wand.push_back(read_part(part));
     for (const auto& part : look.tables("missile")) read.missile.push_back(read_part(part));
     if (read.wand.empty() || read.wand.size() > most_parts)

@@ -46,7 +46,8 @@ struct LookPart {
 struct WandLook {
     bool flat{};  ///< the wand is flat and is held turned, so that no view shows it as a mere line
     std::vector<LookPart> wand;
-    std::vector<LookPart> missile;  ///< flies towards z; scaled by Missile::size unless that is 0
+    std::string steady_force = "Pull";  ///< name of the wand's steady force on the hand, for people
+    std::vector<LookPart> missile;      ///< flies towards z; scaled by Missile::size unless that is 0
 };
 
 /// Reads the table `look`. Reports faults at their keys.

@@ -40,10 +40,12 @@ void hold(const input::ArmState& state, HandState& hand_state) {
     device.force = state.servo.safety.output;
 }
 
-/// Lets the simulated hand continue from the position of the arm's hand.
+/// Lets the simulated hand continue from the position of the arm's hand. A kick that was meant for the arm is
+/// over by then, so the simulated hand must not play it.
 void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
     const vec3 reach = context.input.haptic_setup.device.reach;
     hand_state.servo = arm.state.servo;
+    hand_state.servo.last_pulse = hand_state.kick.number;
     hand_state.home = glm::clamp(arm.state.hand, -reach, reach);
     hand_state.device = haptics::resting_at(hand_state.home);
 }

@@ -102,6 +102,28 @@ void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uin
     }
 }
 
+/// Adds lights round the rim in the colour of the brew's owner: a plain ring for one team, a zigzag for the other, so
+/// that colour is not needed. The ring empties as the brew spoils.
+void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
+    constexpr int lights = 30;
+    constexpr float size = 0.05F;
+    const auto owner = picture.cauldron.owner;
+    if (!arena_scene.bowl || owner >= players) return;
+    const fvec3 light = team_colours(owner).light;
+    const int shown = static_cast<int>(std::ceil(lights * std::clamp(picture.cauldron.fresh, 0.0, 1.0)));
+    for (int i = 0; i < shown; ++i) {
+        const double angle = 2 * pi * i / lights;
+        const double raised = owner == 1 && i % 2 == 1 ? 0.22 : 0.1;
+        const vec3 at = *arena_scene.bowl + vec3(arena_scene.rim_radius * std::sin(angle),
+                                                 arena_scene.rim_height + raised,
+                                                 -arena_scene.rim_radius * std::cos(angle));
+        out.push_back({.mesh = arena_scene.bead,
+                       .model = glm::scale(render::translated(fvec3(at)), fvec3(size)),
+                       .tint = light,
+                       .glow = 1});
+    }
+}
+
 }  // namespace
 
 void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
@@ -161,6 +183,7 @@ void add_bubbles(const ArenaScene& arena_scene, double time, std::vector<Instanc
 void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<Instance>& out) {
     add_brew_of(arena_scene, picture, viewer, out);
+    add_owner(arena_scene, picture, out);
     add_embers(arena_scene, picture.played_s, out);
     if (!sees_brew(arena_scene, picture, viewer)) add_bubbles(arena_scene, picture.played_s, out);
 }

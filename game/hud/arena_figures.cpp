@@ -13,6 +13,11 @@ namespace {
 
 constexpr double least_share = 0.02;    ///< share of the strongest force; smaller forces are not drawn
 constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
+/// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
+constexpr double most_reach = 0.22;
+
+/// Place of a player's own wand's tip as it is drawn (m, eye frame).
+vec3 own_tip(const PlayerPicture& p) { return wand_tip + limited(p.wand_reach, most_reach); }
 
 }  // namespace
 
@@ -77,8 +82,6 @@ void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerP
 
 void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
-    // Greatest shown reach (m); beyond it hand and wand would leave the picture.
-    constexpr double most_reach = 0.22;
     const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
                      render::translated(fvec3(limited(p.wand_reach, most_reach))) * stylus_turned(p);
@@ -106,12 +109,48 @@ void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, f
                    .glow = 0.7F});
 }
 
+/// Adds a coil spring from a point along a way. Its turns lie closer the shorter it is.
+void add_coil(const ArenaScene& arena_scene, vec3 from, vec3 way, fvec3 tint, std::vector<Instance>& out) {
+    constexpr int turns = 5, steps = 8 * turns;
+    constexpr double radius = 0.022, thick = 0.004;  // m
+    const double length = glm::length(way);
+    if (length < 0.01) return;
+    const vec3 along = way / length;
+    const vec3 side =
+        glm::normalize(glm::cross(along, std::abs(along.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+    const vec3 up = glm::cross(side, along);
+    const auto point = [&](int i) {
+        const double angle = 2 * pi * turns * i / steps;
+        return from + way * (double{1} * i / steps) +
+               radius * (std::cos(angle) * side + std::sin(angle) * up);
+    };
+    for (int i = 0; i < steps; ++i) add_beam(arena_scene, point(i), point(i + 1), thick, tint, out);
+}
+
 }  // namespace
+
+void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                    std::vector<Instance>& out) {
+    const fvec3 light = team_colours(number).light;
+    for (std::uint32_t i = 0; i < p.arc_points; ++i) {
+        const bool last = i + 1 == p.arc_points;
+        const float size = last ? 0.12F : 0.035F + 0.002F * static_cast<float>(i);
+        out.push_back({.mesh = arena_scene.bead,
+                       .model = glm::scale(render::translated(fvec3(p.arc.at(i))), fvec3(size)),
+                       .tint = light,
+                       .glow = 0.8F});
+    }
+    if (!p.spring) return;
+    const auto view = look_rotation(p.yaw, p.pitch);
+    const vec3 from = wand_tip + limited(*p.spring, most_reach), way = own_tip(p) - from;
+    const fvec3 shown = force_colour(p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0);
+    add_coil(arena_scene, p.eye + view * from, view * way, shown * shown, out);
+}
 
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
     if (p.dead) return;
     const auto view = look_rotation(p.yaw, p.pitch);
-    const vec3 tip = p.eye + view * (wand_tip + (own ? p.wand_reach : vec3(0)));
+    const vec3 tip = p.eye + view * (own ? own_tip(p) : wand_tip);
     const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
     const fvec3 shown = force_colour(share),
                 tint = shown * shown;  // converts screen colours to linear light

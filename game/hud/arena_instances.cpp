@@ -171,7 +171,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         const fvec3 at(vec3(arena_scene.bowl->x, height, arena_scene.bowl->z));
         out.push_back({.mesh = arena_scene.runes, .model = render::translated(at), .glow = 0.35F});
     }
-    const auto& target = picture.wizards[viewer].target;
+    const auto target = viewer < players ? picture.wizards[viewer].target : Target{};
     for (const auto& thing : picture.things) {
         const auto first = out.size();
         add_thing(arena_scene, thing, out);
@@ -183,6 +183,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         add_forces(arena_scene, wizard, player == viewer, out);
         if (player == viewer && !wizard.dead) {
             add_own_arm(arena_scene, player, wizard, out);
+            add_drawn_shot(arena_scene, player, wizard, out);
             continue;
         }
         add_figure(arena_scene, player, wizard, out);

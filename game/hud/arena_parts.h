@@ -28,6 +28,9 @@ void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerP
 /// Adds arm and wand as the player sees its own.
 void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                  std::vector<render::Instance>& out);
+/// Adds the way of the shot that the player is drawing, and the spring of the drawn wand.
+void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                    std::vector<render::Instance>& out);
 /// Adds the spring from the wand to a held object. In a player's own view it also adds the force on the hand, at the
 /// wand's tip.
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,

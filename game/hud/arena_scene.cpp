@@ -185,6 +185,10 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
         arena_scene.brew =
             std::make_shared<BrewLook>(make_brew_look(renderer, brew_place(*arena.bowl, *data.cauldron)));
     }
+    if (arena.bowl) {
+        arena_scene.rim_radius = arena.bowl->size.radius;
+        arena_scene.rim_height = arena.bowl->size.height / 2;
+    }
     arena_scene.environment = environment_of(data.look);
     arena_scene.menu_camera = data.look.menu_camera;
     arena_scene.wizard_height = data.wizard.height;

@@ -63,6 +63,7 @@ struct ArenaScene {
     Shade shade;                             ///< shade, for testing whether the sun reaches a moving thing
     std::vector<render::PointLight> lights;  ///< fixed lights; the cauldron's is the first
     std::optional<vec3> bowl;                ///< centre of the cauldron
+    double rim_radius{}, rim_height{};  ///< rim of the cauldron's bowl: radius, and height above `bowl` (m)
     std::optional<render::MeshId> painted_brew;  ///< self-lit mesh for a bowl without a simulated brew
     /// Brew of the drawing thread, refreshed as the brew moves; null: no simulated brew.
     std::shared_ptr<BrewLook> brew;

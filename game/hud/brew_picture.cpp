@@ -79,6 +79,15 @@ void take_ladles(const Simulation& match, CauldronPicture& out) {
         });
 }
 
+void take_boon(const BoonRules& rules, const Cauldron& cauldron, Tick played, CauldronPicture& out) {
+    const auto until = [&](Tick end) { return end > played ? seconds(end - played) : 0; };
+    const bool waits = cauldron.mixed_since != 0 && cauldron.boon_given == 0;
+    out.well_mixed = rules.mixed;
+    out.boon_in_s = waits ? until(cauldron.mixed_since + rules.after) : 0;
+    out.boon_left_s = until(cauldron.boon_until);
+    out.boon_for = out.boon_left_s > 0 ? cauldron.boon_for : no_player;
+}
+
 }  // namespace
 
 void take_cauldron(const Simulation& match, CauldronPicture& out) {
@@ -99,6 +108,7 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
     out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after), 1e-3);
+    take_boon(rules.boon, cauldron, played, out);
     out.slows = is_thick(rules.aura, cauldron);
     out.lifts = is_light(rules.aura, cauldron);
 }

@@ -10,21 +10,23 @@
 namespace thaum::game {
 namespace {
 
-std::string_view cause_words(const Event& event) {
+/// Name of the cause. A thing is "thrown" if a player set it going.
+std::string cause_words(const Event& event, std::string_view thing) {
+    if (!thing.empty()) return text(event.by < players ? "thrown " : "", thing);
     const bool about_cause = info_of(event.kind).with == EventWith::cause;
     const auto index = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
-    return index < causes().size() ? causes()[index] : std::string_view("magic");
+    return std::string(index < causes().size() ? causes()[index] : "magic");
 }
 
 std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-std::string word_of(EventWord word, const Event& event) {
+std::string word_of(EventWord word, const Event& event, std::string_view thing) {
     switch (word) {
         case EventWord::by: return std::string(event.by < players ? team_name(event.by) : "");
         case EventWord::whom: return std::string(event.subject < players ? team_name(event.subject) : "");
-        case EventWord::cause: return std::string(cause_words(event));
+        case EventWord::cause: return cause_words(event, thing);
         case EventWord::power_up: return power_up_words(event);
         case EventWord::amount: return text(std::lround(event.amount));
         case EventWord::gain:
@@ -35,11 +37,11 @@ std::string word_of(EventWord word, const Event& event) {
 
 }  // namespace
 
-std::string event_words(const std::string& pattern, const Event& event) {
+std::string event_words(const std::string& pattern, const Event& event, std::string_view thing) {
     std::string out;
     for (const auto& piece : pieces_of(pattern)) {
         out += piece.plain;
-        if (piece.word) out += word_of(*piece.word, event);
+        if (piece.word) out += word_of(*piece.word, event, thing);
     }
     return out;
 }

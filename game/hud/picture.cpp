@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
+#include "game/hud/felt_source.h"
 #include "game/wands/belt.h"
 #include "game/wands/shot.h"
 
@@ -62,6 +64,22 @@ void take_power_ups(const Simulation& match, Picture& out) {
     });
 }
 
+/// Takes the way of the shot that is being drawn, up to the first thing in the way.
+void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot, PlayerPicture& out) {
+    constexpr double step_s = 0.06;
+    const quat looking = look_rotation(out.yaw, out.pitch);
+    vec3 place = out.eye + looking * (wand_tip + out.wand_reach);
+    vec3 velocity = looking * vec3(0, 0, -shot.speed);
+    while (out.arc_points < out.arc.size()) {
+        const vec3 next = place + velocity * step_s + vec3(0, -shot.fall * step_s * step_s / 2, 0);
+        const auto hit = match.physics().ray(place, next, physics::all_layers, wizard.index);
+        out.arc.at(out.arc_points++) = hit ? hit->point : next;
+        if (hit) return;
+        place = next;
+        velocity.y -= shot.fall * step_s;
+    }
+}
+
 void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
     const auto* wand = wand_in_hand(match.data(), belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
@@ -73,6 +91,19 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
     const auto& wands = match.data().wands;
     for (std::size_t i = 0; i < wands.size(); ++i)
         out.charges.at(i) = belt.energy[wands[i].stats.energy_slot];
+}
+
+/// Takes what a drawn wand shows: the way of its shot, and the spring of its sling.
+void take_draw(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, const HandState& hand_state,
+               PlayerPicture& out) {
+    const auto* wand = wand_in_hand(match.data(), belt);
+    if (wand == nullptr || out.readiness <= 0) return;
+    const auto shot = wand->rules->shot(out.readiness);
+    if (!shot || !(shot->fall > 0)) return;
+    take_arc(match, wizard, *shot, out);
+    if (!(hand_state.tether.stiffness > 0)) return;
+    const auto player = match.world().get<Wizard>(wizard).player;
+    out.spring = match.haptic_setup().wand_per_hand[player] * hand_state.tether.anchor;
 }
 
 void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
@@ -112,10 +143,18 @@ void take_force(const Simulation& match, std::uint32_t player, const HandState& 
     }
 }
 
+std::string_view source_of(const MatchData& data, const WandBelt& belt, const HandState& hand_state) {
+    const auto* wand = wand_in_hand(data, belt);
+    const std::string_view steady = wand != nullptr ? wand->look.steady_force : std::string_view("Pull");
+    return strongest_source(hand_state, steady).name;
+}
+
 void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
     const auto& rules = match.data().cauldron;
     if (!rules || out.dead) return;
     out.stirs = match.world().has<Ladle>(wizard);
+    out.refilled = out.stirs && is_refilling(match.data().cauldron->aura, match.world(), match.brew(),
+                                             match.world().get<Ladle>(wizard), match.match().played);
     out.at_rim = within_reach(match.data(), match.world().single<Cauldron>(), motion.position);
     const auto* pouch = match.world().find<Pouch>(wizard);
     if (pouch != nullptr) out.carries = rules->ingredients[pouch->ingredient].name;
@@ -161,7 +200,9 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.wand_reach =
                 wand_tip_of(match.haptic_setup().wand_per_hand[wizard.player], hand_state) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
+            if (!p.dead) take_draw(match, e, belt, hand_state, p);
             take_force(match, wizard.player, hand_state, p.force);
+            p.force.source = source_of(match.data(), belt, hand_state);
             take_brewing(match, e, motion, p);
             if (!p.dead) take_target(match, e, belt, p);
         });
@@ -221,7 +262,20 @@ void note(const Event& event, double age_s, Picture& out) {
     if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
         out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
     if (!row.feed.empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
-        out.feed[out.feed_lines++] = {age_s, event};
+        out.feed[out.feed_lines++] = {age_s, event, {}};
+}
+
+/// Name of the thing that killed, from the last blow before a death: "barrel". Empty if no thing did.
+std::string_view thing_that_killed(const EventJournal& events, std::uint64_t death) {
+    const auto& event = events[death];
+    if (event.kind != EventKind::death || static_cast<EventKind>(event.detail) != EventKind::object_hit)
+        return {};
+    for (auto i = death; i > events.first(); --i) {
+        const auto& blow = events[i - 1];
+        const bool his = blow.kind == EventKind::object_hit && blow.subject == event.subject;
+        if (his && blow.detail < surface_names.size()) return surface_names.at(blow.detail);
+    }
+    return {};
 }
 
 /// Takes the newest events first, so that a full list leaves out the oldest. Events older than anything shown
@@ -232,7 +286,9 @@ void take_events(const Simulation& match, Picture& out) {
     for (auto i = events.count(); i > events.first(); --i) {
         const auto age_s = age(match.match(), events[i - 1].tick);
         if (age_s > feed_seconds) break;
+        const auto lines = out.feed_lines;
         note(events[i - 1], age_s, out);
+        if (out.feed_lines > lines) out.feed.at(lines).thing = thing_that_killed(events, i - 1);
     }
     std::reverse(out.feed.begin(), out.feed.begin() + out.feed_lines);
 }

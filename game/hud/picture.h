@@ -85,6 +85,7 @@ struct ForcePicture {
     haptics::SafetyCause cause{};  ///< reason for a reduced force
     double cap{};                  ///< limit of the force (N)
     vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
+    std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
     double created{};              ///< largest net energy that passive sources have given (J)
     /// Strongest force of each complete column, the oldest first (N).
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
@@ -113,13 +114,18 @@ struct PlayerPicture {
     double since_gift_s{};       ///< time since the last event of this player with HudMark::gift
     Event gift{};                ///< the event of since_gift_s
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
+    bool refilled{};             ///< true while stirring refills the wands
     bool stirs{};                ///< true if the player holds a ladle
     bool at_rim{};               ///< true if the player can start to stir
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
-    vec3 wand_reach{};           ///< displacement of the wand's tip by the hand (m, eye frame)
-    bool holds_thing{};          ///< the wand holds a thing that can be thrown
-    std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
+    vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)
+    bool holds_thing{};  ///< the wand holds a thing that can be thrown
+    /// Points of the way that a shot would fly which the player is drawing, the first `arc_points` (m, world).
+    std::array<vec3, 24> arc{};
+    std::uint32_t arc_points{};
+    std::optional<vec3> spring{};  ///< where the spring to the drawn wand begins (m, eye frame)
+    std::optional<vec3> held{};    ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
     std::uint32_t hurts{};  ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};
@@ -129,6 +135,7 @@ struct PlayerPicture {
 struct FeedLine {
     double age_s{};
     Event event{};
+    std::string_view thing{};  ///< the thing that caused it, such as "barrel"; empty: no thing
 };
 
 /// The display of the practice range, in place of score and clock. The session fills it in.
@@ -172,8 +179,9 @@ struct Picture {
     std::uint32_t burst_count{};  ///< number of entries in `bursts`, the newest first
     std::array<BurstPicture, 8> bursts{};
     std::uint32_t skipped{};  ///< number of samples left out so far
-    std::uint32_t mark{};     ///< number of a mark set just now; 0: none; filled in by the session
-    bool overloaded{};        ///< samples were left out just now; filled in by the session
+    int countdown{};       ///< seconds to the start of the match; 0: it has begun; filled in by the session
+    std::uint32_t mark{};  ///< number of a mark set just now; 0: none; filled in by the session
+    bool overloaded{};     ///< samples were left out just now; filled in by the session
     PracticePicture practice{};
     Caption caption{};
 };

@@ -65,6 +65,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
                     .controls = controls.wands,
                     .in_hand = p.wand_number,
                     .columns = static_cast<std::size_t>(l.strip_columns),
+                    .refilled = p.refilled,
                     .full = opaque(team_colours(player).glow)},
                    strip.low + u * fvec2(strip_margin, strip_head - 1), u);
     const float middle = strip.low.x + 0.66F * (strip.high.x - strip.low.x);
@@ -86,7 +87,7 @@ void add_feed(Overlay& out, const Picture& picture, const ViewLayout& l) {
         const auto& fed = picture.feed[i];
         const auto& row = row_of(picture.shown->events, fed.event.kind);
         const bool alone = fed.event.by >= players || fed.event.by == fed.event.subject;
-        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event);
+        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event, fed.thing);
         const auto who = alone ? fed.event.subject : fed.event.by;
         add_text_in(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
                     opaque(team_colours(who).light), left ? Align::left : Align::right);
@@ -258,6 +259,9 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
     if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
     if (cauldron.slows) words += ", slows";
     if (cauldron.lifts) words += ", lifts";
+    if (cauldron.boon_for == player) words += ", heals you";
+    if (cauldron.boon_in_s > 0 && cauldron.owner == player)
+        words += text(", heals in ", std::lround(std::ceil(cauldron.boon_in_s)), " s");
     if (cauldron.spoils_in_s > 0)
         words += text(", spoils in ", std::lround(std::ceil(cauldron.spoils_in_s)), " s");
     return words;
@@ -266,6 +270,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
 /// Bars below a message about the brew: how well it is mixed, and the time until it spoils (shares).
 struct BrewGauge {
     float mixed{}, fresh{};
+    float goal{};   ///< mixing from which the brew is well mixed
     fvec4 paint{};  ///< colour of the owner
 };
 
@@ -279,6 +284,7 @@ BrewGauge gauge_of(const CauldronPicture& cauldron) {
     const bool owned = cauldron.owner < players;
     return {.mixed = static_cast<float>(std::clamp(cauldron.mixing, 0.0, 1.0)),
             .fresh = static_cast<float>(std::clamp(cauldron.fresh, 0.0, 1.0)),
+            .goal = static_cast<float>(std::clamp(cauldron.well_mixed, 0.0, 1.0)),
             .paint = owned ? opaque(team_colours(cauldron.owner).glow) : paints.white};
 }
 
@@ -295,6 +301,9 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, const Panel& box, float top
             out.items.emplace_back(RectItem{low, low + fvec2(share * wide, high * u), paint, high * u / 3});
     };
     bar(1, 5, gauge.mixed, gauge.paint);
+    const float goal = left + gauge.goal * wide;
+    out.items.emplace_back(
+        LineItem{{goal, top}, {goal, top + 7 * u}, std::max(1.5F, 1.5F * u), paints.white});
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
@@ -316,7 +325,9 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
     if (p.stirs || p.at_rim) {
-        all.push_back({words_of_brew(picture.cauldron, player), paints.white, gauge_of(picture.cauldron)});
+        auto words = words_of_brew(picture.cauldron, player);
+        if (p.refilled) words += ", refills your wands";
+        all.push_back({std::move(words), paints.white, gauge_of(picture.cauldron)});
     } else if (!p.carries.empty()) {
         add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
     }
@@ -369,6 +380,23 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l
                 12 * u, paints.white, Align::left);
 }
 
+/// Names the strongest force on the hand, with a bar that is full at the player's limit.
+void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l) {
+    constexpr float least = 0.05F;  // share of the limit below which nothing is said
+    const auto share = static_cast<float>(glm::length(force.now) / std::max(force.cap, 1e-6));
+    if (force.source.empty() || share < least) return;
+    const float u = (l.forces.high.x - l.forces.low.x) / 186;
+    const fvec2 low = l.forces.low, high = low + u * fvec2(96, 27);
+    out.items.emplace_back(RectItem{low, high, paints.panel, 6 * u});
+    const fvec2 bar = low + u * fvec2(6, 19), size = u * fvec2(84, 4);
+    out.items.emplace_back(RectItem{bar, bar + size, paints.track, 2 * u});
+    const double shown = std::min(share, 1.0F);
+    out.items.emplace_back(RectItem{bar, bar + fvec2(static_cast<float>(shown) * size.x, size.y),
+                                    opaque(force_colour(shown)), 2 * u});
+    add_text_in(out, {low + u * fvec2(6, 2), {high.x - 6 * u, low.y + 19 * u}}, force.source, 12 * u,
+                paints.white, Align::left);
+}
+
 void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     add_veil(out, l.view, colour(0x0C0616, 0.5F));
     const float half = 0.46F * static_cast<float>(l.view.width);
@@ -377,12 +405,19 @@ void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
                 Align::centre);
 }
 
+/// Adds the seconds to the start in place of the crosshair.
+void add_countdown(Overlay& out, int seconds, const ViewLayout& l) {
+    const float size = std::floor(1.2F * l.ring);
+    add_text(out, text(seconds), l.centre - fvec2(0, 0.7F * size), size, paints.white, Align::centre);
+}
+
 }  // namespace
 
 void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                       const ViewLayout& l) {
     const auto& p = picture.wizards[player];
-    const bool plays = picture.phase == Phase::playing && !picture.paused;
+    const bool plays = picture.phase == Phase::playing && !picture.paused && picture.countdown == 0;
+    if (picture.countdown > 0) add_countdown(out, picture.countdown, l);
     if (plays && p.dead) add_death(out, p, l);
     if (plays && !p.dead) {
         add_crosshair(out, picture, player, l);
@@ -394,7 +429,10 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
                 Align::left);
     add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, l);
-    if (settings.forces) add_force_plot(out, p.force, l);
+    if (settings.forces)
+        add_force_plot(out, p.force, l);
+    else if (plays && !p.dead)
+        add_force_word(out, p.force, l);
 }
 
 }  // namespace thaum::game

@@ -61,11 +61,17 @@ void add_part(const Icon& icon, LookPart part) {
     }
 }
 
-/// Adds the bar of a wand's energy: amber below a fifth. `share` 0: not enough for one use.
-void add_charge(render::Overlay& out, const Panel& bar, double share, fvec4 full) {
+/// Adds the bar of a wand's energy: amber below a fifth. `share` 0: not enough for one use. A bar that is being
+/// refilled has a light edge.
+void add_charge(render::Overlay& out, const Panel& bar, double share, bool refilled, fvec4 full) {
     constexpr double low = 0.2;
     const float corner = (bar.high.y - bar.low.y) / 3,
                 filled = static_cast<float>(std::clamp(share, 0.0, 1.0));
+    if (refilled) {
+        const fvec2 edge((bar.high.y - bar.low.y) / 4);
+        out.items.emplace_back(
+            render::RectItem{bar.low - edge, bar.high + edge, paints.white, corner + edge.x});
+    }
     out.items.emplace_back(render::RectItem{bar.low, bar.high, paints.track, corner});
     const float middle = (bar.low.y + bar.high.y) / 2;
     if (share <= 0) {
@@ -106,7 +112,7 @@ void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_le
         add_wand_icon(out, wands[i].look, cell.low + unit * fvec2(24, 16), 22 * unit, paint_of(i));
         const double cap = std::max(wands[i].energy_cap, 1e-9), charge = strip.charges[i];
         add_charge(out, {cell.low + unit * fvec2(4, 32), cell.low + unit * fvec2(strip_cell_width - 4, 38)},
-                   charge < wands[i].energy_cost ? 0 : charge / cap, strip.full);
+                   charge < wands[i].energy_cost ? 0 : charge / cap, strip.refilled, strip.full);
     }
     for (std::size_t i = 0; i < wands.size(); ++i) {
         const auto cell = cell_of(i);

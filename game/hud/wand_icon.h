@@ -17,6 +17,7 @@ struct WandStrip {
     std::span<const std::string> controls;  ///< names of the controls that take a wand in hand, by slot
     std::uint32_t in_hand{};                ///< index of the wand in hand
     std::size_t columns{};                  ///< wands in one row
+    bool refilled{};                        ///< stirring refills all wands now
     fvec4 full{};                           ///< colour of a wand's energy
 };
 

@@ -53,6 +53,12 @@ std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, T
     return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
 }
 
+/// Number of the thing's Surface, also for a thing that is gone.
+std::uint32_t surface_of(const ecs::World& world, ecs::Entity thing) {
+    const auto* look = world.find<Look>(thing);
+    return static_cast<std::uint32_t>(look != nullptr ? look->surface : Surface{});
+}
+
 /// Turns finished blows into harm.
 void count_blows(MatchContext& context, Tick tick) {
     const auto& rules = context.data.wizard;
@@ -66,7 +72,8 @@ void count_blows(MatchContext& context, Tick tick) {
                      {.points = points,
                       .by = mover_of(context.world, blow.by, blow.began, rules.blame),
                       .how = EventKind::object_hit,
-                      .place = motion.position});
+                      .place = motion.position,
+                      .detail = surface_of(context.world, blow.by)});
             }
         });
 }
@@ -114,7 +121,7 @@ void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .run = [&context](ecs::World&, Tick) { context.physics.write().step(physics_dt); }});
     schedule.add({.name = "blows",
                   .period = physics_period,
-                  .reads = world.mask<Wizard, Prop, Motion, Dead, resource::Physics>(),
+                  .reads = world.mask<Wizard, Prop, Motion, Look, Dead, resource::Physics>(),
                   .writes = world.mask<Blows, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Blows, Prop>(),
                   .run = [&context](ecs::World&, Tick tick) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/components/cauldron.h"
+#include "game/context/aim_assist.h"
 #include "game/context/arms.h"
 
 namespace thaum::game {
@@ -21,15 +22,26 @@ double wrapped(double angle) {
     return angle;
 }
 
-void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, double pitch_limit, Gaze& gaze) {
+/// Turns the view by the sample, and by the help that the player has with aiming.
+void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, double pitch_limit,
+          const ViewHelp& help, Gaze& gaze) {
     const double step = spec.turn_rad_per_s * tick_seconds;
     const auto& counts = sample.counts;
-    const double right =
-        spec.look_rad_per_count * counts[hand::look_right] + step * stick_curve(counts[hand::turn_right]);
-    double up = spec.look_rad_per_count * counts[hand::look_up] + step * stick_curve(counts[hand::turn_up]);
+    const double right = help.turn_share * (spec.look_rad_per_count * counts[hand::look_right] +
+                                            step * stick_curve(counts[hand::turn_right]));
+    double up = help.turn_share *
+                (spec.look_rad_per_count * counts[hand::look_up] + step * stick_curve(counts[hand::turn_up]));
     if (spec.invert_y) up = -up;
-    gaze.yaw = wrapped(gaze.yaw - std::clamp(right, -pi, pi));
-    gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
+    gaze.yaw = wrapped(gaze.yaw - std::clamp(right, -pi, pi) + help.left);
+    gaze.pitch = std::clamp(gaze.pitch + up + help.up, -pitch_limit, pitch_limit);
+}
+
+/// Whether the player does anything that aiming could help with.
+bool acts(const input::DeviceSample& sample) {
+    const auto& counts = sample.counts;
+    return counts[hand::look_right] != 0 || counts[hand::look_up] != 0 || counts[hand::turn_right] != 0 ||
+           counts[hand::turn_up] != 0 || counts[hand::strafe] != 0 || counts[hand::forward] != 0 ||
+           sample.down(Button::fire);
 }
 
 /// Displacement of the hand in one tick by a stick (um).
@@ -100,7 +112,7 @@ double stick_curve(std::int32_t deflection) {
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "controls",
-                  .reads = world.mask<Wizard, Match, Arm, Ladle>(),
+                  .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, resource::Physics>(),
                   .writes = world.mask<Controls, Gaze>(),
                   .needs = world.mask<Controls>(),
                   .run = [&context](ecs::World& w, Tick) {
@@ -122,7 +134,8 @@ void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
                                   } else if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
                                       move_hand(sample, context.data.haptic_rules, controls);
                                   } else if (live) {
-                                      turn(sample, spec, context.data.wizard.pitch_limit, gaze);
+                                      turn(sample, spec, context.data.wizard.pitch_limit,
+                                           acts(sample) ? view_help(context, e) : ViewHelp{}, gaze);
                                   }
                               }
                           });

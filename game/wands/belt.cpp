@@ -86,22 +86,23 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
         const auto its = wand.rules->writes(world);
         for (std::size_t i = 0; i < writes.words.size(); ++i) writes.words[i] |= its.words[i];
     }
-    schedule.add({.name = "wands",
-                  .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, resource::Physics>(),
-                  .writes = writes,
-                  .needs = world.mask<WandBelt>(),
-                  .run = [&context](ecs::World& w, Tick tick) {
-                      w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<Ladle>>().each(
-                          [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
-                              use_wands(context, e, controls, belt, tick);
-                          });
-                      const auto put_down = [&](ecs::Entity e, const WandBelt& belt, const auto&) {
-                          put_away(context, e, wand_in_hand(context.data, belt), tick);
-                      };
-                      w.view<const WandBelt, const Dead>().each(put_down);
-                      w.view<const WandBelt, const Ladle>().each(put_down);
-                  }});
+    schedule.add(
+        {.name = "wands",
+         .period = gameplay_period,
+         .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, Arm, resource::Physics>(),
+         .writes = writes,
+         .needs = world.mask<WandBelt>(),
+         .run = [&context](ecs::World& w, Tick tick) {
+             w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<Ladle>>().each(
+                 [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
+                     use_wands(context, e, controls, belt, tick);
+                 });
+             const auto put_down = [&](ecs::Entity e, const WandBelt& belt, const auto&) {
+                 put_away(context, e, wand_in_hand(context.data, belt), tick);
+             };
+             w.view<const WandBelt, const Dead>().each(put_down);
+             w.view<const WandBelt, const Ladle>().each(put_down);
+         }});
 }
 
 void add_wand_forces(MatchContext& context, ecs::Schedule& schedule) {

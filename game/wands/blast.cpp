@@ -107,7 +107,8 @@ double recoil_of(const BlastData& data, double charge) {
 
 void shoot(const WandUse& use, const BlastData& data, double charge) {
     auto& world = use.context.world;
-    const auto muzzle = muzzle_of(use, data.radius);
+    auto muzzle = muzzle_of(use, data.radius);
+    help_aim(use, data.speed.at(charge), muzzle);
     world.commands().create(Blast{.position = muzzle.tip,
                                   .velocity = muzzle.aim * data.speed.at(charge),
                                   .charge = charge,

@@ -76,7 +76,8 @@ vec3 scattered(vec3 direction, double spread, Random& random) {
 
 void shoot(const WandUse& use, const BoltData& data) {
     auto& world = use.context.world;
-    const auto muzzle = muzzle_of(use, 0);
+    auto muzzle = muzzle_of(use, 0);
+    help_aim(use, data.speed, muzzle);
     auto& dice = world.single<Dice>();
     world.commands().create(Bolt{.position = muzzle.tip,
                                  .velocity = scattered(muzzle.aim, data.spread, dice.spread) * data.speed,

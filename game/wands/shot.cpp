@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "game/components/hand_state.h"
+#include "game/context/aim_assist.h"
 #include "game/context/hand_forces.h"
 
 namespace thaum::game {
@@ -96,6 +97,10 @@ Muzzle muzzle_of(const WandUse& use, double radius) {
     vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<HandState>(use.wizard));
     if (blocked(physics, eye, tip, radius, key)) tip = eye;
     return {.tip = tip, .ahead = ahead, .aim = glm::normalize(eye + ahead * depth - tip)};
+}
+
+void help_aim(const WandUse& use, double speed, Muzzle& muzzle) {
+    muzzle.aim = helped_aim(use.context, use.wizard, muzzle.tip, muzzle.aim, speed);
 }
 
 void note_dry(const WandUse& use) {

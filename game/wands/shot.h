@@ -34,6 +34,10 @@ struct Muzzle {
 /// Muzzle for a missile with this radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
 Muzzle muzzle_of(const WandUse& use, double radius);
 
+/// Turns the muzzle's aim by the help that the player has (context/aim_assist.h), for a straight shot of this
+/// speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
+void help_aim(const WandUse& use, double speed, Muzzle& muzzle);
+
 /// Records that a player pressed fire without enough energy for a shot. Writes EventLog and resource::Journal.
 void note_dry(const WandUse& use);
 /// Records a shot and ends the shooter's protection. `hit` is the kind of event of its hits. Writes WandBelt,

@@ -23,7 +23,7 @@ expect() {
 
 expect 2 "unknown option '--frobnicate'" --frobnicate
 expect 2 "unknown command 'brew'" brew
-expect 2 "must be a number from 1 to 3" --solo 4
+expect 2 "must be a number from 0 to 3" --solo 4
 expect 2 "exclude each other" --vs --demo
 expect 2 "must be mouse, half, pad or arm" --vs --hands mouse,foot
 expect 2 "--hands takes one or two" --vs --hands mouse,mouse
@@ -72,11 +72,11 @@ expect 2 "build it" bench ecs
 thaum=$with_benchmarks
 rm -r "$folder/alone"
 expect 2 "--bots needs two levels" --headless --bots 2
-expect 2 "must be a number from 1 to 3" --headless --bots 2,x
+expect 2 "must be a number from 0 to 3" --headless --bots 2,x
 expect 2 "is for --demo" --vs --bots 1,2
 expect 2 "two or more different levels" league --levels 2
 expect 2 "two or more different levels" league --levels 2,2
-expect 2 "must be a number from 1 to 3" league --levels 1,4
+expect 2 "must be a number from 0 to 3" league --levels 1,4
 expect 2 "must be a number" league --matches 0
 expect 2 "no rule set" league --rules none
 expect 1 "the median round takes 3 s" league --levels 1,2 --matches 2 --set quick.seconds=3 --check

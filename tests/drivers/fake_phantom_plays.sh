@@ -97,8 +97,7 @@ awk -F, 'FNR == 1 { file++ }
         held += part == "away" && $1 > left + 50 && force > 0
         last = force }
     END { print shots["before"] + 0, "shots, then", joined - left, "ticks without the arm,", held + 0, "of them with a force, then", shots["after"] + 0
-          # The hand that takes over may feel one kick of 15 ticks: that of a shot whose kick the arm did not play.
-          exit !(shots["before"] >= 1 && left < joined && held <= 15 && shots["after"] >= 3) }' \
+          exit !(shots["before"] >= 1 && left < joined && held == 0 && shots["after"] >= 3) }' \
     "$folder/back.events.csv" "$folder/back.csv" || failed "it is not felt again"
 play stopped_and_back 6 "path=$folder/calm,felt,stop=1000,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"

@@ -113,14 +113,17 @@ grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
 game=$!
 eventually "no window" drawn
 xdotool keydown i
-sleep 1
+moved() {
+    seen=$("$probe" "$folder/log" 2>/dev/null) || true
+    [ "$(field 0 forward)" = 0..127 ]
+}
+eventually "the new key after a restart" moved
 xdotool keyup i
 presses Escape
 eventually "no pause" pause_menu
 presses q
 wait "$game" || fail "the exit code after Q"
 seen=$("$probe" "$folder/log")
-[ "$(field 0 forward)" = 0..127 ] || fail "the new key after a restart"
 [ "$(field 0 kept_off)" = 10,100,0,0,0,0,0 ] || fail "the faders after a restart"
 
 # 5. A settings file of another version is reported in one line and kept. The player can still play and change

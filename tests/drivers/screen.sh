@@ -49,7 +49,7 @@ live() { od -An -v -t"$3" -j$((8 * $2)) -N8 "$folder/$1.live" 2>/dev/null | tr -
 # every core.
 few_pictures() {
     mkdir -p "$XDG_CONFIG_HOME/thaum"
-    printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' >"$XDG_CONFIG_HOME/thaum/settings.toml"
+    printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' 'countdown_s = 0' >"$XDG_CONFIG_HOME/thaum/settings.toml"
 }
 
 # pause_menu: tests whether the pause menu is shown, by the colour of its chosen row (screen of 1280x720).

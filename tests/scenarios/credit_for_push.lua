@@ -14,7 +14,7 @@ local function fall()
     return death
 end
 
--- One hit leaves 2.5 HP, and the fall into the pit of 5 m costs 3.6 HP.
+-- One hit leaves 2.5 HP, and the fall into the pit of 5 m costs 28 HP.
 me:aim(foe)
 wait(0.5)
 me:press("fire")

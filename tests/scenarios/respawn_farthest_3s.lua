@@ -35,7 +35,7 @@ for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} 
     expect_near(foe:energy(), 60, 0, "full energy after the return")
 end
 
--- The shield: a landing at 12 m/s within 1.5 s costs nothing, and later 12 HP.
+-- The shield: a landing at 12 m/s within 1.5 s costs nothing, and later 54 HP.
 local high = 12 * 12 / (2 * 9.81)
 expect(foe:shielded(), "shielded after the return")
 fall(high)
@@ -46,7 +46,7 @@ wait(0.3)
 expect(not foe:shielded(), "the shield ends after 1.5 s")
 fall(high)
 wait(1.4)
-expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "harm after the shield has ended")
+expect_near(foe:health(), 100 - 12 * (12 - 7.5), 1, "harm after the shield has ended")
 
 -- An attack ends the shield at once.
 die()
@@ -59,4 +59,4 @@ expect_near(#events {kind = "shot", by = 2}, 1, 0)
 expect(not foe:shielded(), "an attack ends the shield")
 fall(high)
 wait(1.3)
-expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "harm within 1.5 s after an attack")
+expect_near(foe:health(), 100 - 12 * (12 - 7.5), 1, "harm within 1.5 s after an attack")

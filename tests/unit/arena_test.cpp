@@ -396,7 +396,7 @@ void expect_a_lively_round(const MatchReport& report, double upper_level) {
 
 TEST(ArenaMatch, BotsOfEveryLevelPlayTheWellToTheEnd) {
     const auto data = arena_data("the_well", assets(), {"quick.kills=1", "quick.seconds=120"});
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = 1; level <= hardest_bot; ++level) {
         SCOPED_TRACE(level);
         expect_a_lively_round(play_round(assets(), data, level, 21), 3);
     }

@@ -74,17 +74,17 @@ void stands_still(Tick, input::DeviceSample&) {}
 
 TEST(BotSkill, EveryLevelHasItsFileAndAnyOtherIsRefusedInOneLine) {
     BotSkill before;
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = easiest_bot; level <= hardest_bot; ++level) {
         const auto skill = skill_of(level);
         EXPECT_EQ(skill.level, static_cast<std::uint32_t>(level));
-        if (level > 1) {
+        if (level > easiest_bot) {
             EXPECT_LT(skill.reaction, before.reaction);
             EXPECT_LT(skill.aim_error, before.aim_error);
             EXPECT_GT(skill.turn_speed, before.turn_speed);
         }
         before = skill;
     }
-    for (const int level : {0, -1, bot_levels + 1}) {
+    for (const int level : {-2, -1, hardest_bot + 1}) {
         const auto skill = load_bot_skill(assets(), level);
         ASSERT_FALSE(skill);
         EXPECT_NE(skill.error().message.find(text("no bot of level ", level)), std::string::npos);
@@ -92,7 +92,7 @@ TEST(BotSkill, EveryLevelHasItsFileAndAnyOtherIsRefusedInOneLine) {
 }
 
 TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = 1; level <= hardest_bot; ++level) {
         const auto skill = skill_of(level);
         Scene hurt(skill);
         auto& world = hurt.match.world_to_change();
@@ -101,7 +101,7 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
         hurt.run(12, stands_still);
         EXPECT_EQ(hurt.picked_up(), PowerUpKind::vial) << level;
     }
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = 1; level <= hardest_bot; ++level) {
         Scene dry(skill_of(level), {"bolt.energy.regain_per_s=0"});
         auto& world = dry.match.world_to_change();
         world.get<WandBelt>(wizard_of(world, 0)).energy.fill(0);
@@ -156,7 +156,7 @@ std::array<std::uint32_t, most_causes> shots_of(int level) {
 }
 
 TEST(Bot, HigherLevelsUseMoreWands) {
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = 1; level <= hardest_bot; ++level) {
         const auto shots = shots_of(level);
         EXPECT_GT(shots[cause_of(hit_kind("bolt_hit"))], 5U) << level;
         EXPECT_GT(shots[cause_of(hit_kind("blast_hit"))], 2U) << level;
@@ -283,7 +283,7 @@ MatchStats throws_of(int level) {
 }
 
 TEST(Bot, FromLevelTwoItTakesThingsUpAndThrowsThem) {
-    for (int level = 1; level <= bot_levels; ++level) {
+    for (int level = 1; level <= hardest_bot; ++level) {
         const auto blows = throws_of(level);
         EXPECT_EQ(blows.hits > 0, level > 1) << level;
         EXPECT_EQ(blows.damage > 8, level > 1) << level;

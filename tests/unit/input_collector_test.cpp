@@ -327,5 +327,57 @@ TEST(InputCollector, LookCanBeScaledAndTurnedAround) {
     EXPECT_EQ(stick.take().counts[hand::turn_up], 127);
 }
 
+// ---- slow start of turns ----------------------------------------------------------------------------------
+
+TEST(InputCollector, ATurnGrowsToItsLevelOverTheRamp) {
+    auto hands = pad();
+    hands.set_turn_ramp(0.1);
+    hands.pad(pad_with(PadAxis::right_x, 1));
+    const int first = hands.take().counts[hand::turn_right];
+    EXPECT_NEAR(first, 0.3 * 127, 1);
+    int before = first;
+    for (int tick = 1; tick < 100; ++tick) {
+        const int now = hands.take().counts[hand::turn_right];
+        EXPECT_GE(now, before) << tick;
+        before = now;
+    }
+    EXPECT_EQ(hands.take().counts[hand::turn_right], 127);
+    EXPECT_EQ(hands.take().counts[hand::turn_right], 127);
+}
+
+TEST(InputCollector, ATurnBeginsAnewAtRestAndByAnotherDirection) {
+    auto hands = pad();
+    hands.set_turn_ramp(0.05);
+    const auto held_for = [&](double value, int ticks) {
+        hands.pad(pad_with(PadAxis::right_x, value));
+        int last = 0;
+        for (int i = 0; i < ticks; ++i) last = hands.take().counts[hand::turn_right];
+        return last;
+    };
+    EXPECT_EQ(held_for(1, 60), 127);
+    EXPECT_NEAR(held_for(-1, 1), -0.3 * 127, 1);
+    EXPECT_EQ(held_for(-1, 60), -127);
+    EXPECT_EQ(held_for(0, 1), 0);
+    EXPECT_NEAR(held_for(-1, 1), -0.3 * 127, 1);
+}
+
+TEST(InputCollector, ASlowStartNeverStopsAFineTurnAndLeavesTheRestAlone) {
+    auto hands = pad();
+    hands.set_turn_ramp(0.2);
+    auto state = pad_with(PadAxis::right_y, 0.16);  // just beyond the dead zone
+    state.axes[static_cast<std::size_t>(PadAxis::left_x)] = 1;
+    hands.pad(state);
+    const auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::turn_up], 1);
+    EXPECT_EQ(sample.counts[hand::strafe], 127);
+    for (const double broken : {-1.0, static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+        hands.set_turn_ramp(broken);
+        hands.pad(pad_with(PadAxis::right_x, 1));
+        EXPECT_EQ(hands.take().counts[hand::turn_right], 127) << broken;
+        hands.pad({});
+        hands.take();
+    }
+}
+
 }  // namespace
 }  // namespace thaum::input

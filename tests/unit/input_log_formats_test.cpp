@@ -234,6 +234,14 @@ TEST(InputLogFormat2, UnknownSettingsOfADeviceAreSkippedUnlessTheyAreNeeded) {
     EXPECT_TRUE(contains(refusal(sample.file, with_setting(sample, 9, 1, 7)), "setting 9 follows setting 9"));
 }
 
+TEST(InputLogFormat2, TheHelpWithAimingIsKept) {
+    auto sample = HeaderSample();
+    for (const int percent : {0, 1, 40, 100}) {
+        sample.header.devices[1].aim_assist = static_cast<std::uint8_t>(percent);
+        EXPECT_EQ(decoded(detail::encode_header(sample.header).value()), sample.header) << percent;
+    }
+}
+
 TEST(InputLogFormat2, ASettingOfAnotherSizeOrBeyondItsLimitIsRefused) {
     auto sample = HeaderSample();
     sample.header.devices.pop_back();

@@ -198,7 +198,7 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     plan.assets = folder;
     const auto before = find_menu_context(plan);
     ASSERT_FALSE(before.rules.empty());
-    EXPECT_EQ(before.levels.front(), 1);
+    EXPECT_EQ(before.levels.front(), game::easiest_bot);
     const auto arena_labels = [](const MenuContext& context) {
         std::vector<std::string> labels;
         for (const auto& arena : context.arenas) labels.push_back(arena.label);

@@ -22,7 +22,7 @@ namespace {
 using game::Simulation;
 
 /// Level of the bots with the most work per tick.
-constexpr int heaviest = game::bot_levels;
+constexpr int heaviest = game::hardest_bot;
 
 Expected<game::BotDuel> duel() {
     auto data = duel_data();

@@ -29,6 +29,7 @@ enum class Setting : std::uint16_t {
     blow_reduction,
     box_um,
     fluid_reduction,
+    aim_assist,
 };
 
 // Devices ------------------------------------------------------------------------------------------
@@ -62,6 +63,7 @@ Bytes settings_of(const DeviceSpec& d) {
     put_setting(out, Setting::blow_reduction, d.blow_reduction, std::uint8_t{});
     put_settings(out, Setting::box_um, d.box_um);
     put_settings(out, Setting::fluid_reduction, d.fluid_reduction);
+    put_setting(out, Setting::aim_assist, d.aim_assist, std::uint8_t{});
     return out;
 }
 
@@ -91,6 +93,7 @@ bool get_setting(Setting tag, ByteReader& in, DeviceSpec& d) {
         case Setting::blow_reduction: d.blow_reduction = in.get<std::uint8_t>(); return true;
         case Setting::box_um: get_values(in, d.box_um); return true;
         case Setting::fluid_reduction: get_values(in, d.fluid_reduction); return true;
+        case Setting::aim_assist: d.aim_assist = in.get<std::uint8_t>(); return true;
     }
     return false;
 }

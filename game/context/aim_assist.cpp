@@ -1,0 +1,138 @@
+#include "game/context/aim_assist.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/context/arms.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double slow_zone = 4 * radians_per_degree;  ///< angle beside the foe in which the view turns slowly
+constexpr double most_slowed = 0.7;  ///< share of the turn that is lost on the foe at full strength
+constexpr double draw_rate = 40;     ///< speed at which the view is drawn to the foe, per angle (1/s)
+constexpr double fastest_draw = 120 * radians_per_degree;  ///< largest such speed (rad/s)
+constexpr double farthest = 40;  ///< distance of the foe beyond which there is no help (m)
+
+/// Strength of the help for a player, 0 to 1.
+double strength_for(const MatchContext& context, std::uint32_t player) {
+    if (!context.data.rules.aim_assist) return 0;
+    double strength = 0;
+    for (const auto& device : context.input.devices) {
+        if (device.player == player) strength = std::max(strength, device.aim_assist / 100.0);
+    }
+    return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
+}
+
+/// The foe as a target.
+struct Target {
+    ecs::Entity foe{};
+    vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
+    double off{};         ///< angle from the aim to that point (rad)
+    double half_width{};  ///< half the angle that the body's width fills (rad)
+};
+
+double angle_between(vec3 a, vec3 b) { return det::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+/// The foe's body with its centre at `centre`, as seen from `from` along `aim`.
+Target target_at(const WizardRules& rules, ecs::Entity foe, vec3 centre, vec3 from, vec3 aim) {
+    const vec3 to = centre - from;
+    const double flat_way = std::sqrt(to.x * to.x + to.z * to.z);
+    const double flat_aim = std::max(1e-6, std::sqrt(aim.x * aim.x + aim.z * aim.z));
+    const double half_axis = rules.height / 2 - rules.radius;
+    const double height = std::clamp(aim.y / flat_aim * flat_way, to.y - half_axis, to.y + half_axis);
+    const vec3 way(to.x, height, to.z);
+    return {foe, from + way, angle_between(aim, way), det::atan2(rules.radius, glm::length(way))};
+}
+
+/// The living foe within reach of help; an invalid Entity if there is none.
+ecs::Entity foe_in_reach(const MatchContext& context, std::uint32_t player, vec3 from) {
+    const auto foe = wizard_of(context.world, 1 - player);
+    if (!foe || context.world.has<Dead>(foe)) return {};
+    const vec3 centre = context.physics.read().state(foe.index).position;
+    return glm::distance(centre, from) <= farthest ? foe : ecs::Entity{};
+}
+
+/// Place at which a straight shot from `from` meets the middle of the foe, who walks on (m, world). A speed of 0 means
+/// that the wand in hand has no such shot.
+vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, double speed) {
+    const auto& body = context.physics.read().state(foe.index);
+    if (!(speed > 0)) return body.position;
+    const double flight = glm::distance(from, body.position) / speed;
+    return body.position + flight * vec3(body.velocity.x, 0, body.velocity.z);
+}
+
+/// Speed of straight shots of the wand in hand (m/s); 0: it has none.
+double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
+    const auto selected = context.world.get<WandBelt>(wizard).selected;
+    for (const auto& wand : context.data.wands) {
+        if (wand.stats.slot != selected) continue;
+        const auto shot = wand.rules->shot(1);
+        return shot && shot->fall == 0 ? shot->speed : 0;
+    }
+    return 0;
+}
+
+/// Sets the turn of the view towards a direction.
+void draw_to(vec3 way, const Gaze& gaze, double strength, ViewHelp& help) {
+    const double flat = std::sqrt(way.x * way.x + way.z * way.z);
+    const double left = std::remainder(det::atan2(-way.x, -way.z) - gaze.yaw, 2 * pi);
+    const double up = det::atan2(way.y, flat) - gaze.pitch;
+    const double off = std::sqrt(left * left + up * up);
+    if (off < 1e-9) return;
+    const double step = std::min(off, strength * std::min(fastest_draw, draw_rate * off) * tick_seconds);
+    help.left = left * step / off;
+    help.up = up * step / off;
+}
+
+/// Whether nothing stands between the shooter and the foe.
+bool sees(const MatchContext& context, ecs::Entity wizard, vec3 from, ecs::Entity foe) {
+    const auto& physics = context.physics.read();
+    const auto hit = physics.ray(from, physics.state(foe.index).position, physics::all_layers, wizard.index);
+    return hit && hit->key == foe.index;
+}
+
+vec3 turned_towards(vec3 from, vec3 to, double angle) {
+    const vec3 across = to - from * glm::dot(from, to);
+    const double length = glm::length(across);
+    if (length < 1e-9) return from;
+    return glm::normalize(from * det::cos(angle) + across / length * det::sin(angle));
+}
+
+}  // namespace
+
+ViewHelp view_help(const MatchContext& context, ecs::Entity wizard) {
+    const auto player = context.world.get<Wizard>(wizard).player;
+    const double strength = strength_for(context, player);
+    if (strength == 0 || context.world.has<Dead>(wizard)) return {};
+    const auto& gaze = context.world.get<Gaze>(wizard);
+    const auto& physics = context.physics.read();
+    const vec3 eye = eye_of(context.data.wizard, physics.state(wizard.index).position);
+    const auto foe = foe_in_reach(context, player, eye);
+    if (!foe) return {};
+    const auto& rules = context.data.wizard;
+    const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
+    const auto seen = target_at(rules, foe, physics.state(foe.index).position, eye, ahead);
+    const auto met =
+        target_at(rules, foe, meeting_point(context, foe, eye, speed_in_hand(context, wizard)), eye, ahead);
+    const double beside = std::max(0.0, std::min(seen.off - seen.half_width, met.off - met.half_width));
+    if (beside >= slow_zone || !sees(context, wizard, eye, foe)) return {};
+    ViewHelp help{.turn_share = 1 - most_slowed * strength * (1 - beside / slow_zone)};
+    if (beside < most_pull) draw_to(met.point - eye, gaze, strength, help);
+    return help;
+}
+
+vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3 aim, double speed) {
+    const auto player = context.world.get<Wizard>(wizard).player;
+    const double strength = strength_for(context, player);
+    if (strength == 0) return aim;
+    const auto foe = foe_in_reach(context, player, from);
+    if (!foe) return aim;
+    const auto target =
+        target_at(context.data.wizard, foe, meeting_point(context, foe, from, speed), from, aim);
+    const double pull = strength * most_pull;
+    if (target.off > target.half_width + pull || !sees(context, wizard, from, foe)) return aim;
+    return turned_towards(aim, glm::normalize(target.point - from), std::min(pull, target.off));
+}
+
+}  // namespace thaum::game

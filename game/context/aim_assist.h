@@ -1,0 +1,28 @@
+// game/context/aim_assist.h: help with aiming for a player who turns the view by a stick or by keys. The player
+// chooses its strength (input::DeviceSpec::aim_assist), which is in the log. So a replay helps as the match did.
+//
+// Three things help. The view turns more slowly while the crosshair is on the foe or near. It is drawn to the place
+// where a shot meets the foe, from 2 degrees beside the foe on and only while the player does something. And a shot
+// that would miss narrowly is turned by up to 2 degrees. Nothing helps through walls. Bots, scripts and arms get no
+// help, and nor does anybody under rules without it (assets/rules).
+#pragma once
+#include "game/context/match_context.h"
+
+namespace thaum::game {
+
+/// Angle beside the foe from which the view is drawn to it, and largest turn of a shot at full strength (rad).
+inline constexpr double most_pull = 2 * radians_per_degree;
+
+/// Help with the view in one tick.
+struct ViewHelp {
+    double turn_share{1};  ///< share of the player's own turn that is left: 1 without help
+    double left{}, up{};   ///< turn of the view towards the foe, if the player does something (rad)
+};
+/// Reads Wizard, Gaze, WandBelt, Dead, Arm and resource::Physics.
+ViewHelp view_help(const MatchContext& context, ecs::Entity wizard);
+
+/// Direction of a straight shot with help (unit, world), from its direction without. `from` is its start (m,
+/// world), `speed` its speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
+vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3 aim, double speed);
+
+}  // namespace thaum::game

@@ -1,0 +1,172 @@
+// Tests of what the HUD says about a moment: the count to the start, what killed, what the hand feels, and the way of
+// a drawn shot.
+#include "game/context/hand_forces.h"
+#include "game/hud/event_words.h"
+#include "game/hud/felt_source.h"
+#include "unit/hud_rig.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+constexpr Tick draw_time = 1500;
+
+render::Overlay overlay_of(const Picture& picture, const HudSettings& settings = {}) {
+    render::Overlay overlay;
+    make_overlay(picture, settings, {1280, 720}, overlay);
+    return overlay;
+}
+
+/// Item of a text; null if no text equals the words.
+const render::TextItem* text_item(const render::Overlay& overlay, std::string_view words) {
+    const render::TextItem* found = nullptr;
+    for (const auto& item : overlay.items) {
+        const auto* shown = std::get_if<render::TextItem>(&item);
+        if (shown != nullptr && shown->text == words) found = shown;
+    }
+    return found;
+}
+
+TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
+    auto picture = picture_of(*new_match());
+    picture.wizards[0].at_rim = true;
+    HudSettings settings;
+    settings.prompts = PromptWish::always;
+    for (auto& controls : settings.controls) controls.stir = "E";
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), "[E] Stir"));
+    EXPECT_FALSE(has_text(overlay_of(picture, settings), "8"));
+    picture.countdown = 8;
+    const auto overlay = overlay_of(picture, settings);
+    const auto* number = text_item(overlay, "8");
+    ASSERT_NE(number, nullptr);
+    EXPECT_GT(number->size, 20);
+    EXPECT_FALSE(has_text(overlay, "[E] Stir"));
+}
+
+// ---- what killed --------------------------------------------------------------------------------------------
+
+Event death_by_thing(std::uint32_t killer) {
+    return {.kind = EventKind::death,
+            .subject = 1,
+            .by = killer,
+            .detail = static_cast<std::uint32_t>(EventKind::object_hit)};
+}
+
+TEST(Feed, NamesTheThingThatKilled) {
+    EXPECT_EQ(event_words("{by} > {cause} > {whom}", death_by_thing(0), "barrel"),
+              "Ember > thrown barrel > Tide");
+    EXPECT_EQ(event_words("{whom} fell ({cause})", death_by_thing(no_player), "crate"), "Tide fell (crate)");
+    EXPECT_EQ(event_words("{cause}", death_by_thing(0)), "blow");
+}
+
+TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
+    auto match = new_match();
+    auto& context = match->context_to_change();
+    const auto blow = [&](std::uint32_t victim, Surface thing) {
+        record(context, {.kind = EventKind::object_hit,
+                         .subject = victim,
+                         .by = 1 - victim,
+                         .detail = static_cast<std::uint32_t>(thing),
+                         .amount = 10});
+    };
+    blow(1, Surface::crate);
+    blow(1, Surface::barrel);
+    blow(0, Surface::table);
+    record(context, death_by_thing(0));
+    const auto picture = picture_of(*match);
+    ASSERT_EQ(picture.feed_lines, 1U);
+    EXPECT_EQ(picture.feed[0].thing, "barrel");
+    EXPECT_TRUE(has_text(overlay_of(picture), "thrown barrel"));
+}
+
+// ---- forces in words ----------------------------------------------------------------------------------------
+
+TEST(FeltSource, IsTheStrongestOfAll) {
+    auto hand = empty_hand_state();
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "");
+    hand.steady_force.force = {0, -0.5, 0};
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Weight");
+    hand.tether = {.anchor = hand.device.position + vec3(0, 0, 0.02), .stiffness = 50};
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Spring");
+    EXPECT_NEAR(strongest_source(hand, "Weight").newtons, 1, 1e-12);
+    hand.servo.pulses[0] = {.peak = {0, 0, 2}, .length = 20, .at = 10};
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Recoil");
+    hand.servo.pulses[0].at = 20;  // over
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Spring");
+    hand.servo.fluid.force = {1.5, 0, 0};
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Current");
+    hand.servo.fluid.surface_force = -1.8;
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Surface");
+    hand.servo.surface.contacts = 1;
+    hand.servo.surface.touched[0].force = {0, 2, 0};
+    EXPECT_EQ(strongest_source(hand, "Weight").name, "Wall");
+}
+
+TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
+    auto picture = picture_of(*new_match());
+    auto& force = picture.wizards[0].force;
+    force = {.cap = 2, .now = {0, 0, 1}, .source = "Recoil"};
+    EXPECT_TRUE(has_text(overlay_of(picture), "Recoil"));
+    EXPECT_FALSE(has_text(overlay_of(picture), " N"));
+    HudSettings curve;
+    curve.forces = true;
+    EXPECT_TRUE(has_text(overlay_of(picture, curve), " of 2.00 N"));
+    force.now = {0, 0, 0.01};
+    EXPECT_FALSE(has_text(overlay_of(picture), "Recoil")) << "a force that nobody feels";
+}
+
+// ---- the way of a drawn shot --------------------------------------------------------------------------------
+
+/// Distance of a point from the way of a drawn shot (m).
+double distance_from_way(const PlayerPicture& drawn, vec3 point) {
+    double nearest = 1e9;
+    for (std::uint32_t i = 0; i + 1 < drawn.arc_points; ++i) {
+        const vec3 a = drawn.arc[i], way = drawn.arc[i + 1] - a;
+        const double share = std::clamp(glm::dot(point - a, way) / glm::dot(way, way), 0.0, 1.0);
+        nearest = std::min(nearest, glm::distance(point, a + share * way));
+    }
+    return nearest;
+}
+
+/// Largest distance of the stone from the way between its first and its last point (m).
+double worst_of_flight(Simulation& match, const input::InputFrame& frame, const PlayerPicture& drawn) {
+    double worst = 0;
+    bool on_its_way = false, arrived = false;
+    for (Tick t = 0; t < 2000 && !arrived; ++t) {
+        match.tick(frame);
+        for (const auto& missile : picture_of(match).missiles) {
+            on_its_way = on_its_way || glm::distance(missile.position, drawn.arc[0]) < 0.3;
+            arrived = arrived || glm::distance(missile.position, drawn.arc[drawn.arc_points - 1]) < 0.5;
+            if (on_its_way) worst = std::max(worst, distance_from_way(drawn, missile.position));
+        }
+    }
+    EXPECT_TRUE(arrived) << "the stone came down where the way ends";
+    return worst;
+}
+
+TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
+    const auto data = match_data();
+    const auto slot = std::find_if(data->wands.begin(), data->wands.end(), [](const LoadedWand& w) {
+                          return w.kind->name == "lob";
+                      })->stats.slot;
+    Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+    match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)) = {-pi / 4, 0.3};
+    input::InputFrame frame;
+    frame.devices[0].wand = static_cast<std::uint8_t>(slot + 1);
+    for (Tick t = 0; t < 32; ++t) match.tick(frame);
+    EXPECT_EQ(picture_of(match).wizards[0].arc_points, 0U) << "nothing is drawn";
+    frame.devices[0].press(input::Button::fire);
+    frame.devices[0].counts[input::hand::trigger] = 255;
+    for (Tick t = 0; t < draw_time; ++t) match.tick(frame);
+    const auto drawn = picture_of(match).wizards[0];
+    ASSERT_GT(drawn.arc_points, 5U);
+    ASSERT_TRUE(drawn.spring.has_value());
+    EXPECT_GT(glm::distance(*drawn.spring, drawn.wand_reach), 0.05) << "the spring is stretched";
+    frame.devices[0].buttons = 0;
+    frame.devices[0].counts[input::hand::trigger] = 0;
+    // Between the picture and the shot the hand returns a little.
+    EXPECT_LT(worst_of_flight(match, frame, drawn), 0.3);
+    EXPECT_EQ(picture_of(match).wizards[0].arc_points, 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
