@@ -61,6 +61,11 @@ inline quat look_rotation(double yaw, double pitch) {
     return rotation({0, 1, 0}, yaw) * rotation({1, 0, 0}, pitch);
 }
 
+/// A unit vector at a right angle to a unit vector.
+inline vec3 perpendicular_to(vec3 unit) {
+    return glm::normalize(glm::cross(unit, std::abs(unit.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+}
+
 inline bool is_finite(vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace thaum

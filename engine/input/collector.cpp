@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/units.h"
+
 namespace thaum::input {
 namespace {
 
@@ -97,7 +99,7 @@ void HandsCollector::set_look(double gain, bool inverted) {
 void HandsCollector::set_turn_ramp(double seconds) {
     constexpr double most = 10;  // longer than any useful ramp
     const double length = std::isfinite(seconds) ? std::clamp(seconds, 0.0, most) : 0;
-    ramp_ticks_.store(static_cast<std::uint32_t>(std::lround(length * 1000)), std::memory_order_relaxed);
+    ramp_ticks_.store(static_cast<std::uint32_t>(thaum::ticks(length)), std::memory_order_relaxed);
 }
 
 void HandsCollector::focus_lost() {
@@ -239,7 +241,7 @@ std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
         turn.ticks = 0;
         return 0;
     }
-    if (turn.right != (level > 0)) turn = {.ticks = 0, .right = level > 0};
+    if (turn.positive != (level > 0)) turn = {.ticks = 0, .positive = level > 0};
     const auto length = ramp_ticks_.load(std::memory_order_relaxed);
     if (turn.ticks >= length) return level;
     const double share = least + (1 - least) * turn.ticks / length;

@@ -82,12 +82,12 @@ private:
     std::atomic<std::uint64_t> buttons_{0};
     std::atomic<std::uint64_t> levels_{0};  ///< five bytes: strafe, forward, turn_right, turn_up, trigger
 
-    std::atomic<std::uint32_t> ramp_ticks_{0};
+    std::atomic<std::uint32_t> ramp_ticks_{0};  ///< length of the slow start of a turn (ticks)
 
     /// A turn of the view about one axis by keys or a stick.
     struct Turn {
-        std::uint32_t ticks = 0;  ///< ticks since the turn began
-        bool right = false;       ///< to the right, or up
+        std::uint32_t ticks = 0;  ///< age of the turn (ticks), up to the length of its slow start
+        bool positive = false;    ///< the turn goes to the right, or for the other axis upwards
     };
     std::int32_t ramped(std::int32_t level, Turn& turn) const;
 

@@ -58,7 +58,7 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, game::log_header(*session.next().data(), setup, std::move(names)));
 }
 
-/// Seconds to the start of the next match: none in the range, in a replay, and in a session that measures itself.
+/// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures itself.
 int countdown_of(const Live& live) {
     const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
                       live.session.next().is_practice();

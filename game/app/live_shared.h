@@ -111,7 +111,7 @@ struct MatchStart {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
-    int countdown = 0;  ///< seconds for which the start is shown before the match begins
+    int countdown = 0;  ///< time for which the start is shown before the match begins (s)
 };
 
 /// Body of the simulation thread: plays one match until the session stops, or until the match's end or a

@@ -56,7 +56,7 @@ struct SimulationThread {
     Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
-    int countdown = 0;             ///< seconds to the start of the match; 0: it has begun
+    int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
     std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
 };
 
@@ -96,9 +96,9 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 
 bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.requests.marks;
+    s.countdown = start.countdown;
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
-        s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
         return true;
     }
     if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
@@ -344,9 +344,9 @@ void drop_input(SimulationThread& s) {
 }
 
 /// Shows the start of the match while its seconds are counted down. The match itself begins afterwards.
-void count_down(SimulationThread& s, int whole_seconds) {
+void count_down(SimulationThread& s) {
     constexpr std::int64_t ns_per_second = 1'000'000'000;
-    const auto end = monotonic_ns() + whole_seconds * ns_per_second;
+    const auto end = monotonic_ns() + s.countdown * ns_per_second;
     for (auto now = monotonic_ns(); now < end; now = monotonic_ns()) {
         if (s.shared.stop || s.shared.requests.end) break;
         s.countdown = static_cast<int>((end - now + ns_per_second - 1) / ns_per_second);
@@ -359,10 +359,10 @@ void count_down(SimulationThread& s, int whole_seconds) {
 }
 
 /// Begins the match that start_round has made, after its countdown.
-void begin_match(SimulationThread& s, int countdown) {
-    if (countdown > 0) count_down(s, countdown);
+void begin_match(SimulationThread& s) {
+    if (s.countdown > 0) count_down(s);
     for (auto& arm : s.shared.arms) arm->servo.begin_match();
-    if (s.plan.replay == nullptr) s.start_ns = monotonic_ns();
+    s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
 }
 
 void run_session(SimulationThread& s) {
@@ -401,9 +401,8 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
     SimulationThread session{.plan = plan, .shared = shared, .wake = wake};
     if (plan.replay != nullptr) play_at(session, plan.speed);
-    const int countdown = start.countdown;
     if (start_round(session, std::move(start))) {
-        begin_match(session, countdown);
+        begin_match(session);
         run_session(session);
     } else {
         shared.stop = true;

@@ -57,7 +57,7 @@ struct Settings {
     double carried_blows = 1;
     std::array<Faders, 2> cauldron{};  ///< faders of each player
     game::PromptWish prompts{};        ///< when the screen says which control does what
-    int countdown_s = 3;               ///< seconds from the start screen to the start of a match
+    int countdown_s = 3;               ///< time from the start screen to the start of a match (s)
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< indexed by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;

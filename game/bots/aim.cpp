@@ -31,18 +31,6 @@ std::int32_t take_share(std::int32_t& left, Tick ticks_left) {
 
 }  // namespace
 
-Aim aim_at(vec3 eye, vec3 target) {
-    const vec3 d = target - eye;
-    return {det::atan2(-d.x, -d.z), det::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z))};
-}
-
-double angle_between(double from, double to) {
-    double d = std::fmod(to - from, 2 * pi);
-    if (d > pi) d -= 2 * pi;
-    if (d < -pi) d += 2 * pi;
-    return d;
-}
-
 void wander_aim(const Seat& seat, Mind& mind) {
     constexpr double keep = 0.98;
     const double fresh = std::sqrt(1 - keep * keep);

@@ -1,21 +1,11 @@
 // game/bots/aim.h: how bots and dummies turn their view to the foe and decide when to shoot.
 #pragma once
 #include "game/bots/mind.h"
+#include "game/context/aim.h"
 
 namespace thaum::game {
 
 inline constexpr double rad_per_count = 0.001;  ///< rotation per count of a bot's mouse
-
-/// Direction of view.
-struct Aim {
-    double yaw{}, pitch{};  ///< yaw to the left of -z, pitch upwards (rad)
-};
-
-/// Direction from the eye to a position.
-Aim aim_at(vec3 eye, vec3 target);
-
-/// Signed angle from one direction to the other, the shorter way round (rad).
-double angle_between(double from, double to);
 
 /// Changes the random aiming error slowly. Its standard deviation is given by the skill.
 void wander_aim(const Seat& seat, Mind& mind);

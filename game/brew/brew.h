@@ -58,8 +58,8 @@ struct AuraRules {
 /// Reward for a brew that is kept well mixed. Each brew gives it once.
 struct BoonRules {
     double mixed{};    ///< mixing number from which the brew is well mixed, 0 to 1
-    Tick after{};      ///< ticks for which one owner must keep it well mixed
-    Tick lasts{};      ///< ticks for which it heals
+    Tick after{};      ///< time for which one owner must keep it well mixed (ticks)
+    Tick lasts{};      ///< time for which it heals (ticks)
     double healing{};  ///< health that the owner gains near the bowl, up to the start value (HP/s)
 };
 

@@ -87,6 +87,16 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
                      .place = cauldron.middle + place});
 }
 
+/// Drops ingredients whose carriers press fire at the brew.
+void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    context.world.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
+        [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Ladle& ladle,
+            const Pouch& pouch) {
+            if ((controls.pressed & bit(input::Button::fire)) != 0)
+                drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
+        });
+}
+
 // ---- ownership -------------------------------------------------------------------------------------------
 
 /// Moves the brew to the player whose ladle did more work, if both ladles are in. A brew without ingredients
@@ -237,20 +247,6 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     const auto& aura = data.cauldron->aura;
     return is_thick(aura, cauldron) && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
-
-namespace {
-
-/// Drops ingredients whose carriers press fire at the brew.
-void drop_all(MatchContext& context, Cauldron& cauldron, Tick tick) {
-    context.world.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
-        [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Ladle& ladle,
-            const Pouch& pouch) {
-            if ((controls.pressed & bit(input::Button::fire)) != 0)
-                drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
-        });
-}
-
-}  // namespace
 
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/context/aim.h"
 #include "game/context/arms.h"
 
 namespace thaum::game {
@@ -11,7 +12,7 @@ namespace {
 constexpr double slow_zone = 4 * radians_per_degree;  ///< angle beside the foe in which the view turns slowly
 constexpr double most_slowed = 0.7;  ///< share of the turn that is lost on the foe at full strength
 constexpr double draw_rate = 40;     ///< speed at which the view is drawn to the foe, per angle (1/s)
-constexpr double fastest_draw = 120 * radians_per_degree;  ///< largest such speed (rad/s)
+constexpr double fastest_draw = 120 * radians_per_degree;  ///< largest speed of that turn (rad/s)
 constexpr double farthest = 40;  ///< distance of the foe beyond which there is no help (m)
 
 /// Strength of the help for a player, 0 to 1.
@@ -24,25 +25,24 @@ double strength_for(const MatchContext& context, std::uint32_t player) {
     return strength > 0 && plays_by_arm(context.world, player) ? 0 : strength;
 }
 
-/// The foe as a target.
-struct Target {
-    ecs::Entity foe{};
+/// The foe's body beside the aim.
+struct FoeBeside {
     vec3 point{};         ///< point of the axis of the foe's body that is nearest to the aim (m, world)
     double off{};         ///< angle from the aim to that point (rad)
     double half_width{};  ///< half the angle that the body's width fills (rad)
 };
 
-double angle_between(vec3 a, vec3 b) { return det::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+double angle_off(vec3 a, vec3 b) { return det::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 /// The foe's body with its centre at `centre`, as seen from `from` along `aim`.
-Target target_at(const WizardRules& rules, ecs::Entity foe, vec3 centre, vec3 from, vec3 aim) {
+FoeBeside foe_beside(const WizardRules& rules, vec3 centre, vec3 from, vec3 aim) {
     const vec3 to = centre - from;
     const double flat_way = std::sqrt(to.x * to.x + to.z * to.z);
     const double flat_aim = std::max(1e-6, std::sqrt(aim.x * aim.x + aim.z * aim.z));
     const double half_axis = rules.height / 2 - rules.radius;
     const double height = std::clamp(aim.y / flat_aim * flat_way, to.y - half_axis, to.y + half_axis);
     const vec3 way(to.x, height, to.z);
-    return {foe, from + way, angle_between(aim, way), det::atan2(rules.radius, glm::length(way))};
+    return {from + way, angle_off(aim, way), det::atan2(rules.radius, glm::length(way))};
 }
 
 /// The living foe within reach of help; an invalid Entity if there is none.
@@ -64,20 +64,15 @@ vec3 meeting_point(const MatchContext& context, ecs::Entity foe, vec3 from, doub
 
 /// Speed of straight shots of the wand in hand (m/s); 0: it has none.
 double speed_in_hand(const MatchContext& context, ecs::Entity wizard) {
-    const auto selected = context.world.get<WandBelt>(wizard).selected;
-    for (const auto& wand : context.data.wands) {
-        if (wand.stats.slot != selected) continue;
-        const auto shot = wand.rules->shot(1);
-        return shot && shot->fall == 0 ? shot->speed : 0;
-    }
-    return 0;
+    const auto* wand = wand_in_slot(context.data, context.world.get<WandBelt>(wizard).selected);
+    const auto shot = wand != nullptr ? wand->rules->shot(1) : std::nullopt;
+    return shot && shot->fall == 0 ? shot->speed : 0;
 }
 
-/// Sets the turn of the view towards a direction.
-void draw_to(vec3 way, const Gaze& gaze, double strength, ViewHelp& help) {
-    const double flat = std::sqrt(way.x * way.x + way.z * way.z);
-    const double left = std::remainder(det::atan2(-way.x, -way.z) - gaze.yaw, 2 * pi);
-    const double up = det::atan2(way.y, flat) - gaze.pitch;
+/// Sets the turn of the view towards a point.
+void draw_to(vec3 eye, vec3 point, const Gaze& gaze, double strength, ViewHelp& help) {
+    const auto aim = aim_at(eye, point);
+    const double left = angle_between(gaze.yaw, aim.yaw), up = aim.pitch - gaze.pitch;
     const double off = std::sqrt(left * left + up * up);
     if (off < 1e-9) return;
     const double step = std::min(off, strength * std::min(fastest_draw, draw_rate * off) * tick_seconds);
@@ -112,13 +107,13 @@ ViewHelp view_help(const MatchContext& context, ecs::Entity wizard) {
     if (!foe) return {};
     const auto& rules = context.data.wizard;
     const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
-    const auto seen = target_at(rules, foe, physics.state(foe.index).position, eye, ahead);
+    const auto seen = foe_beside(rules, physics.state(foe.index).position, eye, ahead);
     const auto met =
-        target_at(rules, foe, meeting_point(context, foe, eye, speed_in_hand(context, wizard)), eye, ahead);
+        foe_beside(rules, meeting_point(context, foe, eye, speed_in_hand(context, wizard)), eye, ahead);
     const double beside = std::max(0.0, std::min(seen.off - seen.half_width, met.off - met.half_width));
     if (beside >= slow_zone || !sees(context, wizard, eye, foe)) return {};
     ViewHelp help{.turn_share = 1 - most_slowed * strength * (1 - beside / slow_zone)};
-    if (beside < most_pull) draw_to(met.point - eye, gaze, strength, help);
+    if (beside < most_pull) draw_to(eye, met.point, gaze, strength, help);
     return help;
 }
 
@@ -128,8 +123,7 @@ vec3 helped_aim(const MatchContext& context, ecs::Entity wizard, vec3 from, vec3
     if (strength == 0) return aim;
     const auto foe = foe_in_reach(context, player, from);
     if (!foe) return aim;
-    const auto target =
-        target_at(context.data.wizard, foe, meeting_point(context, foe, from, speed), from, aim);
+    const auto target = foe_beside(context.data.wizard, meeting_point(context, foe, from, speed), from, aim);
     const double pull = strength * most_pull;
     if (target.off > target.half_width + pull || !sees(context, wizard, from, foe)) return aim;
     return turned_towards(aim, glm::normalize(target.point - from), std::min(pull, target.off));

@@ -1,10 +1,12 @@
 // game/context/aim_assist.h: help with aiming for a player who turns the view by a stick or by keys. The player
 // chooses its strength (input::DeviceSpec::aim_assist), which is in the log. So a replay helps as the match did.
 //
-// Three things help. The view turns more slowly while the crosshair is on the foe or near. It is drawn to the place
-// where a shot meets the foe, from 2 degrees beside the foe on and only while the player does something. And a shot
-// that would miss narrowly is turned by up to 2 degrees. Nothing helps through walls. Bots, scripts and arms get no
-// help, and nor does anybody under rules without it (assets/rules).
+// It helps in three ways:
+// - The view turns more slowly while the crosshair is on the foe or near it.
+// - If the crosshair is less than 2 degrees beside the foe, and while the player does something, the view is drawn to
+//   the place where a shot meets the foe.
+// - A shot that would miss narrowly is turned by up to 2 degrees.
+// It does not help through walls, nor under rules without it (assets/rules). Bots, scripts and arms get no help.
 #pragma once
 #include "game/context/match_context.h"
 

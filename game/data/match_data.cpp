@@ -212,6 +212,12 @@ void apply_rule_set(MatchData& data) {
 
 }  // namespace
 
+const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
+    const auto found = std::find_if(data.wands.begin(), data.wands.end(),
+                                    [&](const auto& w) { return w.stats.slot == slot; });
+    return found == data.wands.end() ? nullptr : &*found;
+}
+
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
     if (!plain_name(choice.arena))
         return fail(text("'", choice.arena, "' is no name of an arena (a-z, 0-9, _)"));

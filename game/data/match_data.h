@@ -41,6 +41,9 @@ struct MatchData {
     std::vector<input::DataFile> files;
 };
 
+/// The wand in a slot; null if the slot is empty.
+const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
+
 /// Loads and checks all data of a match. The error names file, line and key.
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 

@@ -117,10 +117,7 @@ void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vecto
         const vec3 at = *arena_scene.bowl + vec3(arena_scene.rim_radius * std::sin(angle),
                                                  arena_scene.rim_height + raised,
                                                  -arena_scene.rim_radius * std::cos(angle));
-        out.push_back({.mesh = arena_scene.bead,
-                       .model = glm::scale(render::translated(fvec3(at)), fvec3(size)),
-                       .tint = light,
-                       .glow = 1});
+        out.push_back(bead_at(arena_scene, at, size, light, 1));
     }
 }
 
@@ -133,11 +130,8 @@ void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vect
         out.push_back({.mesh = arena_scene.contact, .model = glm::scale(at, fvec3(0.4F, 1, 0.4F))});
         if (!niche.there) continue;
         for (const fvec3 off : {fvec3(0, 0, 0), fvec3(0.16F, -0.08F, 0.05F), fvec3(-0.12F, -0.07F, 0.12F)})
-            out.push_back(
-                {.mesh = arena_scene.bead,
-                 .model = glm::scale(at * render::translated(off + fvec3(0, height, 0)), fvec3(size)),
-                 .tint = niche.colour,
-                 .glow = 0.55F});
+            out.push_back(bead_at(arena_scene, niche.position + vec3(off + fvec3(0, height, 0)), size,
+                                  niche.colour, 0.55F));
     }
 }
 
@@ -201,11 +195,8 @@ void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vecto
         const vec3 at = *arena_scene.bowl + vec3(radius * std::cos(angle), 0.75 + (1.5 + 0.2 * (i % 3)) * age,
                                                  radius * std::sin(angle));
         const double dense = std::min(1.0, wanted - i) * std::min(1.0, 4 * age) * (1 - age);
-        out.push_back(
-            {.mesh = arena_scene.bead,
-             .model = glm::scale(render::translated(fvec3(at)), fvec3(static_cast<float>(0.13 + 0.28 * age))),
-             .tint = colour(0xD8CCE0),
-             .glow = 0.4F * static_cast<float>(dense)});
+        out.push_back(bead_at(arena_scene, at, static_cast<float>(0.13 + 0.28 * age), colour(0xD8CCE0),
+                              0.4F * static_cast<float>(dense)));
     }
 }
 

@@ -109,20 +109,25 @@ void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, f
                    .glow = 0.7F});
 }
 
+/// Colour of the present force, by its share of the limit (linear light).
+fvec3 tint_of(const ForcePicture& force) {
+    const fvec3 shown = force_colour(force.share());
+    return shown * shown;  // converts screen colours to linear light
+}
+
 /// Adds a coil spring from a point along a way. Its turns lie closer the shorter it is.
 void add_coil(const ArenaScene& arena_scene, vec3 from, vec3 way, fvec3 tint, std::vector<Instance>& out) {
     constexpr int turns = 5, steps = 8 * turns;
-    constexpr double radius = 0.022, thick = 0.004;  // m
+    constexpr double radius = 0.022;  // radius of the coil (m)
+    constexpr double thick = 0.004;   // radius of the wire (m)
     const double length = glm::length(way);
     if (length < 0.01) return;
     const vec3 along = way / length;
-    const vec3 side =
-        glm::normalize(glm::cross(along, std::abs(along.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0)));
+    const vec3 side = perpendicular_to(along);
     const vec3 up = glm::cross(side, along);
     const auto point = [&](int i) {
-        const double angle = 2 * pi * turns * i / steps;
-        return from + way * (double{1} * i / steps) +
-               radius * (std::cos(angle) * side + std::sin(angle) * up);
+        const double share = static_cast<double>(i) / steps, angle = 2 * pi * turns * share;
+        return from + share * way + radius * (std::cos(angle) * side + std::sin(angle) * up);
     };
     for (int i = 0; i < steps; ++i) add_beam(arena_scene, point(i), point(i + 1), thick, tint, out);
 }
@@ -135,32 +140,23 @@ void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const P
     for (std::uint32_t i = 0; i < p.arc_points; ++i) {
         const bool last = i + 1 == p.arc_points;
         const float size = last ? 0.12F : 0.035F + 0.002F * static_cast<float>(i);
-        out.push_back({.mesh = arena_scene.bead,
-                       .model = glm::scale(render::translated(fvec3(p.arc.at(i))), fvec3(size)),
-                       .tint = light,
-                       .glow = 0.8F});
+        out.push_back(bead_at(arena_scene, p.arc.at(i), size, light, 0.8F));
     }
     if (!p.spring) return;
     const auto view = look_rotation(p.yaw, p.pitch);
     const vec3 from = wand_tip + limited(*p.spring, most_reach), way = own_tip(p) - from;
-    const fvec3 shown = force_colour(p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0);
-    add_coil(arena_scene, p.eye + view * from, view * way, shown * shown, out);
+    add_coil(arena_scene, p.eye + view * from, view * way, tint_of(p.force), out);
 }
 
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
     if (p.dead) return;
     const auto view = look_rotation(p.yaw, p.pitch);
     const vec3 tip = p.eye + view * (own ? own_tip(p) : wand_tip);
-    const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
-    const fvec3 shown = force_colour(share),
-                tint = shown * shown;  // converts screen colours to linear light
+    const fvec3 tint = tint_of(p.force);
     if (p.held) add_beam(arena_scene, tip, *p.held, 0.012, tint, out);
-    if (!own || share < least_share) return;
+    if (!own || p.force.share() < least_share) return;
     add_beam(arena_scene, tip, tip + view * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
-    out.push_back({.mesh = arena_scene.bead,
-                   .model = glm::scale(render::translated(fvec3(tip)), fvec3(0.02F)),
-                   .tint = tint,
-                   .glow = 0.7F});
+    out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));
 }
 
 }  // namespace thaum::game

@@ -25,6 +25,13 @@ void set_sun(const ArenaScene& arena_scene, vec3 at, std::span<Instance> of) {
     for (auto& instance : of) instance.sun = sun;
 }
 
+Instance bead_at(const ArenaScene& arena_scene, vec3 place, float radius, fvec3 tint, float glow) {
+    return {.mesh = arena_scene.bead,
+            .model = glm::scale(render::translated(fvec3(place)), fvec3(radius)),
+            .tint = tint,
+            .glow = glow};
+}
+
 namespace {
 
 constexpr double shade_reach = 2.5;  // height above the ground at which contact shade ends (m)

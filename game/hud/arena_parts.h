@@ -13,6 +13,9 @@ fmat4 placed(vec3 position, quat orientation);
 /// Rotation of somebody who looks in a direction (rad).
 fmat4 looking(double yaw, double pitch);
 
+/// A ball of light with this radius (m). `tint` is its colour (linear light), `glow` its brightness.
+render::Instance bead_at(const ArenaScene& arena_scene, vec3 place, float radius, fvec3 tint, float glow);
+
 /// Sets whether the sun reaches each instance, for pictures without a shadow map. Fixed things have baked light
 /// instead.
 void set_sun(const ArenaScene& arena_scene, vec3 at, std::span<render::Instance> of);

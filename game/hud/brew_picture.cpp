@@ -80,12 +80,11 @@ void take_ladles(const Simulation& match, CauldronPicture& out) {
 }
 
 void take_boon(const BoonRules& rules, const Cauldron& cauldron, Tick played, CauldronPicture& out) {
-    const auto until = [&](Tick end) { return end > played ? seconds(end - played) : 0; };
     const bool waits = cauldron.mixed_since != 0 && cauldron.boon_given == 0;
+    const auto due = cauldron.mixed_since + rules.after;
     out.well_mixed = rules.mixed;
-    out.boon_in_s = waits ? until(cauldron.mixed_since + rules.after) : 0;
-    out.boon_left_s = until(cauldron.boon_until);
-    out.boon_for = out.boon_left_s > 0 ? cauldron.boon_for : no_player;
+    out.boon_in_s = waits && due > played ? seconds(due - played) : 0;
+    out.boon_for = played < cauldron.boon_until ? cauldron.boon_for : no_player;
 }
 
 }  // namespace

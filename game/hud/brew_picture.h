@@ -55,8 +55,7 @@ struct CauldronPicture {
     double fresh{};        ///< spoils_in_s as a share of the whole time, 0 to 1
     double well_mixed{};   ///< mixing from which the owner is rewarded, 0 to 1
     double boon_in_s{};    ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
-    double boon_left_s{};  ///< time for which the boon still heals; 0: it does not
-    std::uint32_t boon_for{no_player};  ///< player whom the boon heals
+    std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
     bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);

@@ -14,7 +14,6 @@ constexpr float left_column = edge + health_wide + edge;
 constexpr float score_half_wide = 96, score_half_high = 27;
 constexpr float under_score = 7 + 2 * score_half_high + 2;  // below a score at the top of the window
 constexpr float line = 20;                                  // height of a line of messages, notices or feed
-constexpr float forces_wide = 186, forces_high = 76;
 constexpr float under_notices = under_score + 2 * line + edge;  // below notices that are below the score
 constexpr float ring_least = 26, ring_most = 66;
 

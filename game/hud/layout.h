@@ -46,6 +46,9 @@ struct HudLayout {
 /// Sizes of the strip (units).
 inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head = 24, strip_margin = 4;
 
+/// Size of the forces' panel where the view has room for it (units).
+inline constexpr float forces_wide = 186, forces_high = 76;
+
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands);
 
 /// Words in lines that fit a box.

@@ -80,8 +80,8 @@ void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot,
     }
 }
 
-void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
-    const auto* wand = wand_in_hand(match.data(), belt);
+void take_belt(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, const WandBelt& belt,
+               PlayerPicture& out) {
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
     out.wand_number = wand == nullptr ? 0 : static_cast<std::uint32_t>(wand - match.data().wands.data());
     out.energy = energy_in_hand(match.data(), belt);
@@ -94,9 +94,8 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
 }
 
 /// Takes what a drawn wand shows: the way of its shot, and the spring of its sling.
-void take_draw(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, const HandState& hand_state,
-               PlayerPicture& out) {
-    const auto* wand = wand_in_hand(match.data(), belt);
+void take_draw(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand,
+               const HandState& hand_state, PlayerPicture& out) {
     if (wand == nullptr || out.readiness <= 0) return;
     const auto shot = wand->rules->shot(out.readiness);
     if (!shot || !(shot->fall > 0)) return;
@@ -106,17 +105,15 @@ void take_draw(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
     out.spring = match.haptic_setup().wand_per_hand[player] * hand_state.tether.anchor;
 }
 
-void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
-    const auto* wand = wand_in_hand(match.data(), belt);
+void take_held(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     if (wand == nullptr) return;
     out.held = wand->rules->held_at(match.world(), wizard);
     out.holds_thing = out.held && wand->rules->grasp();
 }
 
 /// Fills in the target: the thing that the wand would take hold of or, for a wand that shoots, the foe.
-void take_target(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
+void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
-    const auto* wand = wand_in_hand(match.data(), belt);
     if (wand == nullptr || out.stirs) return;
     out.target = wand->rules->target(match.context(), wizard);
     if (out.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
@@ -126,13 +123,15 @@ void take_target(const Simulation& match, ecs::Entity wizard, const WandBelt& be
     if (met && match.world().has<Wizard>(met)) out.target.kind = TargetKind::foe;
 }
 
-void take_force(const Simulation& match, std::uint32_t player, const HandState& hand_state,
-                ForcePicture& out) {
+void take_force(const Simulation& match, std::uint32_t player, const LoadedWand* wand,
+                const HandState& hand_state, ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
     out.cap = match.haptic_setup().servos[player].limits.cap;
     out.now = hand_state.servo.safety.output;
+    out.source =
+        strongest_source(hand_state, wand != nullptr ? wand->look.steady_force : std::string_view()).name;
     out.created = hand_state.servo.energy.most_created;
     // The plot shows whole columns, so that a shown column never changes. The ring's oldest column is being
     // overwritten, so it is skipped.
@@ -143,18 +142,13 @@ void take_force(const Simulation& match, std::uint32_t player, const HandState& 
     }
 }
 
-std::string_view source_of(const MatchData& data, const WandBelt& belt, const HandState& hand_state) {
-    const auto* wand = wand_in_hand(data, belt);
-    const std::string_view steady = wand != nullptr ? wand->look.steady_force : std::string_view("Pull");
-    return strongest_source(hand_state, steady).name;
-}
-
 void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
     const auto& rules = match.data().cauldron;
     if (!rules || out.dead) return;
-    out.stirs = match.world().has<Ladle>(wizard);
-    out.refilled = out.stirs && is_refilling(match.data().cauldron->aura, match.world(), match.brew(),
-                                             match.world().get<Ladle>(wizard), match.match().played);
+    const auto* ladle = match.world().find<Ladle>(wizard);
+    out.stirs = ladle != nullptr;
+    out.refilled = ladle != nullptr &&
+                   is_refilling(rules->aura, match.world(), match.brew(), *ladle, match.match().played);
     out.at_rim = within_reach(match.data(), match.world().single<Cauldron>(), motion.position);
     const auto* pouch = match.world().find<Pouch>(wizard);
     if (pouch != nullptr) out.carries = rules->ingredients[pouch->ingredient].name;
@@ -195,16 +189,16 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.since_hit_s = p.since_warning_s = p.since_gift_s = long_ago;
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
-            take_belt(match, e, belt, p);
-            if (!p.dead) take_held(match, e, belt, p);
+            const auto* wand = wand_in_hand(match.data(), belt);
+            take_belt(match, e, wand, belt, p);
+            if (!p.dead) take_held(match, e, wand, p);
             p.wand_reach =
                 wand_tip_of(match.haptic_setup().wand_per_hand[wizard.player], hand_state) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
-            if (!p.dead) take_draw(match, e, belt, hand_state, p);
-            take_force(match, wizard.player, hand_state, p.force);
-            p.force.source = source_of(match.data(), belt, hand_state);
+            if (!p.dead) take_draw(match, e, wand, hand_state, p);
+            take_force(match, wizard.player, wand, hand_state, p.force);
             take_brewing(match, e, motion, p);
-            if (!p.dead) take_target(match, e, belt, p);
+            if (!p.dead) take_target(match, e, wand, p);
         });
 }
 
@@ -255,16 +249,6 @@ void note_mark(const Event& event, HudMark mark, double age_s, Picture& out) {
     }
 }
 
-void note(const Event& event, double age_s, Picture& out) {
-    if (event.subject >= players) return;
-    const auto& row = row_of(out.shown->events, event.kind);
-    note_mark(event, row.mark, age_s, out);
-    if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
-        out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
-    if (!row.feed.empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
-        out.feed[out.feed_lines++] = {age_s, event, {}};
-}
-
 /// Name of the thing that killed, from the last blow before a death: "barrel". Empty if no thing did.
 std::string_view thing_that_killed(const EventJournal& events, std::uint64_t death) {
     const auto& event = events[death];
@@ -278,6 +262,17 @@ std::string_view thing_that_killed(const EventJournal& events, std::uint64_t dea
     return {};
 }
 
+void note(const EventJournal& events, std::uint64_t number, double age_s, Picture& out) {
+    const auto& event = events[number];
+    if (event.subject >= players) return;
+    const auto& row = row_of(out.shown->events, event.kind);
+    note_mark(event, row.mark, age_s, out);
+    if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
+        out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
+    if (!row.feed.empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
+        out.feed[out.feed_lines++] = {age_s, event, thing_that_killed(events, number)};
+}
+
 /// Takes the newest events first, so that a full list leaves out the oldest. Events older than anything shown
 /// are left out.
 void take_events(const Simulation& match, Picture& out) {
@@ -286,9 +281,7 @@ void take_events(const Simulation& match, Picture& out) {
     for (auto i = events.count(); i > events.first(); --i) {
         const auto age_s = age(match.match(), events[i - 1].tick);
         if (age_s > feed_seconds) break;
-        const auto lines = out.feed_lines;
-        note(events[i - 1], age_s, out);
-        if (out.feed_lines > lines) out.feed.at(lines).thing = thing_that_killed(events, i - 1);
+        note(events, i - 1, age_s, out);
     }
     std::reverse(out.feed.begin(), out.feed.begin() + out.feed_lines);
 }

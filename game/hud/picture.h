@@ -89,6 +89,9 @@ struct ForcePicture {
     double created{};              ///< largest net energy that passive sources have given (J)
     /// Strongest force of each complete column, the oldest first (N).
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
+
+    /// The present force as a share of its limit.
+    double share() const { return cap > 0 ? glm::length(now) / cap : 0; }
 };
 
 struct PlayerPicture {
@@ -124,8 +127,9 @@ struct PlayerPicture {
     /// Points of the way that a shot would fly which the player is drawing, the first `arc_points` (m, world).
     std::array<vec3, 24> arc{};
     std::uint32_t arc_points{};
-    std::optional<vec3> spring{};  ///< where the spring to the drawn wand begins (m, eye frame)
-    std::optional<vec3> held{};    ///< place that the wand holds or hangs on (m, world)
+    /// Displacement of the resting end of a drawn wand's spring from wand_tip (m, eye frame); std::nullopt: no spring.
+    std::optional<vec3> spring{};
+    std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
     std::uint32_t hurts{};  ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};

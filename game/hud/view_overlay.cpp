@@ -359,7 +359,7 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const View
 /// Plots the force on the hand over the last two seconds, the newest at the right.
 void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l) {
     const fvec2 size = l.forces.high - l.forces.low;
-    const float u = size.x / 186;
+    const float u = size.x / forces_wide;
     out.items.emplace_back(RectItem{l.forces.low, l.forces.high, paints.panel, 6 * u});
     const auto columns = static_cast<float>(force.strongest.size());
     const float column = (size.x - 12 * u) / columns, high = 46 * u;
@@ -382,17 +382,16 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const ViewLayout& l
 
 /// Names the strongest force on the hand, with a bar that is full at the player's limit.
 void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l) {
-    constexpr float least = 0.05F;  // share of the limit below which nothing is said
-    const auto share = static_cast<float>(glm::length(force.now) / std::max(force.cap, 1e-6));
+    constexpr double least = 0.05;  // share of the limit below which nothing is said
+    const double share = std::min(force.share(), 1.0);
     if (force.source.empty() || share < least) return;
-    const float u = (l.forces.high.x - l.forces.low.x) / 186;
+    const float u = (l.forces.high.x - l.forces.low.x) / forces_wide;
     const fvec2 low = l.forces.low, high = low + u * fvec2(96, 27);
     out.items.emplace_back(RectItem{low, high, paints.panel, 6 * u});
     const fvec2 bar = low + u * fvec2(6, 19), size = u * fvec2(84, 4);
     out.items.emplace_back(RectItem{bar, bar + size, paints.track, 2 * u});
-    const double shown = std::min(share, 1.0F);
-    out.items.emplace_back(RectItem{bar, bar + fvec2(static_cast<float>(shown) * size.x, size.y),
-                                    opaque(force_colour(shown)), 2 * u});
+    out.items.emplace_back(RectItem{bar, bar + fvec2(static_cast<float>(share) * size.x, size.y),
+                                    opaque(force_colour(share)), 2 * u});
     add_text_in(out, {low + u * fvec2(6, 2), {high.x - 6 * u, low.y + 19 * u}}, force.source, 12 * u,
                 paints.white, Align::left);
 }

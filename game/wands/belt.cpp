@@ -9,12 +9,6 @@ namespace {
 
 using input::Button;
 
-const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
-    const auto found = std::find_if(data.wands.begin(), data.wands.end(),
-                                    [&](const auto& w) { return w.stats.slot == slot; });
-    return found == data.wands.end() ? nullptr : &*found;
-}
-
 /// The next slot that holds a wand. A `step` of wand_slots - 1 searches backwards.
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
     auto slot = from;

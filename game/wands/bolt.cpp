@@ -68,8 +68,7 @@ BoltData read(const ConfigTable& root) {
 vec3 scattered(vec3 direction, double spread, Random& random) {
     const double radius = det::tan(spread) * std::sqrt(random.uniform());
     const double angle = random.uniform(0, 2 * pi);
-    const vec3 helper = std::abs(direction.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0);
-    const vec3 side = glm::normalize(glm::cross(direction, helper));
+    const vec3 side = perpendicular_to(direction);
     const vec3 up = glm::cross(side, direction);
     return glm::normalize(direction + radius * (det::cos(angle) * side + det::sin(angle) * up));
 }

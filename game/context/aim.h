@@ -1,0 +1,18 @@
+// game/context/aim.h: directions of view as two angles.
+#pragma once
+#include "core/maths.h"
+
+namespace thaum::game {
+
+/// Direction of view.
+struct Aim {
+    double yaw{}, pitch{};  ///< yaw to the left of -z, pitch upwards (rad)
+};
+
+/// Direction from the eye to a position.
+Aim aim_at(vec3 eye, vec3 target);
+
+/// Signed angle from one direction to the other, the shorter way round (rad).
+double angle_between(double from, double to);
+
+}  // namespace thaum::game
