@@ -40,20 +40,31 @@ play() {
     is_let_go second
 }
 
-# shots NAME PLAYER FROM_S: number of that player's shots from then on, by the force in the table, and the strongest force.
+# shots NAME PLAYER FROM_S: the stretches of force in that player's table from then on: how many are the kick of one shot, which lasts 15 ms
+# and reaches 1.2 N; how many are not; the most force of all in N.
 shots() {
     awk -F, -v name="p$2_fx_n" -v from="$3" '
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
-        $2 >= from { z = $(column + 2); if (z > most) most = z; if (z > 1 && before <= 1) shots++; before = z }
-        END { print shots + 0, most + 0 }' "$folder/$1.csv"
+        $2 >= from {
+            z = $(column + 2)
+            if (z > most) most = z
+            if (z > 0.05) { ticks++; if (z > peak) peak = z; next }
+            if (ticks && between) if (ticks >= 14 && ticks <= 16 && peak > 1.1 && peak < 1.3) kicks++; else others++
+            between = 1
+            ticks = peak = 0
+        }
+        END { print kicks + 0, others + 0, most + 0 }' "$folder/$1.csv"
 }
 
-# expect_shots NAME PLAYER FROM_S
+# expect_shots NAME PLAYER FROM_S: the forces are the kicks of single shots. A machine that holds the match for a tenth of a second lets
+# it catch up afterwards: within a few milliseconds of the arm's time it plays two shots, whose kicks add up, or keeps a kick for
+# many ticks. That may be rare, and never more than two kicks.
 expect_shots() {
-    local count most
-    read -r count most <<<"$(shots "$@")"
-    echo "$1: player $2 feels $count shots from $3 s on, at most $most N"
-    awk -v n="$count" -v f="$most" 'BEGIN { exit !(n >= 3 && f > 1.1 && f < 1.3) }' || failed "the forces are not those of shots"
+    local kicks others most
+    read -r kicks others most <<<"$(shots "$@")"
+    echo "$1: player $2 feels $kicks shots from $3 s on, $others that the machine held up or put together, at most $most N"
+    awk -v n="$kicks" -v others="$others" -v most="$most" 'BEGIN { exit !(n >= 3 && 4 * others <= n && most < (others ? 2.6 : 1.3)) }' ||
+        failed "the forces are not those of shots"
 }
 
 # doctor lists both arms by number, and the driver. The arm of a real driver is missing here, which is no fault.
