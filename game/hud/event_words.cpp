@@ -5,7 +5,6 @@
 #include "core/text.h"
 #include "game/components/power_up.h"
 #include "game/data/presentation.h"
-#include "game/hud/figures.h"
 
 namespace thaum::game {
 namespace {
@@ -20,10 +19,13 @@ std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-std::string word_of(EventWord word, const Event& event) {
+std::string word_of(EventWord word, const Event& event, const PlayerNames& names) {
+    const auto named = [&](std::uint32_t player) {
+        return player < players ? std::string(name_of(names, player)) : std::string();
+    };
     switch (word) {
-        case EventWord::by: return std::string(event.by < players ? team_name(event.by) : "");
-        case EventWord::whom: return std::string(event.subject < players ? team_name(event.subject) : "");
+        case EventWord::by: return named(event.by);
+        case EventWord::whom: return named(event.subject);
         case EventWord::cause: return std::string(cause_words(event));
         case EventWord::power_up: return power_up_words(event);
         case EventWord::amount: return text(std::lround(event.amount));
@@ -35,11 +37,11 @@ std::string word_of(EventWord word, const Event& event) {
 
 }  // namespace
 
-std::string event_words(const std::string& pattern, const Event& event) {
+std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names) {
     std::string out;
     for (const auto& piece : pieces_of(pattern)) {
         out += piece.plain;
-        if (piece.word) out += word_of(*piece.word, event);
+        if (piece.word) out += word_of(*piece.word, event, names);
     }
     return out;
 }

@@ -3,11 +3,12 @@
 #include <string>
 
 #include "game/components/match.h"
+#include "game/hud/figures.h"
 
 namespace thaum::game {
 
 /// Fills the names in braces of a row's words (game/data/presentation.h), such as {by} and {cause}.
-std::string event_words(const std::string& pattern, const Event& event);
+std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names);
 
 /// A name with its first letter large.
 std::string capitalised(std::string_view name);
