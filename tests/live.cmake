@@ -91,5 +91,7 @@ if(umockdev_FOUND)
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+    thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()
