@@ -48,6 +48,7 @@ struct Live {
 Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));
+    if (live.plan.demo && number > 1) return Recording();
     std::vector<std::string> names;
     for (const auto& seat : live.shared.seats)
         names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
@@ -101,7 +102,7 @@ Expected<void> play_matches(Live& live) {
         auto played = play_match(
             live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown});
         if (!played) return played;
-        again = live.shared.requests.rematch;
+        again = session.take_restart() || live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;
         Random next = random_stream(seed, number);
         seed = next.next() >> 1U;

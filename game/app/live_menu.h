@@ -26,12 +26,18 @@ public:
     bool on_start_screen() const { return is_open() && state_.pages.front().page == Page::start; }
     /// Whether the next key or button becomes a binding.
     bool waits_for_control() const { return state_.waiting.has_value(); }
+    /// Whether a name is being typed.
+    bool takes_text() const { return state_.typing.has_value(); }
+    /// Whether keys have no meaning but to the menu: they become a binding or a name.
+    bool takes_all_keys() const { return waits_for_control() || takes_text(); }
 
     void open(Page page);
     void close();
 
     // Events while a menu is open.
     void key(int key, bool pressed, std::int64_t now_ns);
+    /// One character of typed text.
+    void character(char32_t character);
     void mouse_button(int button, bool pressed, render::Size window);
     /// `position` is in pixels from the window's top left.
     void cursor(fvec2 position, render::Size window);
@@ -71,6 +77,7 @@ private:
 
     void step(const MenuEvent& event);
     void give_control(const Device& device, const input::Control& control);
+    void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
                       std::int64_t now_ns);
     std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;

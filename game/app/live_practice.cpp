@@ -43,7 +43,8 @@ const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.new
 
 Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices,
                    game::DummyKind kind, std::uint64_t seed)
-    : range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
+    : data_(data),
+      range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
     say("The range: nothing is recorded, and data files that change are read at once", welcome_shown);
 }
 
@@ -58,10 +59,18 @@ void Practice::set_dummy(game::DummyKind kind) {
     scorer_.reset(match());
 }
 
+bool Practice::set_changes(const game::RangeChanges& changes) {
+    if (changes == changes_) return false;
+    changes_ = changes;
+    range_.adopt(changed(data_, changes_));
+    return true;
+}
+
 void Practice::adopt(const game::Reload& reload) {
     say(reload.line, reload.data ? reading_shown : until_next_reading);
     if (!reload.data) return;
-    range_.adopt(*reload.data);
+    data_ = *reload.data;
+    range_.adopt(changed(data_, changes_));
     scorer_.reset(match());
 }
 

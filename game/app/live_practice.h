@@ -45,6 +45,8 @@ public:
     game::Simulation& match() { return *range_.match; }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
+    /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
+    bool set_changes(const game::RangeChanges& changes);
     /// Continues with the data of changed files; match() may then be another object. If a file is faulty, the
     /// old data stays, and a caption names the fault until the next reload.
     void adopt(const game::Reload& reload);
@@ -54,6 +56,8 @@ public:
 private:
     void say(std::string words, Tick how_long);
 
+    game::RangeData data_;  ///< as the files say, before `changes_`
+    game::RangeChanges changes_{};
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
     game::Caption caption_{};

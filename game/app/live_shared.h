@@ -61,7 +61,8 @@ struct MatchRequests {
     /// that state already. game::no_player: none.
     std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
     std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
-    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
+    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
 };
 
 /// State of the present match, from the simulation thread.

@@ -26,7 +26,8 @@ constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread
 constexpr Tick log_after_end = 500;       ///< ticks of the result screen that are still recorded
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
-constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a mark (ticks)
+constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
+constexpr Tick mark_shown = 1500;               ///< time for which the screen shows a mark (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
 constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< time for which a replay's last picture stays (ns)
 /// Difference between the seeds of a match's bots. A person in the match makes the random numbers
@@ -127,11 +128,12 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) std::printf("range: %s\n", practice->score().c_str());
 }
 
-/// Applies the menu's dummy and reloaded data files to the range, between two ticks.
+/// Applies the menu's choices and reloaded data files to the range, between two ticks.
 void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
     practice->set_dummy(s.shared.requests.dummy);
+    if (practice->set_changes(s.shared.requests.range)) s.round.match = &practice->match();
     const auto* reload = s.round.watcher->take();
     if (reload == nullptr) return;
     std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
@@ -234,6 +236,8 @@ void watch_buttons(SimulationThread& s, const input::InputFrame& frame) {
     }
     const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
     if (may && pressed(Button::confirm)) s.shared.requests.rematch = true;
+    if (s.plan.demo && round.over_at && round.match->now() >= *round.over_at + demo_result_shown)
+        s.shared.requests.rematch = true;
     if (!round.over_at) s.shared.requests.rematch = false;
     round.buttons_before = buttons;
 }

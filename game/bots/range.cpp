@@ -10,6 +10,8 @@ namespace {
 
 constexpr auto range_file = "range.toml";
 constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // halved, so that sums with it do not overflow
+/// energy that a wand regains (1/s), enough to fill it within one tick
+constexpr double fills_at_once = 1e6;
 
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
@@ -46,6 +48,21 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
     return RangeData{std::make_shared<const MatchData>(std::move(*match)), *dummy};
+}
+
+RangeData changed(const RangeData& data, const RangeChanges& changes) {
+    if (changes == RangeChanges{}) return data;
+    auto match = *data.match;
+    if (changes.endless_energy) {
+        for (auto& wand : match.wands) wand.stats.energy_regain = fills_at_once;
+    }
+    if (changes.harmless_brew && match.cauldron) {
+        auto& brew = *match.cauldron;
+        brew.aura.thick_above = std::numeric_limits<double>::max();
+        brew.aura.light_below = 0;
+        brew.spoil_push = brew.spoil_harm = 0;
+    }
+    return {std::make_shared<const MatchData>(std::move(match)), data.dummy};
 }
 
 input::DeviceSpec dummy_device() {

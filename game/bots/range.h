@@ -16,6 +16,15 @@ struct RangeData {
     DummyRules dummy;
 };
 
+/// Changes of a range's rules that a practising player chooses.
+struct RangeChanges {
+    bool endless_energy = false;  ///< wands are always full
+    bool harmless_brew = false;   ///< the brew does nothing to wizards
+    bool operator==(const RangeChanges&) const = default;
+};
+/// The same data with these changes.
+RangeData changed(const RangeData& data, const RangeChanges& changes);
+
 /// Reads the data of a match and assets/range.toml. The round length and kill limit of `choice.match` are
 /// ignored. The error names file, line and key.
 Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice);

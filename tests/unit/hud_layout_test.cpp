@@ -201,7 +201,7 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     std::size_t said = 0;
     each_case([&](HudSettings settings, render::Size window, const std::string& name) {
         settings.forces = true;
-        settings.prompts = PromptWish::always;
+        settings.prompts = {PromptWish::always, PromptWish::always};
         for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
         for (auto& one : settings.device_messages) one = "The arm's motors are too warm: let them rest";
         render::Overlay overlay;
