@@ -87,7 +87,9 @@ Expected<void> play_matches(Live& live) {
     auto seed = live.plan.seed;
     bool again = false;
     if (live.plan.practice) {
-        if (auto opened = session.next().open_range(); !opened) return opened;
+        auto& next = session.next();
+        if (auto opened = live.plan.apprentice ? next.open_apprentice() : next.open_range(); !opened)
+            return opened;
     }
     for (std::uint64_t number = 1; !live.shared.stop; ++number) {
         if (live.plan.start_screen && !again && !run_start_screen(session, live.shared, live.window)) break;
@@ -99,8 +101,9 @@ Expected<void> play_matches(Live& live) {
         if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
         if (!recording)
             std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
-        auto played = play_match(
-            live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown});
+        auto played =
+            play_match(live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(),
+                              countdown, session.next().take_lessons()});
         if (!played) return played;
         again = session.take_restart() || live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;

@@ -59,7 +59,12 @@ public:
     void name_pads(const Pads& pads);
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
-    void set_practice(bool practice) { context_.practice = practice; }
+    /// The match that begins is on the range, or is the Apprentice there. The next start screen is not the first.
+    void set_practice(bool practice, bool apprentice) {
+        context_.practice = practice;
+        context_.apprentice = apprentice;
+        context_.first_start = false;
+    }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
     void choose_arena(std::size_t arena) { state_.arena = arena; }

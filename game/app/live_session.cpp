@@ -128,7 +128,7 @@ void LiveSession::leave_match() { (plan_.start_screen ? shared_.requests.end : s
 // A match ---------------------------------------------------------------------------------------------------
 
 void LiveSession::take_seats(const Pads& pads) {
-    menu_.set_practice(next_.is_practice());
+    menu_.set_practice(next_.is_practice(), next_.is_apprentice());
     if (plan_.replay != nullptr) return;  // a replay has no players at the devices
     const auto seats = plan_.start_screen ? joined_seats(menu_.state(), menu_.context(), next_.is_practice())
                                           : planned_seats(plan_.seats, pads);
@@ -233,7 +233,11 @@ void LiveSession::apply_settings() {
 
 void LiveSession::carry_out_request() {
     const auto request = menu_.take_request();
-    if (request == MenuRequest::go_on) shared_.requests.go_on = first_person(shared_.seats).value_or(0);
+    const bool skips = request == MenuRequest::skip_step, repeats = request == MenuRequest::repeat_step;
+    if (skips) ++shared_.requests.lesson_skips;
+    if (repeats) ++shared_.requests.lesson_repeats;
+    if (request == MenuRequest::go_on || skips || repeats)
+        shared_.requests.go_on = first_person(shared_.seats).value_or(0);
     if (request == MenuRequest::restart) restart();
     if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match();
 }
@@ -241,7 +245,10 @@ void LiveSession::carry_out_request() {
 /// Ends the match, after which another one begins with the same players. The range reads its files again; while one
 /// of them is faulty, the match goes on.
 void LiveSession::restart() {
-    if (menu_.context().practice && !succeeds(next_.open_range())) return;
+    const auto& context = menu_.context();
+    if (context.apprentice ? !succeeds(next_.open_apprentice())
+                           : context.practice && !succeeds(next_.open_range()))
+        return;
     restarts_ = true;
     shared_.requests.end = true;
 }
@@ -340,6 +347,7 @@ bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {
     const auto request = menu_.take_request();
     if (request == MenuRequest::start && succeeds(load_chosen())) return true;
     if (request == MenuRequest::range && succeeds(next_.open_range())) return true;
+    if (request == MenuRequest::apprentice && succeeds(next_.open_apprentice())) return true;
     if (request == MenuRequest::quit || out_of_time(now_ns)) shared_.stop = true;
     return false;
 }

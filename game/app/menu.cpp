@@ -52,10 +52,10 @@ bool only_joins(const MenuState& s, const MenuEvent& event) {
            joined(s) < game::players && !seat_of(s, event.device);
 }
 
-/// Requests the range for one player; the other seat stays empty.
-void practise(MenuState& s, const Device& device) {
+/// Requests the range or the Apprentice for one player; the other seat stays empty.
+void practise(MenuState& s, const Device& device, MenuRequest request) {
     s.seats = {device};
-    s.request = MenuRequest::range;
+    s.request = request;
 }
 
 void leave_seat(MenuState& s, const Device& device) {
@@ -174,7 +174,10 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
     if (only_joins(s, event)) return join(s, event.device);
     switch (row.kind) {
         case RowKind::duel: join_or_start(s, event.device); break;
-        case RowKind::range: practise(s, event.device); break;
+        case RowKind::range: practise(s, event.device, MenuRequest::range); break;
+        case RowKind::apprentice: practise(s, event.device, MenuRequest::apprentice); break;
+        case RowKind::skip_step: s.request = MenuRequest::skip_step; break;
+        case RowKind::repeat_step: s.request = MenuRequest::repeat_step; break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
         case RowKind::quit: s.request = MenuRequest::quit; break;

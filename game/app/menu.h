@@ -67,11 +67,24 @@ struct MenuContext {
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, game::players> arms{};
-    bool practice = false;    ///< true: the pause belongs to the range
-    bool ends_match = false;  ///< true: leaving the pause opens the start screen; false: it ends the program
+    bool practice = false;     ///< true: the pause belongs to the range
+    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
+    bool first_start = false;  ///< true: the start screen offers the Apprentice first
+    bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
 };
 
-enum class MenuRequest : std::uint8_t { none, start, range, go_on, restart, leave, quit };
+enum class MenuRequest : std::uint8_t {
+    none,
+    start,
+    range,
+    apprentice,
+    go_on,
+    skip_step,
+    repeat_step,
+    restart,
+    leave,
+    quit
+};
 
 struct MenuState {
     struct Open {

@@ -73,12 +73,21 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
     }
 }
 
+void add_apprentice_row(Rows& rows) {
+    rows.push_back({RowKind::apprentice,
+                    0,
+                    {.label = "Apprentice (3 min)",
+                     .help = "Teaches one player everything, step by step. Leave it at any time."}});
+}
+
 void add_start_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    if (context.first_start) add_apprentice_row(rows);
     rows.push_back(
         {RowKind::duel,
          0,
          {.label = duel_label(s), .help = "The first press of a device joins, and the next one starts."}});
     add_choice_rows(s, context, rows);
+    if (!context.first_start) add_apprentice_row(rows);
     rows.push_back({RowKind::range,
                     0,
                     {.label = "Range: practise on a dummy",
@@ -108,21 +117,40 @@ void add_range_rows(const MenuState& s, Rows& rows) {
                      .adjustable = true}});
 }
 
+void add_lesson_rows(Rows& rows) {
+    rows.push_back({RowKind::skip_step,
+                    0,
+                    {.label = "Skip this step", .help = "Goes on to the next step of the Apprentice."}});
+    rows.push_back({RowKind::repeat_step,
+                    0,
+                    {.label = "Repeat this step", .help = "Begins this step of the Apprentice again."}});
+}
+
+/// Calls what the pause belongs to: "match", "range" or "Apprentice".
+std::string_view name_of_play(const MenuContext& context) {
+    if (context.apprentice) return "Apprentice";
+    return context.practice ? "range" : "match";
+}
+
 void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     rows.push_back(
         {RowKind::go_on, 0, {.label = "Go on", .help = "Closes this menu and plays on for everybody."}});
-    if (context.practice) add_range_rows(s, rows);
+    if (context.apprentice)
+        add_lesson_rows(rows);
+    else if (context.practice)
+        add_range_rows(s, rows);
     add_page_rows(rows);
     rows.push_back(
         {RowKind::restart,
          0,
-         {.label = context.practice ? "Restart the range" : "Restart the match",
+         {.label = text("Restart the ", name_of_play(context)),
           .help = context.practice ? "Puts the arena and the score back to their beginning."
                                    : "Gives up this match and begins another with the same players."}});
-    const auto* leave = context.practice ? "Leave the range" : "End this match";
+    const auto leave =
+        context.practice ? text("Leave the ", name_of_play(context)) : std::string("End this match");
     rows.push_back({RowKind::leave,
                     0,
-                    {.label = context.ends_match ? leave : "Quit",
+                    {.label = context.ends_match ? leave : std::string("Quit"),
                      .help = context.ends_match ? "Returns to the start screen." : "Ends the program."}});
 }
 

@@ -172,6 +172,8 @@ Expected<game::MatchData> load_last_choice(const std::filesystem::path& assets, 
 
 int play_in_window(const PlayOptions& options) {
     const auto assets = game::find_assets();
+    std::error_code no_file;
+    const bool first_start = !std::filesystem::exists(settings_file(), no_file);
     auto settings = settings_to_play_with(settings_file(), assets);
     auto data = options.mode() ? game::load_match_data(assets, options.data)
                                : load_last_choice(assets, options, settings.last);
@@ -181,6 +183,7 @@ int play_in_window(const PlayOptions& options) {
     plan.seed = options.seed.value_or(std::random_device{}());
     plan.seats = seats_of(options);
     plan.start_screen = !options.mode();
+    plan.first_start = first_start;
     plan.demo = options.demo;
     plan.assets = assets;
     plan.seconds = options.seconds;

@@ -4,6 +4,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/player/walk.h"
 
 namespace thaum::game {
 namespace {
@@ -69,6 +70,16 @@ input::DeviceSpec dummy_device() {
     auto device = bot_device(dummys, 0);
     device.name = "dummy";
     return device;
+}
+
+void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place) {
+    auto& world = match.world_to_change();
+    const auto wizard = wizard_of(world, player);
+    if (world.has<Dead>(wizard)) return;
+    world.get<Motion>(wizard) = standing_at(match.data().wizard, place.feet);
+    world.get<Gaze>(wizard) = {place.yaw, 0};
+    world.get<Stance>(wizard) = {};
+    match.physics().set_state(wizard.index, std::as_const(world).get<Motion>(wizard));
 }
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,

@@ -4,11 +4,9 @@
 #pragma once
 #include <filesystem>
 
-#include "game/bots/dummy.h"
+#include "game/bots/apprentice.h"
 
 namespace thaum::game {
-
-inline constexpr std::uint32_t practising = 0, dummys = 1;  ///< numbers of the two players
 
 /// Data of a range.
 struct RangeData {
@@ -42,6 +40,9 @@ struct RangeMatch {
     /// Continues with other data from the next tick on. Both wizards stay where they are.
     void adopt(const RangeData& data);
 };
+
+/// Puts a living wizard to a place and direction of view, at rest. Only the range may do so, as it is not recorded.
+void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
                       std::uint64_t seed, std::vector<input::DeviceSpec> more = {});

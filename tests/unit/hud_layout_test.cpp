@@ -39,6 +39,7 @@ struct NamedBox {
 
 std::vector<NamedBox> boxes_of(const HudLayout& layout) {
     std::vector<NamedBox> boxes{{"score", layout.score}, {"notices", layout.notices}};
+    if (layout.lesson) boxes.push_back({"lesson", *layout.lesson});
     for (std::uint32_t p = 0; p < players; ++p) {
         if (!layout.views[p]) continue;
         const auto& v = *layout.views[p];
@@ -160,6 +161,8 @@ Picture talkative() {
                       .by = 1,
                       .detail = static_cast<std::uint32_t>(hit_kind("bolt_hit"))};
     }
+    picture.practice.lesson = "Take Swing with {wand:swing}. Hold {fire} on the anchor: cross the pit.";
+    picture.practice.hint = "Look up at the anchor, walk forward, let go beyond.";
     picture.caption.words = "read wands/bolt.toml";
     picture.overloaded = true;
     picture.skipped = 1107;

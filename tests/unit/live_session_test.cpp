@@ -422,6 +422,30 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesItsRules) {
     EXPECT_TRUE(session_->next().is_practice()) << "the files were read again";
 }
 
+TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
+    plan_.practice = game::DummyKind::still;
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    session_.emplace(shared_, plan_);
+    ASSERT_TRUE(session_->next().open_apprentice());
+    session_->take_seats({});
+    session_->begin_match({});
+    ASSERT_TRUE(session_->next().take_range() && session_->next().take_lessons());
+    const auto chosen = [&](std::string_view row) {
+        pause(0);
+        step();
+        choose(row);
+        press("enter");
+        step();
+    };
+    chosen("Skip this step");
+    EXPECT_EQ(requests().lesson_skips.load(), 1U);
+    chosen("Repeat this step");
+    EXPECT_TRUE(requests().lesson_repeats == 1U && requests().go_on == 0U) << "and the match goes on";
+    chosen("Restart the Apprentice");
+    EXPECT_TRUE(requests().end && session_->take_restart());
+    EXPECT_TRUE(session_->next().is_apprentice()) << "the lessons were read again";
+}
+
 TEST_F(LiveSessionTest, RestartingInThePauseEndsTheMatchAndBeginsAnother) {
     begin();
     pause(0);

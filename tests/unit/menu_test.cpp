@@ -204,6 +204,30 @@ TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     EXPECT_EQ(picture_of(below, context()).cursor, 1U);
 }
 
+TEST(StartScreen, OffersTheApprenticeFirstOnAFirstStartAndAlways) {
+    const auto s = choose(start_page(), "Apprentice (3 min)");
+    EXPECT_EQ(s.request, MenuRequest::apprentice);
+    EXPECT_EQ(s.seats[0], keyboard);
+    EXPECT_FALSE(s.seats[1]);
+    EXPECT_GT(row_named(start_page(), "Apprentice (3 min)"), 0U);
+    auto first = context();
+    first.first_start = true;
+    const auto rows = picture_of(start_page(), first).rows;
+    EXPECT_EQ(rows.front().label, "Apprentice (3 min)");
+    const auto count = std::count_if(rows.begin(), rows.end(),
+                                     [](const auto& row) { return row.label == "Apprentice (3 min)"; });
+    EXPECT_EQ(count, 1);
+}
+
+TEST(StartScreen, OnAFirstStartTwoPressesOfAnyButtonStillStartADuel) {
+    auto first = context();
+    first.first_start = true;
+    auto s = start_page();
+    for (int press = 0; press < 2; ++press)
+        s = step(std::move(s), {.kind = Kind::other, .device = keyboard}, first);
+    EXPECT_EQ(s.request, MenuRequest::start);
+}
+
 TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
     auto range = context();
     range.practice = true;
