@@ -293,7 +293,7 @@ std::span<const PlayerSetting> player_settings() {
         {"turn_deg_per_s", "Stick and arrow speed", "Turns the view faster with a stick or the arrow keys.",
          Number{&PlayerSettings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
         {"turn_ramp_s", "Slow start of stick and arrows",
-         "Begins a turn by stick or arrow keys slowly, so that a short press turns a little.",
+         "Begins a turn by stick or arrows slowly, so that a short press turns a little.",
          Number{&PlayerSettings::turn_ramp_s, 0, 0.5, 0.05, 1, " s"}},
         {"aim_assist_pad", "Aim assist with a pad",
          "Slows turns at the foe, and turns near misses into hits.",

@@ -54,7 +54,8 @@ Event death_by_thing(std::uint32_t killer) {
 TEST(Feed, NamesTheThingThatKilled) {
     EXPECT_EQ(event_words("{by} > {cause} > {whom}", death_by_thing(0), {}, "barrel"),
               "Ember > thrown barrel > Tide");
-    EXPECT_EQ(event_words("{whom} fell ({cause})", death_by_thing(no_player), {}, "crate"), "Tide fell (crate)");
+    EXPECT_EQ(event_words("{whom} fell ({cause})", death_by_thing(no_player), {}, "crate"),
+              "Tide fell (crate)");
     EXPECT_EQ(event_words("{cause}", death_by_thing(0), {}), "blow");
 }
 
