@@ -5,8 +5,8 @@ thaum_test(test_hud
 thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/control_names_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
-        unit/live_session_test.cpp unit/live_threads_test.cpp unit/menu_test.cpp unit/practice_test.cpp
-        unit/settings_test.cpp
+        unit/live_session_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
+        unit/settings_test.cpp unit/apprentice_course_test.cpp
     LINK thaum_live fake_arm
     THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.*)
 
@@ -91,5 +91,7 @@ if(umockdev_FOUND)
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+    thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()

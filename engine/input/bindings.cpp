@@ -14,9 +14,9 @@ constexpr std::array<std::string_view, actions> action_names{
     "clutch",     "panic",   "pause",     "rejoin",        "wand_1",       "wand_2",    "wand_3",
     "wand_4",     "wand_5",  "mark",      "confirm",       "quit",         "wand_6",    "wand_7",
     "wand_8",     "wand_9",  "move_left", "move_right",    "move_forward", "move_back", "turn_left",
-    "turn_right", "turn_up", "turn_down"};
+    "turn_right", "turn_up", "turn_down", "farther",       "nearer"};
 static_assert(static_cast<std::size_t>(Action::wand_9) + 1 == button_actions);
-static_assert(static_cast<std::size_t>(Action::turn_down) + 1 == actions);
+static_assert(static_cast<std::size_t>(Action::nearer) + 1 == actions);
 
 constexpr std::array<std::string_view, 5> mouse_names{"left", "right", "middle", "fourth", "fifth"};
 constexpr std::array<std::string_view, 15> pad_button_names{
@@ -51,7 +51,8 @@ constexpr Default keyboard_half_defaults[] = {
     {Action::stir, "key kp_decimal"},   {Action::jump, "key kp_7"},
     {Action::throw_, "key kp_9"},       {Action::clutch, "key kp_1"},
     {Action::panic, "key end"},         {Action::pause, "key kp_multiply"},
-    {Action::confirm, "key kp_0"},
+    {Action::confirm, "key kp_0"},      {Action::farther, "key kp_3"},
+    {Action::nearer, "key kp_2"},
 };
 
 constexpr Default pad_defaults[] = {
@@ -74,6 +75,8 @@ constexpr Default pad_defaults[] = {
     {Action::panic, "pad back, key end"},
     {Action::pause, "pad start"},
     {Action::confirm, "pad a"},
+    {Action::farther, "pad up"},
+    {Action::nearer, "pad down"},
 };
 
 std::span<const Default> defaults_of(DeviceKind kind) {

@@ -16,7 +16,7 @@
 namespace thaum::input {
 
 /// Actions of a control. The first ones are the bits of Button in their order, or select a wand. The others are
-/// directions.
+/// directions, of which the last two turn the wheel.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -49,9 +49,12 @@ enum class Action : std::uint8_t {
     turn_right,
     turn_up,
     turn_down,
+    // Turns of the wheel for hands without one; a mouse's own wheel always acts.
+    farther,
+    nearer,
 };
 inline constexpr std::size_t button_actions = 23;
-inline constexpr std::size_t actions = 31;
+inline constexpr std::size_t actions = 33;
 
 /// Action that selects a wand, 1 to most_wands.
 constexpr Action wand_action(std::size_t wand) {

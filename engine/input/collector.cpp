@@ -13,6 +13,8 @@ namespace {
 // Hysteresis, so a trigger at its threshold does not flicker.
 constexpr double release_below_press = 0.1;
 constexpr unsigned latch_shift = 32;
+/// Wheel steps of a control that is held, per sample: the first step is at once, then there are 12 a second.
+constexpr double wheel_steps_per_take = 0.012;
 
 /// Returns the whole steps of `rest` plus `amount`; `rest` keeps the fraction. NaN or a huge jump of a broken
 /// driver gives no motion.
@@ -213,13 +215,26 @@ void HandsCollector::publish() {
     const auto axis = [&](Action plus, Action minus) {
         return level(strength_of(plus) - strength_of(minus));
     };
+    const int wheel_way = wheel_direction();
+    if (wheel_way != 0 && wheel_way != wheel_way_before_)
+        wheel_.fetch_add(wheel_way, std::memory_order_relaxed);
+    wheel_way_before_ = wheel_way;
     const auto trigger = static_cast<int>(std::lround(strength_of(Action::fire) * 255));
     levels_.store(packed(axis(Action::move_right, Action::move_left), 0) |
                       packed(axis(Action::move_forward, Action::move_back), 1) |
                       packed(axis(Action::turn_right, Action::turn_left), 2) |
                       packed(static_cast<int>(up_sign_) * axis(Action::turn_up, Action::turn_down), 3) |
-                      packed(trigger, 4),
+                      packed(trigger, 4) | packed(wheel_way, 5),
                   std::memory_order_relaxed);
+}
+
+/// Direction of the wheel by controls that are pressed: 1 away from the user, -1 towards the user, or 0.
+int HandsCollector::wheel_direction() const {
+    const auto pressed = [&](Action action) {
+        return std::any_of(bound_.begin(), bound_.end(),
+                           [&](const Bound& b) { return b.action == action && b.pressed; });
+    };
+    return (pressed(Action::farther) ? 1 : 0) - (pressed(Action::nearer) ? 1 : 0);
 }
 
 // Simulation thread -------------------------------------------------------------------------------
@@ -250,12 +265,20 @@ std::int32_t HandsCollector::ramped(std::int32_t level, Turn& turn) const {
     return grown != 0 ? grown : (level > 0 ? 1 : -1);
 }
 
+/// Whole wheel steps of a control that is held. Its first step was counted when it was pressed.
+std::int32_t HandsCollector::held_wheel(std::int32_t way) {
+    if (way != wheel_way_taken_) wheel_held_ = 0;
+    wheel_way_taken_ = way;
+    return static_cast<std::int32_t>(whole_steps(way * wheel_steps_per_take, wheel_held_));
+}
+
 DeviceSample HandsCollector::take() {
     DeviceSample sample;
     sample.counts[hand::look_right] = take_new(right_, right_taken_);
     sample.counts[hand::look_up] = take_new(up_, up_taken_);
     sample.counts[hand::wheel] = take_new(wheel_, wheel_taken_);
     const auto levels = levels_.load(std::memory_order_relaxed);
+    sample.counts[hand::wheel] += held_wheel(signed_level(levels, 5));
     sample.counts[hand::strafe] = signed_level(levels, 0);
     sample.counts[hand::forward] = signed_level(levels, 1);
     sample.counts[hand::turn_right] = ramped(signed_level(levels, 2), turn_right_);

@@ -62,6 +62,8 @@ private:
     void update(Bound& bound, double strength);
     void publish();
     double strength_of(Action action) const;
+    int wheel_direction() const;
+    std::int32_t held_wheel(std::int32_t way);
     bool toggles(Action action) const { return bindings_.toggled[static_cast<std::size_t>(action)]; }
     void flip(std::uint32_t pressed);
 
@@ -75,12 +77,14 @@ private:
     std::uint32_t wands_before_ = 0;     ///< bits of the wands whose keys were down at the last take
     std::uint8_t wand_ = 0;              ///< wand of the last sample
     std::uint32_t held_before_ = 0;
+    int wheel_way_before_ = 0;  ///< direction of the wheel at the last `publish`
 
     // Shared. Motion is a sum since the start, so that `take` needs no reset during which an event could be lost.
     std::atomic<std::int64_t> right_{0}, up_{0}, wheel_{0};
     /// Low half: held now; high half: pressed since the last `take`.
     std::atomic<std::uint64_t> buttons_{0};
-    std::atomic<std::uint64_t> levels_{0};  ///< five bytes: strafe, forward, turn_right, turn_up, trigger
+    /// Six bytes: strafe, forward, turn_right, turn_up, trigger, direction of the wheel.
+    std::atomic<std::uint64_t> levels_{0};
 
     std::atomic<std::uint32_t> ramp_ticks_{0};  ///< length of the slow start of a turn (ticks)
 
@@ -94,6 +98,8 @@ private:
     // Used by the simulation thread.
     Turn turn_right_, turn_up_;
     std::int64_t right_taken_ = 0, up_taken_ = 0, wheel_taken_ = 0;
+    double wheel_held_ = 0;             ///< part of the next wheel step of a control that is held
+    std::int32_t wheel_way_taken_ = 0;  ///< direction of the wheel at the last `take`
 };
 
 }  // namespace thaum::input

@@ -76,7 +76,8 @@ public:
     void capture_cursor(bool capture);
     void set_fullscreen(bool fullscreen);
     void set_title(const std::string& title);
-    /// State of up to four pads. A pad keeps its index until it is unplugged.
+    /// State of up to four pads. A pad keeps its index, also when it is unplugged and comes back
+    /// (detail/pad_places.h).
     std::array<PadState, 4> pads();
 
     // Called on any thread.

@@ -9,6 +9,7 @@
 #include "core/assert.h"
 #include "core/text.h"
 #include "render/context.h"
+#include "render/detail/pad_places.h"
 
 namespace thaum::render {
 
@@ -24,7 +25,7 @@ struct Window::State {
     const WindowEvents* events = nullptr;  // set during poll
     bool captured = false;
     double last_x = 0, last_y = 0;
-    std::array<int, 4> pad_ids{-1, -1, -1, -1};
+    PadPlaces pads{};
     int windowed_x = 0, windowed_y = 0;
     Size windowed_size;
 
@@ -232,17 +233,14 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->ha
 
 namespace {
 
-/// Frees the places of removed pads and gives free places to new pads.
-void seat_pads(std::array<int, 4>& ids) {
-    for (int& id : ids) {
-        if (id >= 0 && glfwJoystickIsGamepad(id) == 0) id = -1;
-    }
+std::vector<PluggedPad> plugged_pads() {
+    std::vector<PluggedPad> plugged;
     for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
         if (glfwJoystickIsGamepad(joystick) == 0) continue;
-        if (std::find(ids.begin(), ids.end(), joystick) != ids.end()) continue;
-        const auto free = std::find(ids.begin(), ids.end(), -1);
-        if (free != ids.end()) *free = joystick;
+        const char* model = glfwGetJoystickGUID(joystick);
+        plugged.push_back({joystick, model == nullptr ? "" : model});
     }
+    return plugged;
 }
 
 PadState read_pad(int id) {
@@ -262,9 +260,9 @@ PadState read_pad(int id) {
 }  // namespace
 
 std::array<PadState, 4> Window::pads() {
-    seat_pads(state_->pad_ids);
+    place_pads(state_->pads, plugged_pads());
     std::array<PadState, 4> out;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = read_pad(state_->pad_ids[i]);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = read_pad(state_->pads[i].id);
     return out;
 }
 

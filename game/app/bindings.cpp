@@ -128,9 +128,12 @@ bool is_bound(const std::vector<Control>& controls, int key) {
 
 bool pauses(Slot slot) { return is(slot, Action::pause) || is(slot, SessionKey::pause); }
 
-bool fits(std::size_t sheet, const Control& control) {
-    if (is_pad_sheet(sheet)) return is_pad_control(control);
-    if (sheet == 0) return !is_pad_control(control);
+bool fits(Slot slot, const Control& control) {
+    // The mouse's wheel needs no binding for its own steps.
+    const bool wheel = control.source == Control::Source::wheel;
+    if (wheel && (is(slot, Action::farther) || is(slot, Action::nearer))) return false;
+    if (is_pad_sheet(slot.sheet)) return is_pad_control(control);
+    if (slot.sheet == 0) return !is_pad_control(control);
     return control.source == Control::Source::key;
 }
 
@@ -172,6 +175,56 @@ std::string label_of(Slot slot, const WandNames& wands) {
     const auto wand = wand_slot_of(slot);
     if (wand && !wands[*wand].empty()) return wands[*wand];
     return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
+}
+
+namespace {
+
+std::string_view help_of(SessionKey key) {
+    switch (key) {
+        case SessionKey::pause: return "Pauses the match; after the round it leaves.";
+        case SessionKey::again: return "Plays another match after the result.";
+        case SessionKey::leave: return "Leaves a match that is paused or over.";
+        case SessionKey::split: return "Turns the split between the two views.";
+        case SessionKey::fullscreen: return "Fills the whole screen, or plays in a window.";
+        case SessionKey::mark: return "Puts a numbered bookmark into the recording.";
+        case SessionKey::forces: return "Draws the forces on the hands as curves.";
+    }
+    return {};
+}
+
+std::string_view help_of(Action action) {
+    switch (action) {
+        case Action::fire: return "Uses the wand, and drops what is carried.";
+        case Action::jump: return "Jumps.";
+        case Action::next_wand: return "Takes the next wand.";
+        case Action::previous_wand: return "Takes the wand before.";
+        case Action::trace: return "Is kept for gestures, which the game does not have yet.";
+        case Action::stir: return "Stirs the brew at the cauldron's rim.";
+        case Action::throw_: return "Throws the thing that the wand Lift holds.";
+        case Action::clutch: return "Moves the hand and not the view, while held.";
+        case Action::panic: return "Ends all forces at once, for everybody.";
+        case Action::pause: return "Pauses the match, or goes on.";
+        case Action::confirm: return "Begins the next round, or another match after the result.";
+        case Action::move_left: return "Walks to the left.";
+        case Action::move_right: return "Walks to the right.";
+        case Action::move_forward: return "Walks forward.";
+        case Action::move_back: return "Walks back.";
+        case Action::turn_left: return "Turns the view to the left.";
+        case Action::turn_right: return "Turns the view to the right.";
+        case Action::turn_up: return "Turns the view up.";
+        case Action::turn_down: return "Turns the view down.";
+        case Action::farther: return "Moves the thing that Lift holds away, as the wheel of a mouse does.";
+        case Action::nearer: return "Moves the thing that Lift holds closer, as the wheel of a mouse does.";
+        default: return {};
+    }
+}
+
+}  // namespace
+
+std::string help_of(Slot slot, const WandNames& wands) {
+    if (slot.sheet == session_sheet) return std::string(help_of(static_cast<SessionKey>(slot.action)));
+    if (const auto wand = wand_slot_of(slot)) return text("Takes the wand ", wands[*wand], ".");
+    return std::string(help_of(static_cast<Action>(slot.action)));
 }
 
 std::string label_of(const Control& control) {

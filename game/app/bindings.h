@@ -29,8 +29,8 @@ bool is_listed(Slot slot, const WandNames& wands);
 bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
-/// Tests whether a hand of this sheet can reach the control.
-bool fits(std::size_t sheet, const input::Control& control);
+/// Tests whether the control can do the action: a hand of the sheet can reach it.
+bool fits(Slot slot, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
 
@@ -42,6 +42,8 @@ std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& co
 std::string label_of_sheet(std::size_t sheet);
 /// Label of an action: "Use wand". An action that takes a wand is called as the wand is.
 std::string label_of(Slot slot, const WandNames& wands);
+/// What an action does, in one sentence.
+std::string help_of(Slot slot, const WandNames& wands);
 /// Label of a control: "Space", "Left mouse button", "RT", "Left stick up".
 std::string label_of(const input::Control& control);
 

@@ -1,5 +1,6 @@
 #include "game/app/control_names.h"
 
+#include "core/text.h"
 #include "game/app/bindings.h"
 
 namespace thaum::app {
@@ -20,6 +21,21 @@ std::string first_label(const input::Bindings& bindings, Action action) {
     return controls.empty() ? std::string() : short_label_of(controls.front());
 }
 
+/// The controls of four directions: a stick by its own name, "W A S D", or "Arrow up, ..." one by one.
+std::string directions(const input::Bindings& bindings, const std::array<Action, 4>& actions) {
+    std::string all;
+    for (const auto action : actions) {
+        const auto& controls = bindings.of(action);
+        if (controls.empty()) continue;
+        if (controls.front().source == input::Control::Source::pad_axis) {
+            const auto label = label_of(controls.front());
+            return label.substr(0, label.rfind(' '));
+        }
+        all += text(all.empty() ? "" : " ", short_label_of(controls.front()));
+    }
+    return all;
+}
+
 }  // namespace
 
 game::ControlNames control_names(const Settings& settings, input::DeviceKind kind) {
@@ -28,6 +44,16 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
                              .stir = first_label(bindings, Action::stir),
                              .throw_ = first_label(bindings, Action::throw_),
                              .next_wand = first_label(bindings, Action::next_wand)};
+    names.move = directions(bindings,
+                            {Action::move_forward, Action::move_left, Action::move_back, Action::move_right});
+    names.look = bindings.mouse_look ? std::string("Mouse")
+                                     : directions(bindings, {Action::turn_up, Action::turn_left,
+                                                             Action::turn_down, Action::turn_right});
+    names.jump = first_label(bindings, Action::jump);
+    names.pause = first_label(bindings, Action::pause);
+    const auto& pause = settings.of(SessionKey::pause);
+    if (names.pause.empty() && kind != input::DeviceKind::pad && !pause.empty())
+        names.pause = short_label_of(pause.front());
     for (std::size_t wand = 0; wand < names.wands.size(); ++wand)
         names.wands[wand] = first_label(bindings, input::wand_action(wand + 1));
     return names;

@@ -14,13 +14,13 @@ struct FaderWords {
     std::string_view label, told;
 };
 constexpr std::array<FaderWords, haptics::fluid_modes.size()> fader_words{{
-    {"Viscosity", "a thick brew holds the hand back"},
-    {"Flow", "the current carries the hand along"},
-    {"Resistance", "the current pushes the hand that goes against it"},
-    {"Surface", "the skin holds the ladle up until it breaks through"},
-    {"Wall", "the bowl pushes back"},
-    {"Inertia", "the ladle has a mass of its own"},
-    {"Recoil", "a kick when an ingredient is dropped in"},
+    {"Viscosity", "A thick brew holds the hand back."},
+    {"Flow", "The current carries the hand along."},
+    {"Resistance", "The current pushes the hand that goes against it."},
+    {"Surface", "The skin holds the ladle up until it breaks through."},
+    {"Wall", "The bowl pushes back."},
+    {"Inertia", "The ladle has a mass of its own."},
+    {"Recoil", "An ingredient that is dropped in gives a kick."},
 }};
 
 std::string names_of(const auto& chosen) {

@@ -48,6 +48,7 @@ struct Live {
 Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));
+    if (live.plan.demo && number > 1) return Recording();
     std::vector<std::string> names;
     for (const auto& seat : live.shared.seats)
         names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
@@ -86,7 +87,9 @@ Expected<void> play_matches(Live& live) {
     auto seed = live.plan.seed;
     bool again = false;
     if (live.plan.practice) {
-        if (auto opened = session.next().open_range(); !opened) return opened;
+        auto& next = session.next();
+        if (auto opened = live.plan.apprentice ? next.open_apprentice() : next.open_range(); !opened)
+            return opened;
     }
     for (std::uint64_t number = 1; !live.shared.stop; ++number) {
         if (live.plan.start_screen && !again && !run_start_screen(session, live.shared, live.window)) break;
@@ -98,10 +101,11 @@ Expected<void> play_matches(Live& live) {
         if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
         if (!recording)
             std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
-        auto played = play_match(
-            live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown});
+        auto played =
+            play_match(live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(),
+                              countdown, session.next().take_lessons()});
         if (!played) return played;
-        again = live.shared.requests.rematch;
+        again = session.take_restart() || live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;
         Random next = random_stream(seed, number);
         seed = next.next() >> 1U;

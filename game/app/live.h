@@ -87,6 +87,12 @@ struct LivePlan {
     /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
     /// recorded, and data files are read again when they change.
     std::optional<game::DummyKind> practice{};
+    bool apprentice = false;  ///< true: the range is the Apprentice, and its lessons choose the dummy
+    bool first_start =
+        false;  ///< true: nobody has started the program before, so the Apprentice is offered first
+    /// true: bots play one match after another, and each result is shown for some seconds. Only the first match is
+    /// recorded, because the recordings of a night would displace those of the players.
+    bool demo = false;
     /// Replay to show instead of a match; null: a match. Nobody plays, nothing is recorded, and the window
     /// closes soon after the replay's end.
     game::Playback* replay = nullptr;

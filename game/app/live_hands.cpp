@@ -48,8 +48,9 @@ void PlayerHands::rebind(const Settings& settings) const {
         const auto& hands = seats_[p].hands;
         if (!hands) continue;
         hands->rebind(settings.bindings_of(device_of(p)));
-        hands->set_turn_ramp(settings.turn_ramp_s);
-        hands->set_look(settings.sensitivity / seated_.sensitivity, settings.invert_y != seated_.invert_y);
+        const auto &now = settings.players[p], &then = seated_.players[p];
+        hands->set_turn_ramp(now.turn_ramp_s);
+        hands->set_look(now.sensitivity / then.sensitivity, now.invert_y != then.invert_y);
     }
 }
 
@@ -58,6 +59,7 @@ void PlayerHands::rebind(const Settings& settings) const {
 HandNews PlayerHands::look(const Pads& pads, const Settings& settings, bool menu_open) {
     HandNews news;
     for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (const auto other = other_pad_for(p, pads)) seats_[p].seat.pad = static_cast<int>(*other);
         const auto place = static_cast<std::size_t>(seats_[p].seat.pad);
         if (!has_pad(seats_[p]) || place >= pads.size()) continue;
         news.used[place] = came_back(p, pads[place], settings, news);
@@ -81,6 +83,18 @@ bool PlayerHands::came_back(std::uint32_t player, const render::PadState& pad, c
     hold.let_go_first = true;
     rejoin(player, settings, news);
     return true;
+}
+
+/// Place of a pad that belongs to no player, with which a player whose own pad is lost comes back.
+std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, const Pads& pads) const {
+    if (!has_pad(seats_[player]) || !holds_[player].lost) return {};
+    for (std::size_t place = 0; place < pads.size(); ++place) {
+        const bool taken = std::any_of(seats_.begin(), seats_.end(), [&](const TakenSeat& seat) {
+            return has_pad(seat) && seat.seat.pad == static_cast<int>(place);
+        });
+        if (!taken && pads[place].present && pads[place].buttons != 0) return place;
+    }
+    return {};
 }
 
 /// Passes the pad's state to its player's hands, once the buttons that were held have been released.

@@ -1,12 +1,13 @@
 // game/app/live_hands.h: the input of all players during a match, and the device that each player uses now. A
-// player whose pad was unplugged comes back with a button of a pad in its place, or with half of the keyboard.
+// player whose pad was unplugged comes back with a button of that pad or of a free one, or with half of the
+// keyboard.
 #pragma once
 #include "game/app/live_seats.h"
 
 namespace thaum::app {
 
 /// Words that tell a player how to bring a lost pad back.
-inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
+inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on another pad";
 
 /// Players whose devices have just gone or come back.
 struct HandNews {
@@ -54,6 +55,8 @@ public:
     bool pauses(int key, const Settings& settings) const;
     bool any_pad() const;
     bool any_mouse() const;
+    /// Whether no player uses half of the keyboard.
+    bool half_is_free() const;
 
 private:
     /// State of the pad that one player uses.
@@ -64,10 +67,10 @@ private:
         bool half = false;          ///< the player continues with half of the keyboard
     };
 
-    bool half_is_free() const;
     void rejoin(std::uint32_t player, const Settings& settings, HandNews& news);
     bool came_back(std::uint32_t player, const render::PadState& pad, const Settings& settings,
                    HandNews& news);
+    std::optional<std::size_t> other_pad_for(std::uint32_t player, const Pads& pads) const;
     void feed(std::uint32_t player, const render::PadState& pad, bool menu_open);
 
     TakenSeats& seats_;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Device mouse_and_keys{DeviceKind::keyboard_mouse, 0};
 
-bool repeats(Kind kind) { return kind <= Kind::right; }
+bool repeats(Kind kind) { return kind <= Kind::right || kind == Kind::erase; }
 
 }  // namespace
 
@@ -29,6 +29,7 @@ void LiveMenu::open(Page page) {
 void LiveMenu::close() {
     state_.pages.clear();
     state_.waiting.reset();
+    state_.typing.reset();
 }
 
 /// Applies an event. A request ends the menu or its match. Presses that come before the session carries it out
@@ -59,6 +60,7 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
         if (!key_name_of(key).empty()) give_control(mouse_and_keys, {Control::Source::key, key, 0});
         return;
     }
+    if (takes_text()) return name_key(key, now_ns);
     // In the pause the leave key acts at once, as it does after the round.
     const bool pause = state_.pages.back().page == Page::pause;
     if (pause && is_bound(settings().of(SessionKey::leave), key)) {
@@ -70,6 +72,19 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
     if (repeats(event->kind)) held_ = {*event, key, -1, now_ns + repeat_after_ns};
 }
 
+/// Handles a key while a name is typed. Letters come as characters.
+void LiveMenu::name_key(int key, std::int64_t now_ns) {
+    const auto kind = name_event_of(key);
+    if (!kind) return;
+    const MenuEvent event{.kind = *kind, .device = mouse_and_keys};
+    step(event);
+    if (repeats(*kind)) held_ = {event, key, -1, now_ns + repeat_after_ns};
+}
+
+void LiveMenu::character(char32_t character) {
+    if (takes_text()) step({.kind = Kind::character, .device = mouse_and_keys, .typed = character});
+}
+
 std::optional<game::MenuPlace> LiveMenu::place_of_mouse(render::Size window) const {
     if (!mouse_) return {};
     return game::place_at(picture(), window, settings().text_scale, *mouse_);
@@ -78,7 +93,7 @@ std::optional<game::MenuPlace> LiveMenu::place_of_mouse(render::Size window) con
 void LiveMenu::cursor(fvec2 position, render::Size window) {
     mouse_ = position;
     const auto place = place_of_mouse(window);
-    if (place && !waits_for_control() && place->row != state_.pages.back().cursor)
+    if (place && !takes_all_keys() && place->row != state_.pages.back().cursor)
         step({.kind = Kind::point, .device = mouse_and_keys, .row = place->row});
 }
 

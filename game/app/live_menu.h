@@ -26,12 +26,18 @@ public:
     bool on_start_screen() const { return is_open() && state_.pages.front().page == Page::start; }
     /// Whether the next key or button becomes a binding.
     bool waits_for_control() const { return state_.waiting.has_value(); }
+    /// Whether a name is being typed.
+    bool takes_text() const { return state_.typing.has_value(); }
+    /// Whether keys have no meaning but to the menu: they become a binding or a name.
+    bool takes_all_keys() const { return waits_for_control() || takes_text(); }
 
     void open(Page page);
     void close();
 
     // Events while a menu is open.
     void key(int key, bool pressed, std::int64_t now_ns);
+    /// One character of typed text.
+    void character(char32_t character);
     void mouse_button(int button, bool pressed, render::Size window);
     /// `position` is in pixels from the window's top left.
     void cursor(fvec2 position, render::Size window);
@@ -53,7 +59,12 @@ public:
     void name_pads(const Pads& pads);
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
-    void set_practice(bool practice) { context_.practice = practice; }
+    /// The match that begins is on the range, or is the Apprentice there. The next start screen is not the first.
+    void set_practice(bool practice, bool apprentice) {
+        context_.practice = practice;
+        context_.apprentice = apprentice;
+        context_.first_start = false;
+    }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
     void choose_arena(std::size_t arena) { state_.arena = arena; }
@@ -71,6 +82,7 @@ private:
 
     void step(const MenuEvent& event);
     void give_control(const Device& device, const input::Control& control);
+    void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
                       std::int64_t now_ns);
     std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;

@@ -3,10 +3,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "game/components/match.h"
-#include "game/components/wizard.h"
+#include "game/hud/figures.h"
 
 namespace thaum::app {
 
@@ -52,7 +53,16 @@ struct PauseWords {
     bool operator==(const PauseWords&) const = default;
 };
 
-/// Words for a pause of player `paused_by`, or of nobody (game::no_player).
-PauseWords pause_words(std::uint32_t paused_by, const std::array<bool, game::players>& pad_lost);
+/// Reasons of a pause.
+struct PauseFacts {
+    std::uint32_t paused_by = game::no_player;  ///< player who pressed the button; game::no_player: nobody
+    bool focus_lost = false;                    ///< the session pressed it, because the window lost the focus
+    std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's unplugged pad
+    game::PlayerNames names{};
+    /// key that takes half of the keyboard instead of a pad; empty: it is not free
+    std::string key_for_half{};
+};
+
+PauseWords pause_words(const PauseFacts& facts);
 
 }  // namespace thaum::app

@@ -42,8 +42,15 @@ void DataWatcher::watch() {
 const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
 
 Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices,
-                   game::DummyKind kind, std::uint64_t seed)
-    : range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
+                   game::DummyKind kind, std::uint64_t seed, std::optional<game::Lessons> lessons)
+    : data_(data),
+      range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
+    if (lessons) {
+        apprentice_.emplace(std::move(*lessons));
+        // A lesson waits for a deed and not for energy, and nothing else may kill an apprentice.
+        set_changes({.endless_energy = true, .harmless_brew = true});
+        return;
+    }
     say("The range: nothing is recorded, and data files that change are read at once", welcome_shown);
 }
 
@@ -58,11 +65,63 @@ void Practice::set_dummy(game::DummyKind kind) {
     scorer_.reset(match());
 }
 
+bool Practice::set_changes(const game::RangeChanges& changes) {
+    if (changes == changes_) return false;
+    changes_ = changes;
+    range_.adopt(changed(data_, changes_));
+    return true;
+}
+
 void Practice::adopt(const game::Reload& reload) {
     say(reload.line, reload.data ? reading_shown : until_next_reading);
     if (!reload.data) return;
-    range_.adopt(*reload.data);
+    data_ = *reload.data;
+    range_.adopt(changed(data_, changes_));
     scorer_.reset(match());
+}
+
+/// Puts a wizard to its place of the present step.
+void Practice::place(std::uint32_t player) {
+    const auto& step = apprentice_->lessons().steps[apprentice_->at()];
+    const auto& place = player == game::practising ? step.player : step.dummy;
+    if (place) place_wizard(match(), player, *place);
+}
+
+void Practice::follow_lessons() {
+    if (!apprentice_) return;
+    apprentice_->follow(match());
+    if (apprentice_->is_over()) return;
+    const auto placings = apprentice_->take_placings();
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        if (placings[player]) place(player);
+    set_dummy(apprentice_->lessons().steps[apprentice_->at()].dummy_kind);
+}
+
+std::string Practice::step_words() const {
+    const auto& steps = apprentice_->lessons().steps;
+    const auto at = apprentice_->at();
+    if (apprentice_->is_over()) return text(steps.size(), " of ", steps.size(), ": done");
+    return text(at + 1, " of ", steps.size(), ": ", steps[at].name);
+}
+
+void Practice::show_lesson(game::PracticePicture& picture) {
+    const auto& lessons = apprentice_->lessons();
+    picture.score = step_words();
+    picture.below = "{pause}: skip or leave";
+    if (apprentice_->is_over()) {
+        picture.below = "{pause}: leave or begin again";
+        picture.lesson = lessons.end;
+        return;
+    }
+    if (apprentice_->is_done()) {
+        picture.score += ", done";
+        picture.lesson = "Done!";
+        return;
+    }
+    const auto& step = lessons.steps[apprentice_->at()];
+    picture.score += text(", ", std::lround(100 * apprentice_->share()), " %");
+    picture.lesson = step.words;
+    picture.hint = step.hint;
 }
 
 void Practice::show(game::Picture& picture) {
@@ -71,8 +130,9 @@ void Practice::show(game::Picture& picture) {
         dummy.dead ? std::string("comes back") : text(std::lround(std::ceil(dummy.health)), " HP");
     picture.practice.on = true;
     picture.practice.score = score();
-    picture.practice.dummy =
+    picture.practice.below =
         text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
+    if (apprentice_) show_lesson(picture.practice);
     if (match().match().played < caption_until_)
         picture.caption = caption_;
     else

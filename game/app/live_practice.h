@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/triple_buffer.h"
+#include "game/bots/apprentice.h"
 #include "game/bots/range_files.h"
 #include "game/hud/picture.h"
 
@@ -38,24 +39,37 @@ private:
 class Practice {
 public:
     /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
-    /// one.
+    /// one. With lessons the practice is the Apprentice.
     Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
-             std::uint64_t seed);
+             std::uint64_t seed, std::optional<game::Lessons> lessons = {});
 
     game::Simulation& match() { return *range_.match; }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
+    /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
+    bool set_changes(const game::RangeChanges& changes);
     /// Continues with the data of changed files; match() may then be another object. If a file is faulty, the
     /// old data stays, and a caption names the fault until the next reload.
     void adopt(const game::Reload& reload);
+    /// Follows the Apprentice after a tick: measures the step, and sets places and dummy where one begins.
+    void follow_lessons();
+    /// The course; null on the range.
+    game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
+    /// The Apprentice's present step: "2 of 8: Bolt".
+    std::string step_words() const;
 
 private:
     void say(std::string words, Tick how_long);
+    void place(std::uint32_t player);
+    void show_lesson(game::PracticePicture& picture);
 
+    game::RangeData data_;  ///< as the files say, before `changes_`
+    game::RangeChanges changes_{};
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
+    std::optional<game::Apprentice> apprentice_;
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
 };

@@ -74,7 +74,7 @@ std::string device_name(const Seat& seat) {
     }
 }
 
-double aim_assist_of(const Settings& settings, DeviceKind kind) {
+double aim_assist_of(const PlayerSettings& settings, DeviceKind kind) {
     switch (kind) {
         case DeviceKind::keyboard_mouse: return settings.aim_assist_mouse;
         case DeviceKind::keyboard_half: return settings.aim_assist_keys;
@@ -90,13 +90,14 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.player = player;
     spec.kind = device_kind(seat.kind);
     spec.name = device_name(seat);
-    spec.look_rad_per_count *= settings.sensitivity;
-    spec.turn_rad_per_s = settings.turn_deg_per_s * radians_per_degree;
-    spec.invert_y = settings.invert_y;
-    if (const auto percent = force_choices[settings.force[player]].percent) spec.set_force_percent(*percent);
+    const auto& own = settings.players[player];
+    spec.look_rad_per_count *= own.sensitivity;
+    spec.turn_rad_per_s = own.turn_deg_per_s * radians_per_degree;
+    spec.invert_y = own.invert_y;
+    if (const auto percent = force_choices[own.force].percent) spec.set_force_percent(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
-    spec.set_carried_percent(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
-    spec.aim_assist = static_cast<std::uint8_t>(percent_of(aim_assist_of(settings, spec.kind)));
+    spec.set_carried_percent(percent_of(own.carried_weight), percent_of(own.carried_blows));
+    spec.aim_assist = static_cast<std::uint8_t>(percent_of(aim_assist_of(own, spec.kind)));
     ask_for(settings.cauldron[player], spec);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }

@@ -18,6 +18,8 @@ LiveMenu make_menu(const LivePlan& plan) {
     MenuState state;
     state.settings = plan.settings;
     state.dummy = static_cast<std::size_t>(plan.practice.value_or(game::DummyKind::still));
+    const auto level = std::find(context.levels.begin(), context.levels.end(), plan.settings.last.bot_level);
+    if (level != context.levels.end()) state.level = static_cast<std::size_t>(level - context.levels.begin());
     state.rules = index_of(context.rules, plan.data->choice.match);
     state.arena = index_of(context.arenas, plan.data->choice.arena);
     return {std::move(state), std::move(context), plan.settings_file};
@@ -48,12 +50,16 @@ void LiveSession::give_hands(std::int64_t now_ns, F&& f) {
 
 void LiveSession::key(int key, bool pressed, std::int64_t now_ns) {
     if (pressed && session_key(key)) return;
-    if (pressed && !menu_.waits_for_control()) {
+    if (pressed && !menu_.takes_all_keys()) {
         if (const auto news = hands_.take_half(key, menu_.settings())) return report(*news);
     }
     if (menu_.is_open()) return menu_.key(key, pressed, now_ns);
     if (pressed) match_key(key, now_ns);
     give_hands(now_ns, [&](auto& hands) { hands.key(key, pressed); });
+}
+
+void LiveSession::character(char32_t character) {
+    if (menu_.is_open()) menu_.character(character);
 }
 
 void LiveSession::mouse_button(int button, bool pressed, render::Size window, std::int64_t now_ns) {
@@ -85,7 +91,7 @@ void LiveSession::focus(bool focused, std::int64_t now_ns) {
 /// Handles keys that act at any time. Returns whether the key was one of them.
 bool LiveSession::session_key(int key) {
     const auto is = [&](SessionKey k) { return is_bound(menu_.settings().of(k), key); };
-    if (menu_.waits_for_control()) return false;
+    if (menu_.takes_all_keys()) return false;
     const bool split = is(SessionKey::split), fullscreen = is(SessionKey::fullscreen),
                mark = is(SessionKey::mark), forces = is(SessionKey::forces);
     if (split) menu_.turn_split();
@@ -122,7 +128,7 @@ void LiveSession::leave_match() { (plan_.start_screen ? shared_.requests.end : s
 // A match ---------------------------------------------------------------------------------------------------
 
 void LiveSession::take_seats(const Pads& pads) {
-    menu_.set_practice(next_.is_practice());
+    menu_.set_practice(next_.is_practice(), next_.is_apprentice());
     if (plan_.replay != nullptr) return;  // a replay has no players at the devices
     const auto seats = plan_.start_screen ? joined_seats(menu_.state(), menu_.context(), next_.is_practice())
                                           : planned_seats(plan_.seats, pads);
@@ -133,6 +139,7 @@ void LiveSession::take_seats(const Pads& pads) {
 void LiveSession::begin_match(const Pads& pads) {
     menu_.close();
     round_end_ = {};
+    paused_by_focus_ = false;
     pads_ = pads;
     hands_.begin_match(menu_.settings(), pads);
 }
@@ -153,6 +160,7 @@ void LiveSession::pause_without_focus(std::int64_t now_ns) {
     const auto person = first_person(shared_.seats);
     if (plan_.probe || !person || !shared_.ready || !focus_.lasts(now_ns)) return;
     focus_.handled();
+    paused_by_focus_ = shared_.progress.state == PlayState::playing;
     shared_.requests.pause = *person;
 }
 
@@ -192,26 +200,57 @@ void LiveSession::follow_match(std::int64_t now_ns) {
     round_end_.follow(state, now_ns);
     if (plan_.replay != nullptr) return;
     if (state != PlayState::paused) {
-        if (menu_.is_open()) menu_.close();
+        if (!menu_.is_open()) return;
+        menu_.close();
+        paused_by_focus_ = false;
         return;
     }
     if (!menu_.is_open()) {
         hands_.release();
         menu_.open(Page::pause);
     }
-    menu_.set_pause(pause_words(shared_.progress.paused_by, {hands_.is_lost(0), hands_.is_lost(1)}));
+    menu_.set_pause(pause_words(pause_facts()));
 }
 
-/// Applies changed settings to the players' hands and the range's dummy.
+/// Facts that the pause tells.
+PauseFacts LiveSession::pause_facts() const {
+    PauseFacts facts{
+        .paused_by = shared_.progress.paused_by, .focus_lost = paused_by_focus_, .names = names()};
+    for (std::uint32_t p = 0; p < game::players; ++p)
+        if (hands_.is_lost(p)) facts.lost_pad[p] = shared_.seats[p].seat.pad;
+    if (hands_.half_is_free()) {
+        facts.key_for_half = control_names(menu_.settings(), input::DeviceKind::keyboard_half).fire;
+    }
+    return facts;
+}
+
+/// Applies changed settings to the players' hands, and the menu's choices to the range.
 void LiveSession::apply_settings() {
     shared_.requests.dummy = static_cast<game::DummyKind>(menu_.state().dummy);
+    shared_.requests.range = menu_.state().range;
     if (menu_.take_settings_change()) hands_.rebind(menu_.settings());
 }
 
 void LiveSession::carry_out_request() {
     const auto request = menu_.take_request();
-    if (request == MenuRequest::go_on) shared_.requests.go_on = first_person(shared_.seats).value_or(0);
+    const bool skips = request == MenuRequest::skip_step, repeats = request == MenuRequest::repeat_step;
+    if (skips) ++shared_.requests.lesson_skips;
+    if (repeats) ++shared_.requests.lesson_repeats;
+    if (request == MenuRequest::go_on || skips || repeats)
+        shared_.requests.go_on = first_person(shared_.seats).value_or(0);
+    if (request == MenuRequest::restart) restart();
     if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match();
+}
+
+/// Ends the match, after which another one begins with the same players. The range reads its files again; while one
+/// of them is faulty, the match goes on.
+void LiveSession::restart() {
+    const auto& context = menu_.context();
+    if (context.apprentice ? !succeeds(next_.open_apprentice())
+                           : context.practice && !succeeds(next_.open_range()))
+        return;
+    restarts_ = true;
+    shared_.requests.end = true;
 }
 
 bool LiveSession::captures_cursor() const {
@@ -235,20 +274,23 @@ game::Watch watched(const TakenSeats& seats) {
     return first ? game::Watch::first : game::Watch::second;
 }
 
-/// Returns the players' names for the screen: "Bot 3" for a bot against a person, "Dummy" for the range's dummy.
-/// An empty name stands for the name of the team.
-std::array<std::string, game::players> names_of(const TakenSeats& seats) {
+}  // namespace
+
+/// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a person, and
+/// "Dummy" for the range's dummy. An empty name stands for the name of the team.
+std::array<std::string, game::players> LiveSession::names() const {
+    const auto& seats = shared_.seats;
     std::array<std::string, game::players> names;
     for (std::size_t p = 0; p < game::players; ++p) {
-        const bool against_person = seats[1 - p].hands != nullptr;
-        if (seats[p].hands != nullptr || !against_person) continue;
         const auto& seat = seats[p].seat;
-        names[p] = seat.kind == SeatKind::dummy ? std::string("Dummy") : text("Bot ", seat.level);
+        const bool against_person = seats[1 - p].hands != nullptr;
+        if (seats[p].hands != nullptr)
+            names[p] = menu_.settings().players[p].name;
+        else if (against_person)
+            names[p] = seat.kind == SeatKind::dummy ? std::string("Dummy") : text("Bot ", seat.level);
     }
     return names;
 }
-
-}  // namespace
 
 Screen LiveSession::screen() const {
     const auto& settings = menu_.settings();
@@ -260,8 +302,9 @@ Screen LiveSession::screen() const {
                           .can_play_again = plan_.replay == nullptr,
                           .forces = forces_,
                           .menu = menu_.is_open(),
-                          .names = names_of(shared_.seats),
-                          .prompts = settings.prompts},
+                          .names = names(),
+                          .captions = {settings.players[0].captions, settings.players[1].captions},
+                          .prompts = {settings.players[0].prompts, settings.players[1].prompts}},
                   .quality = settings.quality,
                   .menu = menu_.picture(),
                   .arena_scene = menu_.on_start_screen(),
@@ -304,6 +347,7 @@ bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {
     const auto request = menu_.take_request();
     if (request == MenuRequest::start && succeeds(load_chosen())) return true;
     if (request == MenuRequest::range && succeeds(next_.open_range())) return true;
+    if (request == MenuRequest::apprentice && succeeds(next_.open_apprentice())) return true;
     if (request == MenuRequest::quit || out_of_time(now_ns)) shared_.stop = true;
     return false;
 }

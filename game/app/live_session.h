@@ -28,6 +28,7 @@ public:
     // Events of the window. They go to the players' hands during play, and to the menu while a menu is open.
     // Some keys act on the session at any time.
     void key(int key, bool pressed, std::int64_t now_ns);
+    void character(char32_t character);
     void mouse_button(int button, bool pressed, render::Size window, std::int64_t now_ns);
     void mouse_move(double right, double down, std::int64_t now_ns);
     void cursor(fvec2 position, render::Size window);
@@ -46,6 +47,8 @@ public:
     void begin_match(const Pads& pads);
     /// Runs after the events of one poll. `pads`: std::nullopt if needs_pads() is false.
     void step_match(const std::optional<Pads>& pads, std::int64_t now_ns);
+    /// Whether the menu has asked to begin the ended match again. Forgets it.
+    bool take_restart() { return std::exchange(restarts_, false); }
 
     /// Publishes shared.screen if something on it has changed.
     void publish_screen();
@@ -73,6 +76,9 @@ private:
     void name_arms();
     void follow_match(std::int64_t now_ns);
     void carry_out_request();
+    void restart();
+    PauseFacts pause_facts() const;
+    std::array<std::string, game::players> names() const;
     void apply_settings();
     Screen screen() const;
 
@@ -90,6 +96,8 @@ private:
     PlayerHands hands_;
     FocusLoss focus_{};
     RoundEnd round_end_{};
+    bool restarts_ = false;                   ///< true: the match is ended to begin again
+    bool paused_by_focus_ = false;            ///< true: the lost focus is the reason of the pause
     Pads pads_{};                             ///< states of the pads at the last look
     bool forces_ = false;                     ///< true: the views show the forces that hands feel
     std::optional<Screen> published_{};       ///< the newest published screen

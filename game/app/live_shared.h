@@ -11,6 +11,7 @@
 #include "game/app/live_pause.h"
 #include "game/app/live_recording.h"
 #include "game/app/live_seats.h"
+#include "game/bots/apprentice.h"
 #include "game/hud/menu.h"
 #include "render/context.h"
 
@@ -62,6 +63,9 @@ struct MatchRequests {
     std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
     std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
+    std::atomic<std::uint32_t> lesson_skips{0};    ///< number of the Apprentice's steps to skip so far
+    std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
+    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
 };
 
 /// State of the present match, from the simulation thread.
@@ -111,7 +115,8 @@ struct MatchStart {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
-    int countdown = 0;  ///< time for which the start is shown before the match begins (s)
+    int countdown = 0;                       ///< time for which the start is shown before the match begins (s)
+    std::optional<game::Lessons> lessons{};  ///< lessons of the Apprentice, which is played on the range
 };
 
 /// Body of the simulation thread: plays one match until the session stops, or until the match's end or a

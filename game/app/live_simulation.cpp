@@ -26,7 +26,8 @@ constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread
 constexpr Tick log_after_end = 500;       ///< ticks of the result screen that are still recorded
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
-constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a mark (ticks)
+constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
+constexpr Tick mark_shown = 1500;               ///< time for which the screen shows a mark (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
 constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< time for which a replay's last picture stays (ns)
 /// Difference between the seeds of a match's bots. A person in the match makes the random numbers
@@ -39,6 +40,7 @@ struct Round {
     Simulation* match = nullptr;  ///< `own`, or the match of the practice or the replay
     game::Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
+    std::string told_step{};               ///< words of the Apprentice's step that was named last
     std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
@@ -58,6 +60,8 @@ struct SimulationThread {
     std::int64_t skipped_at_ns = 0;
     int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
     std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
+    /// values of MatchRequests::lesson_skips and lesson_repeats at the last look
+    std::uint32_t skips_seen = 0, repeats_seen = 0;
 };
 
 /// Log of the match; null if the match is not recorded.
@@ -71,11 +75,12 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
     shared.scene.publish();
 }
 
-void start_practice(SimulationThread& s, game::RangeFiles files, std::uint64_t seed) {
+void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& start) {
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared.arms);
     devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
-    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy, seed);
+    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy,
+                                                    start.seed, std::move(start.lessons));
     s.round.match = &practice.match();
     s.round.watcher = std::make_unique<DataWatcher>(std::move(files));
 }
@@ -96,13 +101,15 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 
 bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.requests.marks;
+    s.skips_seen = s.shared.requests.lesson_skips;
+    s.repeats_seen = s.shared.requests.lesson_repeats;
     s.countdown = start.countdown;
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
         return true;
     }
     if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
-        start_practice(s, std::move(*files), start.seed);
+        start_practice(s, std::move(*files), start);
     } else {
         show_scene(s.shared, start.data);
         s.round.own = std::make_unique<Simulation>(
@@ -127,11 +134,37 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) std::printf("range: %s\n", practice->score().c_str());
 }
 
-/// Applies the menu's dummy and reloaded data files to the range, between two ticks.
+/// Lets the Apprentice look at the tick, and names each new step outside the window, too.
+void follow_lessons(Round& round) {
+    auto* practice = practice_of(round);
+    if (practice == nullptr || practice->apprentice() == nullptr) return;
+    practice->follow_lessons();
+    auto step = practice->step_words();
+    if (step == round.told_step) return;
+    std::printf("apprentice: %s\n", step.c_str());
+    std::fflush(stdout);
+    round.told_step = std::move(step);
+}
+
+/// Skips and repeats steps of the Apprentice as the menu has asked.
+void follow_lesson_requests(SimulationThread& s, game::Apprentice& apprentice) {
+    if (const auto skips = s.shared.requests.lesson_skips.load(); skips != s.skips_seen) apprentice.skip();
+    if (const auto repeats = s.shared.requests.lesson_repeats.load(); repeats != s.repeats_seen)
+        apprentice.repeat();
+    s.skips_seen = s.shared.requests.lesson_skips;
+    s.repeats_seen = s.shared.requests.lesson_repeats;
+}
+
+/// Applies the menu's choices and reloaded data files to the range, between two ticks.
 void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
-    practice->set_dummy(s.shared.requests.dummy);
+    if (auto* apprentice = practice->apprentice()) {
+        follow_lesson_requests(s, *apprentice);
+    } else {
+        practice->set_dummy(s.shared.requests.dummy);
+        if (practice->set_changes(s.shared.requests.range)) s.round.match = &practice->match();
+    }
     const auto* reload = s.round.watcher->take();
     if (reload == nullptr) return;
     std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
@@ -234,6 +267,8 @@ void watch_buttons(SimulationThread& s, const input::InputFrame& frame) {
     }
     const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
     if (may && pressed(Button::confirm)) s.shared.requests.rematch = true;
+    if (s.plan.demo && round.over_at && round.match->now() >= *round.over_at + demo_result_shown)
+        s.shared.requests.rematch = true;
     if (!round.over_at) s.shared.requests.rematch = false;
     round.buttons_before = buttons;
 }
@@ -294,6 +329,7 @@ void run_tick(SimulationThread& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
+    follow_lessons(round);
     give_orders(s);
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;

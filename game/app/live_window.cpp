@@ -9,6 +9,7 @@ namespace {
 render::WindowEvents events_of(LiveSession& session, const render::Window& window) {
     render::WindowEvents events;
     events.key = [&](int key, int, bool pressed) { session.key(key, pressed, monotonic_ns()); };
+    events.character = [&](char32_t character) { session.character(character); };
     events.mouse_button = [&](int button, bool pressed) {
         session.mouse_button(button, pressed, window.size(), monotonic_ns());
     };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/app/bindings.h"
+#include "game/bots/range.h"
 #include "game/hud/menu.h"
 
 namespace thaum::app {
@@ -24,6 +25,7 @@ enum class Page : std::uint8_t {
     sheets,    ///< list of the sheets of bindings
     bindings,  ///< bindings of one sheet
     settings,
+    player,    ///< settings of one player
     cauldron,  ///< faders for the cauldron's forces on one hand
 };
 
@@ -38,15 +40,18 @@ struct MenuEvent {
         confirm,
         other,  ///< a press without a meaning in menus: joins, and starts the match
         back,
-        point,    ///< the mouse points at a row
-        control,  ///< any control, while the menu waits for one
-        gone,     ///< the device was unplugged
+        point,      ///< the mouse points at a row
+        control,    ///< any control, while the menu waits for one
+        gone,       ///< the device was unplugged
+        character,  ///< a typed character, while a name is typed
+        erase,      ///< takes the last typed character away
     };
     Kind kind{};
     Device device{};
     std::optional<std::size_t>
         row{};  ///< row of confirm, left, right and point; std::nullopt: the chosen row
     input::Control control{};
+    char32_t typed{};  ///< character of Kind::character
 };
 
 /// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
@@ -62,11 +67,24 @@ struct MenuContext {
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, game::players> arms{};
-    bool practice = false;    ///< true: the pause belongs to the range
-    bool ends_match = false;  ///< true: leaving the pause opens the start screen; false: it ends the program
+    bool practice = false;     ///< true: the pause belongs to the range
+    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
+    bool first_start = false;  ///< true: the start screen offers the Apprentice first
+    bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
 };
 
-enum class MenuRequest : std::uint8_t { none, start, range, go_on, leave, quit };
+enum class MenuRequest : std::uint8_t {
+    none,
+    start,
+    range,
+    apprentice,
+    go_on,
+    skip_step,
+    repeat_step,
+    restart,
+    leave,
+    quit
+};
 
 struct MenuState {
     struct Open {
@@ -75,11 +93,14 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
+    std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
     std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
+    game::RangeChanges range{};                   ///< changes of the range's rules
     std::size_t sheet = 0;                        ///< sheet on the bindings page
-    std::size_t fader_player = 0;                 ///< player whose faders the cauldron's page shows
+    std::size_t player = 0;                       ///< player whose settings or faders a page shows
     std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
+    std::optional<std::string> typing;            ///< name that is being typed; std::nullopt: none
     Settings settings;
     std::optional<Settings> undo;  ///< settings before the last change of bindings
     std::string head, line;        ///< title and reason of the pause: who paused, and why

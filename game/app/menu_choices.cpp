@@ -85,8 +85,10 @@ std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::str
 }
 
 MenuContext find_menu_context(const LivePlan& plan) {
-    MenuContext context{
-        .rules = all_rules(plan), .arenas = all_arenas(plan), .ends_match = plan.start_screen};
+    MenuContext context{.rules = all_rules(plan),
+                        .arenas = all_arenas(plan),
+                        .first_start = plan.first_start,
+                        .ends_match = plan.start_screen};
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
     for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {

@@ -22,14 +22,26 @@ struct MenuKey {
     Device device;
 };
 constexpr MenuKey menu_keys[] = {
-    {"up", Kind::up, whole_keyboard},           {"down", Kind::down, whole_keyboard},
-    {"left", Kind::left, whole_keyboard},       {"right", Kind::right, whole_keyboard},
-    {"page_up", Kind::page_up, whole_keyboard}, {"page_down", Kind::page_down, whole_keyboard},
-    {"enter", Kind::confirm, whole_keyboard},   {"space", Kind::confirm, whole_keyboard},
-    {"escape", Kind::back, whole_keyboard},     {"kp_8", Kind::up, half_keyboard},
-    {"kp_5", Kind::down, half_keyboard},        {"kp_2", Kind::down, half_keyboard},
-    {"kp_4", Kind::left, half_keyboard},        {"kp_6", Kind::right, half_keyboard},
-    {"kp_0", Kind::confirm, half_keyboard},     {"kp_enter", Kind::confirm, half_keyboard},
+    {"up", Kind::up, whole_keyboard},
+    {"down", Kind::down, whole_keyboard},
+    {"left", Kind::left, whole_keyboard},
+    {"right", Kind::right, whole_keyboard},
+    {"w", Kind::up, whole_keyboard},
+    {"s", Kind::down, whole_keyboard},
+    {"a", Kind::left, whole_keyboard},
+    {"d", Kind::right, whole_keyboard},
+    {"page_up", Kind::page_up, whole_keyboard},
+    {"page_down", Kind::page_down, whole_keyboard},
+    {"enter", Kind::confirm, whole_keyboard},
+    {"space", Kind::confirm, whole_keyboard},
+    {"escape", Kind::back, whole_keyboard},
+    {"kp_8", Kind::up, half_keyboard},
+    {"kp_5", Kind::down, half_keyboard},
+    {"kp_2", Kind::down, half_keyboard},
+    {"kp_4", Kind::left, half_keyboard},
+    {"kp_6", Kind::right, half_keyboard},
+    {"kp_0", Kind::confirm, half_keyboard},
+    {"kp_enter", Kind::confirm, half_keyboard},
     {"kp_multiply", Kind::back, half_keyboard},
 };
 
@@ -51,6 +63,14 @@ std::optional<MenuEvent> menu_event_of(int key) {
     }
     if (means_nothing(name)) return {};
     return MenuEvent{.kind = Kind::other, .device = whole_keyboard};
+}
+
+std::optional<Kind> name_event_of(int key) {
+    const auto name = key_name_of(key);
+    if (name == "enter" || name == "kp_enter") return Kind::confirm;
+    if (name == "escape") return Kind::back;
+    if (name == "backspace") return Kind::erase;
+    return {};
 }
 
 // Pads ------------------------------------------------------------------------------------------------------

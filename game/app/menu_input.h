@@ -15,6 +15,9 @@ inline constexpr double menu_stick_press = 0.6;
 /// Event of a key; std::nullopt for a key without a meaning in a menu.
 std::optional<MenuEvent> menu_event_of(int key);
 
+/// Event of a key while a name is typed; std::nullopt for keys that only type.
+std::optional<MenuEvent::Kind> name_event_of(int key);
+
 /// Direction that a pad's cross or left stick points to; std::nullopt: none.
 std::optional<MenuEvent::Kind> menu_direction_of(const render::PadState& pad);
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "game/bots/apprentice.h"
 #include "game/bots/range_files.h"
 
 namespace thaum::app {
@@ -23,13 +24,22 @@ public:
     Expected<void> choose(const std::string& match, const std::string& arena);
     /// Makes the next match practice on the range. The error names file, line and key.
     Expected<void> open_range();
+    /// Makes the next match the Apprentice, on the range of its own arena. The error names file, line and key.
+    Expected<void> open_apprentice();
+    /// Hands over the lessons of the Apprentice, for one match; std::nullopt: the next match has none.
+    std::optional<game::Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
+    /// Whether the next match is the Apprentice.
+    bool is_apprentice() const { return lessons_.has_value(); }
     /// Hands over the range's files, for one match; std::nullopt: the next match is no practice.
     std::optional<game::RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
 
 private:
     std::filesystem::path assets_;
     std::shared_ptr<const game::MatchData> data_;
+    Expected<void> open_range(const game::DataChoice& choice);
+
     std::optional<game::RangeFiles> range_{};
+    std::optional<game::Lessons> lessons_{};
 };
 
 }  // namespace thaum::app

@@ -23,7 +23,7 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --vs             two players: mouse and keyboard against a pad, or against the
                    keypad if there is no pad
   --solo LEVEL     against a bot of level 0 (for a first round) to 3
-  --demo           two bots
+  --demo           two bots, one match after another, until Q leaves
   --hands A[,B]    the players' devices: mouse, half (the keypad), pad, or arm: a force
                    feedback arm and the mouse (second arm: pad or keypad). arm:0,arm:1:
                    arms by number in `thaum doctor`. Arms also go with the start screen
@@ -54,7 +54,9 @@ struct PlayOptions {
     std::optional<double> seconds;
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
-    std::optional<int> solo;  ///< level of the bot; std::nullopt: not --solo
+    bool match_named = false,
+         arena_named = false;  ///< by an option; else the start screen's last choice holds
+    std::optional<int> solo;   ///< level of the bot; std::nullopt: not --solo
     std::vector<Seat> hands;
     std::array<int, game::players> bots{1, 1};
 
@@ -123,6 +125,8 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     options.data.rules = arguments->value("--rules").value_or(options.data.rules);
     options.data.match = arguments->value("--match").value_or(options.data.match);
     options.data.arena = arguments->value("--arena").value_or(options.data.arena);
+    options.match_named = arguments->has("--match");
+    options.arena_named = arguments->has("--arena");
     options.data.overrides = arguments->values("--set");
     options.record = arguments->value("--record").value_or("");
     options.out = arguments->value("--out").value_or(options.out.string());
@@ -155,16 +159,32 @@ std::array<Seat, 2> seats_of(const PlayOptions& options) {
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
+/// Data for the start screen: its last choice, unless an option names a match or an arena. A choice that cannot be
+/// loaded any more counts as the default.
+Expected<game::MatchData> load_last_choice(const std::filesystem::path& assets, const PlayOptions& options,
+                                           const LastChoice& last) {
+    auto choice = options.data;
+    if (!options.match_named) choice.match = last.match;
+    if (!options.arena_named) choice.arena = last.arena;
+    auto data = game::load_match_data(assets, choice);
+    return data ? std::move(data) : game::load_match_data(assets, options.data);
+}
+
 int play_in_window(const PlayOptions& options) {
     const auto assets = game::find_assets();
+    std::error_code no_file;
+    const bool first_start = !std::filesystem::exists(settings_file(), no_file);
     auto settings = settings_to_play_with(settings_file(), assets);
-    auto data = game::load_match_data(assets, options.data);
+    auto data = options.mode() ? game::load_match_data(assets, options.data)
+                               : load_last_choice(assets, options, settings.last);
     if (!data) return refuse(data.error());
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(std::move(*data));
     plan.seed = options.seed.value_or(std::random_device{}());
     plan.seats = seats_of(options);
     plan.start_screen = !options.mode();
+    plan.first_start = first_start;
+    plan.demo = options.demo;
     plan.assets = assets;
     plan.seconds = options.seconds;
     plan.log = options.record;

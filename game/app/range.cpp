@@ -20,6 +20,8 @@ wizard comes back. Nothing is recorded. So data files (wands, wizard, rules,
 arena, range.toml) that change on disk are read again during practice. A faulty
 file is reported, and its old numbers stay. The pause (Esc) can change the dummy.
 
+  --apprentice     a course of short lessons, about three minutes: each step is shown until
+                   it is done; the pause skips, repeats and leaves
   --dummy KIND     still (default), strafing: to and fro, shooting: at you
   --hands HAND     your device: mouse (default), half (the keypad), pad, or arm: a force
                    feedback arm with mouse and keyboard (arm:N: the arm of that number)
@@ -34,15 +36,15 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
   --seconds S      ends after S seconds of match time; headless: 60
 )";
 
-constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1},     {"--rules", 1},
-                                    {"--arena", 1}, {"--set", 1, true}, {"--seed", 1},
-                                    {"--headless"}, {"--bot", 1},       {"--seconds", 1}};
+constexpr Option range_options[] = {{"--apprentice"}, {"--dummy", 1},     {"--hands", 1}, {"--rules", 1},
+                                    {"--arena", 1},   {"--set", 1, true}, {"--seed", 1},  {"--headless"},
+                                    {"--bot", 1},     {"--seconds", 1}};
 
 struct RangeOptions {
     game::DataChoice data;
     game::DummyKind dummy{};
     Seat hand{.kind = SeatKind::keyboard_mouse};
-    bool headless = false;
+    bool headless = false, apprentice = false;
     int bot = 3;
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
@@ -68,6 +70,9 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     if (!hand) return tl::unexpected(hand.error());
     options.hand = *hand;
     options.headless = arguments->has("--headless");
+    options.apprentice = arguments->has("--apprentice");
+    if (options.apprentice && (options.headless || arguments->has("--dummy") || arguments->has("--arena")))
+        return fail("--apprentice has its own dummy and arena: no --dummy, --arena or --headless");
     if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
     if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
     const auto bot = arguments->whole("--bot", game::easiest_bot, game::hardest_bot, 3);
@@ -114,6 +119,7 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.data = data.match;
     plan.seed = options.seed.value_or(std::random_device{}());
     plan.practice = options.dummy;
+    plan.apprentice = options.apprentice;
     plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = options.seconds;

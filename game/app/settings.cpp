@@ -13,11 +13,18 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
+#include "game/app/player_name.h"
 #include "input/log.h"
 #include "render/context.h"
 
 namespace thaum::app {
 namespace {
+
+std::vector<std::string_view> force_names() {
+    std::vector<std::string_view> names;
+    for (const auto& choice : force_choices) names.push_back(choice.name);
+    return names;
+}
 
 constexpr std::size_t max_settings_file = 1U << 20U;
 constexpr std::string_view log_ending = ".thaumlog";
@@ -76,17 +83,53 @@ void read_bindings(const ConfigTable& root, Settings& settings) {
     if (root.has("session")) read_session(root.table("session"), settings);
 }
 
-void read(const ConfigTable& root, const Setting& setting, Settings& s) {
-    if (const auto* n = std::get_if<NumberSetting>(&setting.kind))
-        s.*n->value = root.number(setting.key, {n->low, n->high}, s.*n->value);
-    if (const auto* w = std::get_if<WholeSetting>(&setting.kind)) {
+template <class Of>
+void read(const ConfigTable& table, const SettingOf<Of>& setting, Of& values) {
+    if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind))
+        values.*n->value = table.number(setting.key, {n->low, n->high}, values.*n->value);
+    if (const auto* w = std::get_if<WholeOf<Of>>(&setting.kind)) {
         const Range range{static_cast<double>(w->low), static_cast<double>(w->high)};
-        s.*w->value = static_cast<int>(root.integer(setting.key, range, s.*w->value));
+        values.*w->value = static_cast<int>(table.integer(setting.key, range, values.*w->value));
     }
-    if (const auto* f = std::get_if<FlagSetting>(&setting.kind))
-        s.*f->value = root.boolean(setting.key, s.*f->value);
-    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind))
-        c->set(s, root.choice(setting.key, c->names, c->get(s)));
+    if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind))
+        values.*f->value = table.boolean(setting.key, values.*f->value);
+    if (const auto* c = std::get_if<ChoiceOf<Of>>(&setting.kind))
+        c->set(values, table.choice(setting.key, c->names, c->get(values)));
+}
+
+void read_name(const ConfigTable& table, PlayerSettings& player) {
+    auto name = player_name(table.string("name", player.name));
+    if (name)
+        player.name = std::move(*name);
+    else
+        table.report("name", text("'name': ", name.error().message));
+}
+
+/// Reads the largest force of each player from its place in files of earlier versions.
+void read_former_forces(const ConfigTable& root, Settings& s) {
+    const auto names = force_names();
+    for (const auto& [key, player] : {std::pair("force_1", &s.players[0]), {"force_2", &s.players[1]}})
+        player->force = root.choice(key, names, player->force);
+}
+
+/// Reads the players' own settings. In files of earlier versions they are at the top and count for both players.
+void read_players(const ConfigTable& root, Settings& s) {
+    read_former_forces(root, s);
+    for (std::size_t p = 0; p < s.players.size(); ++p) {
+        auto& player = s.players[p];
+        const bool own = root.has(player_tables[p]);
+        for (const auto& setting : player_settings()) {
+            if (root.has(setting.key)) read(root, setting, player);
+            if (own) read(root.table(player_tables[p]), setting, player);
+        }
+        if (own) read_name(root.table(player_tables[p]), player);
+    }
+}
+
+void read_last_choice(const ConfigTable& root, LastChoice& last) {
+    last.bot_level = static_cast<int>(root.integer("bot_level", {0, 7}, last.bot_level));
+    last.match = root.string("match", last.match);
+    last.arena = root.string("arena", last.arena);
 }
 
 std::string two_digits(int n) { return text(n < 10 ? "0" : "", n); }
@@ -180,7 +223,7 @@ std::string_view name_of(SessionKey key) { return session_names[static_cast<std:
 
 namespace {
 
-ChoiceSetting quality_setting() {
+ChoiceOf<Settings> quality_setting() {
     std::vector<std::string_view> names{"auto"};
     names.insert(names.end(), render::quality_names.begin(), render::quality_names.end());
     return {std::move(names),
@@ -191,102 +234,151 @@ ChoiceSetting quality_setting() {
             }};
 }
 
-ChoiceSetting prompts_setting() {
+ChoiceOf<PlayerSettings> prompts_setting() {
     return {{game::prompt_wishes.begin(), game::prompt_wishes.end()},
-            [](const Settings& s) { return static_cast<std::size_t>(s.prompts); },
-            [](Settings& s, std::size_t i) { s.prompts = static_cast<game::PromptWish>(i); }};
+            [](const PlayerSettings& p) { return static_cast<std::size_t>(p.prompts); },
+            [](PlayerSettings& p, std::size_t i) { p.prompts = static_cast<game::PromptWish>(i); }};
 }
 
-template <std::size_t Player>
-ChoiceSetting force_setting() {
-    std::vector<std::string_view> names;
-    for (const auto& choice : force_choices) names.push_back(choice.name);
-    return {std::move(names), [](const Settings& s) { return s.force[Player]; },
-            [](Settings& s, std::size_t i) { s.force[Player] = i; }};
+ChoiceOf<PlayerSettings> force_setting() {
+    return {force_names(), [](const PlayerSettings& p) { return p.force; },
+            [](PlayerSettings& p, std::size_t i) { p.force = i; }};
 }
 
 }  // namespace
 
 std::span<const Setting> all_settings() {
+    using Number = NumberOf<Settings>;
+    using Flag = FlagOf<Settings>;
     static const std::vector<Setting> settings{
-        {"split", "Split",
-         ChoiceSetting{{"top_bottom", "side_by_side"},
-                       [](const Settings& s) { return s.split == render::Split::top_bottom ? 0UL : 1UL; },
-                       [](Settings& s, std::size_t i) {
-                           s.split = i == 0 ? render::Split::top_bottom : render::Split::side_by_side;
-                       }}},
-        {"fullscreen", "Full screen", FlagSetting{&Settings::fullscreen}},
-        {"fov_deg", "Field of view", NumberSetting{&Settings::fov, 60, 130, 5, 1, "\u00B0"}},
-        {"text_scale", "Text size", NumberSetting{&Settings::text_scale, 1, 2.5, 0.25, 100, " %"}},
-        {"sensitivity", "Mouse speed", NumberSetting{&Settings::sensitivity, 0.05, 20, 0.05, 1, ""}},
-        {"invert_y", "Invert look (vertical)", FlagSetting{&Settings::invert_y}},
-        {"turn_deg_per_s", "Stick and arrow speed",
-         NumberSetting{&Settings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
-        {"turn_ramp_s", "Slow start of stick and arrows",
-         NumberSetting{&Settings::turn_ramp_s, 0, 0.5, 0.05, 1, " s"}},
-        {"aim_assist_pad", "Aim assist: pad", NumberSetting{&Settings::aim_assist_pad, 0, 1, 0.1, 100, " %"},
-         true},
-        {"aim_assist_keys", "Aim assist: keypad and arrows",
-         NumberSetting{&Settings::aim_assist_keys, 0, 1, 0.1, 100, " %"}, true},
-        {"aim_assist_mouse", "Aim assist: mouse",
-         NumberSetting{&Settings::aim_assist_mouse, 0, 1, 0.1, 100, " %"}, true},
-        {"force_1", "Force on player 1's hand", force_setting<0>(), true},
-        {"force_2", "Force on player 2's hand", force_setting<1>(), true},
-        {"carried_weight", "Weight of what is carried",
-         NumberSetting{&Settings::carried_weight, 0, 1, 0.25, 100, " %"}, true},
-        {"carried_blows", "Blows on what is carried",
-         NumberSetting{&Settings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
-        {"prompts", "Show which control does what", prompts_setting()},
-        {"quality", "Picture quality", quality_setting()},
-        {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
-        {"frames_per_second", "Frame rate limit",
-         NumberSetting{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
-        {"countdown_s", "Countdown (seconds)", WholeSetting{&Settings::countdown_s, 0, 10, 1}, true},
-        {"logs_kept", "Recordings to keep", WholeSetting{&Settings::logs_kept, 1, 100000, 10}},
+        {"split", "Split", "Puts the two views one above the other, or side by side.",
+         ChoiceOf<Settings>{
+             {"top_bottom", "side_by_side"},
+             [](const Settings& s) { return s.split == render::Split::top_bottom ? 0UL : 1UL; },
+             [](Settings& s, std::size_t i) {
+                 s.split = i == 0 ? render::Split::top_bottom : render::Split::side_by_side;
+             }}},
+        {"fullscreen", "Full screen", "Fills the whole screen, or plays in a window.",
+         Flag{&Settings::fullscreen}},
+        {"fov_deg", "Field of view", "Shows more to the sides, and all of it smaller.",
+         Number{&Settings::fov, 60, 130, 5, 1, "\u00B0"}},
+        {"text_scale", "Text size", "Makes words and signs larger.",
+         Number{&Settings::text_scale, 1, 2.5, 0.25, 100, " %"}},
+        {"quality", "Picture quality", "Draws finer pictures; auto takes what this computer draws in time.",
+         quality_setting()},
+        {"bloom", "Bloom at high quality", "Lets bright light shine beyond its edges.",
+         Flag{&Settings::bloom}},
+        {"frames_per_second", "Frame rate limit", "Draws at most this many pictures a second.",
+         Number{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
+        {"countdown_s", "Countdown", "Counts down these seconds before a match begins.",
+         WholeOf<Settings>{&Settings::countdown_s, 0, 10, 1}, true},
+        {"logs_kept", "Recordings to keep", "Keeps this many recorded matches, and deletes older ones.",
+         WholeOf<Settings>{&Settings::logs_kept, 1, 100000, 10}},
     };
     return settings;
 }
 
-std::string written(const Setting& setting, const Settings& s) {
-    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) return text(s.*n->value);
-    if (const auto* w = std::get_if<WholeSetting>(&setting.kind)) return text(s.*w->value);
-    if (const auto* f = std::get_if<FlagSetting>(&setting.kind)) return text(s.*f->value);
-    const auto& c = std::get<ChoiceSetting>(setting.kind);
-    return text('"', c.names[c.get(s)], '"');
+std::span<const PlayerSetting> player_settings() {
+    using Number = NumberOf<PlayerSettings>;
+    using Flag = FlagOf<PlayerSettings>;
+    static const std::vector<PlayerSetting> settings{
+        {"captions", "Captions", "Tells in words what the hand feels, the brew does and gifts give.",
+         Flag{&PlayerSettings::captions}},
+        {"prompts", "Show which control does what", "Names the control for what can be done at this place.",
+         prompts_setting()},
+        {"sensitivity", "Mouse speed", "Turns the view further for the same way of the mouse.",
+         Number{&PlayerSettings::sensitivity, 0.05, 20, 0.05, 1, ""}},
+        {"invert_y", "Invert look (vertical)", "Looks down when mouse or stick are pushed away.",
+         Flag{&PlayerSettings::invert_y}},
+        {"turn_deg_per_s", "Stick and arrow speed", "Turns the view faster with a stick or the arrow keys.",
+         Number{&PlayerSettings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
+        {"turn_ramp_s", "Slow start of stick and arrows",
+         "Begins a turn by stick or arrows slowly, so that a short press turns a little.",
+         Number{&PlayerSettings::turn_ramp_s, 0, 0.5, 0.05, 1, " s"}},
+        {"aim_assist_pad", "Aim assist with a pad",
+         "Slows turns at the foe, and turns near misses into hits.",
+         Number{&PlayerSettings::aim_assist_pad, 0, 1, 0.1, 100, " %"}, true},
+        {"aim_assist_keys", "Aim assist with the keypad", "The same for the keypad and arrows.",
+         Number{&PlayerSettings::aim_assist_keys, 0, 1, 0.1, 100, " %"}, true},
+        {"aim_assist_mouse", "Aim assist with the mouse", "The same for the mouse.",
+         Number{&PlayerSettings::aim_assist_mouse, 0, 1, 0.1, 100, " %"}, true},
+        {"force", "Force on the hand", "Sets the largest force that the hand feels.", force_setting(), true},
+        {"carried_weight", "Weight of what is carried",
+         "Lets the hand feel less of the weight; the match stays the same.",
+         Number{&PlayerSettings::carried_weight, 0, 1, 0.25, 100, " %"}, true},
+        {"carried_blows", "Blows on what is carried",
+         "Lets the hand feel less of the blows; the match stays the same.",
+         Number{&PlayerSettings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
+    };
+    return settings;
 }
 
-std::string shown(const Setting& setting, const Settings& s) {
-    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) {
-        const double value = std::round(s.*n->value * n->shown_times * 100) / 100;
+template <class Of>
+std::string written(const SettingOf<Of>& setting, const Of& values) {
+    if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind)) return text(values.*n->value);
+    if (const auto* w = std::get_if<WholeOf<Of>>(&setting.kind)) return text(values.*w->value);
+    if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind)) return text(values.*f->value);
+    const auto& c = std::get<ChoiceOf<Of>>(setting.kind);
+    return text('"', c.names[c.get(values)], '"');
+}
+
+template <class Of>
+std::string shown(const SettingOf<Of>& setting, const Of& values) {
+    if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind)) {
+        const double value = std::round(values.*n->value * n->shown_times * 100) / 100;
         return text(value, n->unit);
     }
-    if (const auto* f = std::get_if<FlagSetting>(&setting.kind)) return s.*f->value ? "yes" : "no";
-    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind)) {
-        std::string name(c->names[c->get(s)]);
+    if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind)) return values.*f->value ? "yes" : "no";
+    if (const auto* c = std::get_if<ChoiceOf<Of>>(&setting.kind)) {
+        std::string name(c->names[c->get(values)]);
         std::replace(name.begin(), name.end(), '_', ' ');
         return name;
     }
-    return written(setting, s);
+    return written(setting, values);
 }
 
-void change(const Setting& setting, Settings& s, int steps) {
-    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) {
+template <class Of>
+void change(const SettingOf<Of>& setting, Of& values, int steps) {
+    if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind)) {
         // Rounds to a whole number of steps. Dividing instead of multiplying gives 0.3 and not
         // 0.30000000000000004.
         const double per_unit = std::round(1 / n->step);
-        const double whole = std::round(s.*n->value / n->step) + steps;
+        const double whole = std::round(values.*n->value / n->step) + steps;
         const double value = n->step < 1 ? whole / per_unit : whole * n->step;
-        s.*n->value = std::clamp(value, n->low, n->high);
+        values.*n->value = std::clamp(value, n->low, n->high);
     }
-    if (const auto* w = std::get_if<WholeSetting>(&setting.kind))
-        s.*w->value = std::clamp(s.*w->value + steps * w->step, w->low, w->high);
-    if (const auto* f = std::get_if<FlagSetting>(&setting.kind))
-        s.*f->value = (steps % 2 != 0) != s.*f->value;
-    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind)) {
+    if (const auto* w = std::get_if<WholeOf<Of>>(&setting.kind))
+        values.*w->value = std::clamp(values.*w->value + steps * w->step, w->low, w->high);
+    if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind))
+        values.*f->value = (steps % 2 != 0) != values.*f->value;
+    if (const auto* c = std::get_if<ChoiceOf<Of>>(&setting.kind)) {
         const auto count = static_cast<int>(c->names.size());
-        const int at = static_cast<int>(c->get(s)) + steps % count + count;
-        c->set(s, static_cast<std::size_t>(at % count));
+        const int at = static_cast<int>(c->get(values)) + steps % count + count;
+        c->set(values, static_cast<std::size_t>(at % count));
     }
+}
+
+template <class Of>
+void reset(const SettingOf<Of>& setting, Of& values) {
+    const Of fresh;
+    if (const auto* n = std::get_if<NumberOf<Of>>(&setting.kind)) values.*n->value = fresh.*n->value;
+    if (const auto* w = std::get_if<WholeOf<Of>>(&setting.kind)) values.*w->value = fresh.*w->value;
+    if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind)) values.*f->value = fresh.*f->value;
+    if (const auto* c = std::get_if<ChoiceOf<Of>>(&setting.kind)) c->set(values, c->get(fresh));
+}
+
+template std::string written(const Setting&, const Settings&);
+template std::string written(const PlayerSetting&, const PlayerSettings&);
+template std::string shown(const Setting&, const Settings&);
+template std::string shown(const PlayerSetting&, const PlayerSettings&);
+template void change(const Setting&, Settings&, int);
+template void change(const PlayerSetting&, PlayerSettings&, int);
+template void reset(const Setting&, Settings&);
+template void reset(const PlayerSetting&, PlayerSettings&);
+
+std::string player_words(const Settings& settings, std::size_t player) {
+    const auto& name = settings.players[player].name;
+    return name.empty() ? text("player ", player + 1) : name;
 }
 
 std::optional<int> key_code_of(std::string_view name) {
@@ -318,6 +410,8 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
     const auto root = file->root();
     Settings s;
     for (const auto& setting : all_settings()) read(root, setting, s);
+    read_last_choice(root, s.last);
+    read_players(root, s);
     for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
         if (root.has(cauldron_tables[p]))
             s.cauldron[p] = read_faders(root.table(cauldron_tables[p]), s.cauldron[p]);

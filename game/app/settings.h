@@ -33,6 +33,34 @@ inline constexpr std::array<ForceChoice, 5> force_choices{
     {{"off", 0}, {"soft", 25}, {"gentle", std::nullopt}, {"firm", 70}, {"full", 100}}};
 inline constexpr std::size_t gentle_force = 2;
 
+/// Settings that belong to one person. The file has a table for each player, [player_1] and [player_2].
+struct PlayerSettings {
+    std::string name{};    ///< name on the screen (player_name.h); empty: the name of the team
+    bool captions = true;  ///< words in the view about what happens to the player
+    double sensitivity = 1;
+    double turn_deg_per_s = 200;
+    /// time over which a turn by stick or keys grows to its full speed (s)
+    double turn_ramp_s = 0.15;
+    bool invert_y = false;
+    /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
+    double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
+    std::size_t force = gentle_force;  ///< index into force_choices
+    /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
+    double carried_weight = 1;
+    /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
+    double carried_blows = 1;
+    game::PromptWish prompts{};  ///< when the screen says which control does what
+
+    bool operator==(const PlayerSettings&) const = default;
+};
+
+/// The start screen's last choices. A name that the data folder no longer has counts as the default.
+struct LastChoice {
+    int bot_level = 0;
+    std::string match = "quick", arena = "boiling_court";
+    bool operator==(const LastChoice&) const = default;
+};
+
 struct Settings {
     render::Split split = render::Split::top_bottom;
     bool fullscreen = false;
@@ -42,23 +70,11 @@ struct Settings {
     std::optional<render::Quality> quality{};
     bool bloom = true;
     double frames_per_second = 60;
-    double sensitivity = 1;
-    double turn_deg_per_s = 200;
-    /// time over which a turn by stick or keys grows to its full speed (s)
-    double turn_ramp_s = 0.15;
-    bool invert_y = false;
-    /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
-    double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
-    /// index into force_choices for each player
-    std::array<std::size_t, 2> force{gentle_force, gentle_force};
-    /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
-    double carried_weight = 1;
-    /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
-    double carried_blows = 1;
+    std::array<PlayerSettings, 2> players{};
     std::array<Faders, 2> cauldron{};  ///< faders of each player
-    game::PromptWish prompts{};        ///< when the screen says which control does what
     int countdown_s = 3;               ///< time from the start screen to the start of a match (s)
     int logs_kept = 50;
+    LastChoice last{};
     std::array<input::Bindings, input::device_kinds> bindings;  ///< indexed by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;
 
@@ -73,7 +89,8 @@ struct Settings {
     }
 };
 
-/// Names of the settings file's tables with each player's faders.
+/// Names of the settings file's tables with each player's own settings, and with each player's faders.
+inline constexpr std::array<std::string_view, 2> player_tables{"player_1", "player_2"};
 inline constexpr std::array<std::string_view, 2> cauldron_tables{"cauldron_1", "cauldron_2"};
 
 /// Devices that have bindings, in the order of the file.
@@ -86,41 +103,62 @@ std::optional<int> key_code_of(std::string_view name);
 /// Name of a key for bindings; empty for a code that is no key.
 std::string key_name_of(int code);
 
-// Table of all values at the top of the file. Reader, writer and settings screen all use the table. A new
-// setting needs a member of Settings, a row of the table and a line in assets/settings.toml.
+// Tables of the values at the top of the file, and of those that each player has. Reader, writer and settings pages
+// all use the tables. A new setting needs a member of Settings or PlayerSettings, a row of a table and a line in
+// assets/settings.toml.
 
-struct NumberSetting {
-    double Settings::*value{};
+template <class Of>
+struct NumberOf {
+    double Of::*value{};
     double low{}, high{};
-    double step{};         ///< change by one press on the settings screen
-    double shown_times{};  ///< factor from the value to the number on the settings screen
+    double step{};         ///< change by one press on the settings page
+    double shown_times{};  ///< factor from the value to the number on the settings page
     std::string_view unit{};
 };
-struct WholeSetting {
-    int Settings::*value{};
+template <class Of>
+struct WholeOf {
+    int Of::*value{};
     int low{}, high{}, step{};
 };
-struct FlagSetting {
-    bool Settings::*value{};
+template <class Of>
+struct FlagOf {
+    bool Of::*value{};
 };
-struct ChoiceSetting {
-    std::vector<std::string_view> names;  ///< names in the file; the settings screen shows them with spaces
-    std::size_t (*get)(const Settings&){};
-    void (*set)(Settings&, std::size_t){};
+template <class Of>
+struct ChoiceOf {
+    std::vector<std::string_view> names;  ///< names in the file; the settings page shows them with spaces
+    std::size_t (*get)(const Of&){};
+    void (*set)(Of&, std::size_t){};
 };
-struct Setting {
+template <class Of>
+struct SettingOf {
     std::string_view key;
-    std::string_view label;  ///< name on the settings screen
-    std::variant<NumberSetting, WholeSetting, FlagSetting, ChoiceSetting> kind;
+    std::string_view label;  ///< name on the settings page
+    std::string_view help;   ///< one sentence on what it changes
+    std::variant<NumberOf<Of>, WholeOf<Of>, FlagOf<Of>, ChoiceOf<Of>> kind;
     bool next_match = false;  ///< true: a change takes effect with the next match
 };
+using Setting = SettingOf<Settings>;
+using PlayerSetting = SettingOf<PlayerSettings>;
 std::span<const Setting> all_settings();
+/// All settings of one player but the name.
+std::span<const PlayerSetting> player_settings();
 
-/// Value as the file writes it (`written`) and as the settings screen shows it (`shown`).
-std::string written(const Setting& setting, const Settings& settings);
-std::string shown(const Setting& setting, const Settings& settings);
+// Of: Settings or PlayerSettings.
+/// Value as the file writes it (`written`) and as the settings page shows it (`shown`).
+template <class Of>
+std::string written(const SettingOf<Of>& setting, const Of& values);
+template <class Of>
+std::string shown(const SettingOf<Of>& setting, const Of& values);
 /// Changes a value by `steps`, within its range. Flags and choices wrap around.
-void change(const Setting& setting, Settings& settings, int steps);
+template <class Of>
+void change(const SettingOf<Of>& setting, Of& values, int steps);
+/// Sets a value to its default.
+template <class Of>
+void reset(const SettingOf<Of>& setting, Of& values);
+
+/// A player for the menu: the player's own name, or "player 1".
+std::string player_words(const Settings& settings, std::size_t player);
 
 /// Parses a settings file. Messages call the file `name`; an error names file, line and key.
 Expected<Settings> parse_settings(std::string_view toml, std::string name);

@@ -12,7 +12,20 @@ namespace {
 
 constexpr std::size_t max_edited_file = 1U << 20U;
 
-std::string in_quotes(std::string_view words) { return text('"', words, '"'); }
+std::string in_quotes(std::string_view words) {
+    std::string out = "\"";
+    for (const char c : words) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
+void add_player(std::string_view table, const PlayerSettings& player, std::vector<SettingEdit>& values) {
+    values.push_back({std::string(table), "name", in_quotes(player.name)});
+    for (const auto& setting : player_settings())
+        values.push_back({std::string(table), std::string(setting.key), written(setting, player)});
+}
 
 void add_hand(const input::Bindings& bindings, std::vector<SettingEdit>& values) {
     const std::string table(input::name_of(bindings.kind));
@@ -38,6 +51,11 @@ std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
     for (const auto& setting : all_settings())
         values.push_back({"", std::string(setting.key), written(setting, settings)});
+    values.push_back({"", "bot_level", text(settings.last.bot_level)});
+    values.push_back({"", "match", in_quotes(settings.last.match)});
+    values.push_back({"", "arena", in_quotes(settings.last.arena)});
+    for (std::size_t p = 0; p < settings.players.size(); ++p)
+        add_player(player_tables[p], settings.players[p], values);
     for (std::size_t p = 0; p < settings.cauldron.size(); ++p)
         add_faders(cauldron_tables[p], settings.cauldron[p], values);
     for (const auto kind : settings_hands) add_hand(settings.bindings_of(kind), values);

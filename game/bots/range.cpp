@@ -4,12 +4,15 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/player/walk.h"
 
 namespace thaum::game {
 namespace {
 
 constexpr auto range_file = "range.toml";
 constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // halved, so that sums with it do not overflow
+/// energy that a wand regains (1/s), enough to fill it within one tick
+constexpr double fills_at_once = 1e6;
 
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
@@ -48,10 +51,35 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     return RangeData{std::make_shared<const MatchData>(std::move(*match)), *dummy};
 }
 
+RangeData changed(const RangeData& data, const RangeChanges& changes) {
+    if (changes == RangeChanges{}) return data;
+    auto match = *data.match;
+    if (changes.endless_energy) {
+        for (auto& wand : match.wands) wand.stats.energy_regain = fills_at_once;
+    }
+    if (changes.harmless_brew && match.cauldron) {
+        auto& brew = *match.cauldron;
+        brew.aura.thick_above = std::numeric_limits<double>::max();
+        brew.aura.light_below = 0;
+        brew.spoil_push = brew.spoil_harm = 0;
+    }
+    return {std::make_shared<const MatchData>(std::move(match)), data.dummy};
+}
+
 input::DeviceSpec dummy_device() {
     auto device = bot_device(dummys, 0);
     device.name = "dummy";
     return device;
+}
+
+void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place) {
+    auto& world = match.world_to_change();
+    const auto wizard = wizard_of(world, player);
+    if (world.has<Dead>(wizard)) return;
+    world.get<Motion>(wizard) = standing_at(match.data().wizard, place.feet);
+    world.get<Gaze>(wizard) = {place.yaw, 0};
+    world.get<Stance>(wizard) = {};
+    match.physics().set_state(wizard.index, std::as_const(world).get<Motion>(wizard));
 }
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,

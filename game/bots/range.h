@@ -4,17 +4,24 @@
 #pragma once
 #include <filesystem>
 
-#include "game/bots/dummy.h"
+#include "game/bots/apprentice.h"
 
 namespace thaum::game {
-
-inline constexpr std::uint32_t practising = 0, dummys = 1;  ///< numbers of the two players
 
 /// Data of a range.
 struct RangeData {
     std::shared_ptr<const MatchData> match;  ///< its `files` lists all files that were read
     DummyRules dummy;
 };
+
+/// Changes of a range's rules that a practising player chooses.
+struct RangeChanges {
+    bool endless_energy = false;  ///< wands are always full
+    bool harmless_brew = false;   ///< the brew does nothing to wizards
+    bool operator==(const RangeChanges&) const = default;
+};
+/// The same data with these changes.
+RangeData changed(const RangeData& data, const RangeChanges& changes);
 
 /// Reads the data of a match and assets/range.toml. The round length and kill limit of `choice.match` are
 /// ignored. The error names file, line and key.
@@ -33,6 +40,9 @@ struct RangeMatch {
     /// Continues with other data from the next tick on. Both wizards stay where they are.
     void adopt(const RangeData& data);
 };
+
+/// Puts a living wizard to a place and direction of view, at rest. Only the range may do so, as it is not recorded.
+void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
                       std::uint64_t seed, std::vector<input::DeviceSpec> more = {});

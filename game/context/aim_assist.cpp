@@ -13,7 +13,7 @@ constexpr double slow_zone = 4 * radians_per_degree;  ///< angle beside the foe 
 constexpr double most_slowed = 0.7;  ///< share of the turn that is lost on the foe at full strength
 constexpr double draw_rate = 40;     ///< speed at which the view is drawn to the foe, per angle (1/s)
 constexpr double fastest_draw = 120 * radians_per_degree;  ///< largest speed of that turn (rad/s)
-constexpr double farthest = 40;  ///< distance of the foe beyond which there is no help (m)
+constexpr double help_ends = 40;  ///< distance of the foe beyond which there is no help (m)
 
 /// Strength of the help for a player, 0 to 1.
 double strength_for(const MatchContext& context, std::uint32_t player) {
@@ -50,7 +50,7 @@ ecs::Entity foe_in_reach(const MatchContext& context, std::uint32_t player, vec3
     const auto foe = wizard_of(context.world, 1 - player);
     if (!foe || context.world.has<Dead>(foe)) return {};
     const vec3 centre = context.physics.read().state(foe.index).position;
-    return glm::distance(centre, from) <= farthest ? foe : ecs::Entity{};
+    return glm::distance(centre, from) <= help_ends ? foe : ecs::Entity{};
 }
 
 /// Place at which a straight shot from `from` meets the middle of the foe, who walks on (m, world). A speed of 0 means

@@ -5,7 +5,6 @@
 #include "core/text.h"
 #include "game/components/power_up.h"
 #include "game/data/presentation.h"
-#include "game/hud/figures.h"
 
 namespace thaum::game {
 namespace {
@@ -22,10 +21,13 @@ std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-std::string word_of(EventWord word, const Event& event, std::string_view thing) {
+std::string word_of(EventWord word, const Event& event, const PlayerNames& names, std::string_view thing) {
+    const auto named = [&](std::uint32_t player) {
+        return player < players ? std::string(name_of(names, player)) : std::string();
+    };
     switch (word) {
-        case EventWord::by: return std::string(event.by < players ? team_name(event.by) : "");
-        case EventWord::whom: return std::string(event.subject < players ? team_name(event.subject) : "");
+        case EventWord::by: return named(event.by);
+        case EventWord::whom: return named(event.subject);
         case EventWord::cause: return cause_words(event, thing);
         case EventWord::power_up: return power_up_words(event);
         case EventWord::amount: return text(std::lround(event.amount));
@@ -37,11 +39,12 @@ std::string word_of(EventWord word, const Event& event, std::string_view thing) 
 
 }  // namespace
 
-std::string event_words(const std::string& pattern, const Event& event, std::string_view thing) {
+std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
+                        std::string_view thing) {
     std::string out;
     for (const auto& piece : pieces_of(pattern)) {
         out += piece.plain;
-        if (piece.word) out += word_of(*piece.word, event, thing);
+        if (piece.word) out += word_of(*piece.word, event, names, thing);
     }
     return out;
 }

@@ -230,6 +230,10 @@ const TeamColours& team_colours(std::uint32_t team) {
 
 std::string_view team_name(std::uint32_t team) { return team == 0 ? "Ember" : "Tide"; }
 
+std::string_view name_of(const PlayerNames& names, std::uint32_t player) {
+    return names[player].empty() ? team_name(player) : std::string_view(names[player]);
+}
+
 MeshData wizard_figure(std::uint32_t number) {
     const auto& team = team_colours(number);
     MeshData mesh;

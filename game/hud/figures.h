@@ -21,6 +21,11 @@ fvec3 force_colour(double share);
 /// Name of a team: "Ember" or "Tide".
 std::string_view team_name(std::uint32_t team);
 
+/// Names of the players on the screen; an empty name stands for the team's.
+using PlayerNames = std::array<std::string, players>;
+/// Returns a player's name on the screen.
+std::string_view name_of(const PlayerNames& names, std::uint32_t player);
+
 /// Robe, head and hat. The feet are at the origin, the face looks along -z, and the brim is 1.8 m up.
 render::MeshData wizard_figure(std::uint32_t team);
 /// A dead wizard: robe on the ground, hat on top.

@@ -59,11 +59,6 @@ double field_of_view(double fov_degrees, double aspect) {
     return 2 * std::atan(std::sqrt(area / aspect));
 }
 
-std::string_view name_of(const HudSettings& settings, std::uint32_t player) {
-    const auto& name = settings.names[player];
-    return name.empty() ? team_name(player) : std::string_view(name);
-}
-
 std::vector<std::string> words_over_views(const Simulation& match) {
     Picture picture = make_picture();
     take_picture(match, picture);

@@ -2,6 +2,7 @@
 // view shakes, bobs or flashes.
 #pragma once
 #include "game/hud/arena_scene.h"
+#include "game/hud/figures.h"
 #include "game/hud/prompts.h"
 #include "render/context.h"
 
@@ -23,16 +24,14 @@ struct HudSettings {
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.
     std::array<std::string, players> device_messages{};
-    /// Names of the players on the screen; an empty name stands for the team's: Ember or Tide.
-    std::array<std::string, players> names{};
+    PlayerNames names{};
+    /// true: the player's view has words about what happens to the player
+    std::array<bool, players> captions{true, true};
     std::array<ControlNames, players> controls{};  ///< controls of each person
-    PromptWish prompts{};                          ///< when prompts are shown
+    std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
     PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says
     bool operator==(const HudSettings&) const = default;
 };
-
-/// Returns a player's name on the screen.
-std::string_view name_of(const HudSettings& settings, std::uint32_t player);
 
 /// Memory for building frames. The spans of a Frame point into it.
 struct FrameMemory {

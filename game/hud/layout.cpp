@@ -172,6 +172,14 @@ void place_shared(const Arrangement& how, render::Size window, HudLayout& out) {
     }
 }
 
+/// The lesson: in the only view, right of the ring, between feed and score and the panels below.
+Panel lesson_of(const ViewLayout& view) {
+    const float u = view.unit;
+    const float top = std::max(view.feed.high.y, u * under_score) + u * edge / 2;
+    const float bottom = std::min(view.strip.low.y, view.messages.low.y) - u * edge / 2;
+    return {{view.centre.x + view.ring + u * edge, top}, {view.feed.high.x, bottom}};
+}
+
 constexpr float smallest_words = 4;        // smallest em of the typeface (px)
 constexpr float widest_character = 1.12F;  // em
 
@@ -230,6 +238,7 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
         if (view.width <= 0 || view.height <= 0) continue;
         out.unit = unit_of(how, view, window, settings.text_scale, wands);
         out.views[how.player] = view_layout(how, view, out.unit, wands);
+        if (how.alone) out.lesson = lesson_of(*out.views[how.player]);
     }
     place_shared(how, window, out);
     return out;

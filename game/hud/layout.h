@@ -2,7 +2,7 @@
 // size of the text or the window. Whatever a panel shows must stay in its box.
 //
 //     feed      |  score  |                the feed is in the outer corner beside the score
-//     forces        notices                forces: the curve of F3
+//     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
 //               ring around the crosshair
 //               messages                   captions, prompts, the brew in words
 //     name, health           strip         the strip of wands
@@ -40,7 +40,8 @@ struct HudLayout {
     std::array<std::optional<ViewLayout>, players> views;  ///< std::nullopt: the view is not shown
     float unit{};  ///< length of a unit in panels of the whole window (px)
     Panel score;
-    Panel notices;  ///< lines for both players
+    Panel notices;                ///< lines for both players
+    std::optional<Panel> lesson;  ///< words of the Apprentice's step; std::nullopt: there are two views
 };
 
 /// Sizes of the strip (units).

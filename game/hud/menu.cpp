@@ -32,11 +32,11 @@ struct Layout {
     fvec2 rows_low{0};
     float row_width{}, row_height{};
     std::size_t first{}, visible{};
-    float note_top{}, hint_top{}, width{};
+    float note_top{}, help_top{}, hint_top{}, width{};
 };
 
 /// Heights of the parts (units).
-constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, foot_units = 50,
+constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, foot_units = 72,
                 edge_units = 12;
 
 float head_units(const MenuPicture& menu) {
@@ -73,6 +73,7 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
     l.note_top = foot + 2 * u;
+    l.help_top = foot + 25 * u;
     l.hint_top = height - 22 * u;
     return l;
 }
@@ -196,6 +197,9 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
         add_row(out, menu.rows[l.first + i], l.first + i == menu.cursor, l, i);
     add_scroll_marks(out, menu, l);
     add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, bright_gold, Align::centre);
+    if (menu.cursor < menu.rows.size())
+        add_fitted(out, menu.rows[menu.cursor].help, {middle, l.help_top}, 16 * u, l.width, bright,
+                   Align::centre);
     add_fitted(out, menu.hint, {middle, l.hint_top}, 14 * u, l.width, quiet, Align::centre);
 }
 

@@ -10,7 +10,9 @@
 namespace thaum::game {
 
 struct MenuRow {
-    std::string label{}, value{};
+    std::string label{};
+    std::string help{};  ///< what the row does, in one sentence; shown while the row is chosen
+    std::string value{};
     bool adjustable = false;  ///< arrows beside the value decrease and increase it
     bool dim = false;         ///< the row has no effect at present
     bool operator==(const MenuRow&) const = default;

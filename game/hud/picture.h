@@ -145,7 +145,10 @@ struct FeedLine {
 /// The display of the practice range, in place of score and clock. The session fills it in.
 struct PracticePicture {
     bool on = false;
-    std::string score, dummy;  ///< texts ready to be shown
+    std::string score;  ///< text ready to be shown
+    // Words that may name controls (game/data/control_words.h).
+    std::string below;         ///< line below the score: the dummy, or the ways out of a lesson
+    std::string lesson, hint;  ///< the Apprentice's present step; empty: no lesson
 };
 
 /// One line of text for the players. The session fills it in.

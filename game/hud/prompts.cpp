@@ -1,6 +1,9 @@
 #include "game/hud/prompts.h"
 
+#include <algorithm>
+
 #include "core/text.h"
+#include "game/data/control_words.h"
 
 namespace thaum::game {
 namespace {
@@ -36,7 +39,42 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
 }
 
+const std::string& control_of_wand(std::string_view wand, const ControlNames& controls,
+                                   const Presentation& shown) {
+    const auto found =
+        std::find_if(shown.wands.begin(), shown.wands.end(), [&](const auto& w) { return w.name == wand; });
+    if (found == shown.wands.end() || controls.wands.at(found->slot).empty()) return controls.next_wand;
+    return controls.wands.at(found->slot);
+}
+
+const std::string& control_of(const ControlPiece& piece, const ControlNames& controls,
+                              const Presentation& shown) {
+    switch (*piece.word) {
+        case ControlWord::move: return controls.move;
+        case ControlWord::look: return controls.look;
+        case ControlWord::jump: return controls.jump;
+        case ControlWord::fire: return controls.fire;
+        case ControlWord::stir: return controls.stir;
+        case ControlWord::throw_: return controls.throw_;
+        case ControlWord::next_wand: return controls.next_wand;
+        case ControlWord::pause: return controls.pause;
+        case ControlWord::wand: return control_of_wand(piece.wand, controls, shown);
+    }
+    return controls.fire;
+}
+
 }  // namespace
+
+std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown) {
+    std::string filled;
+    for (const auto& piece : control_pieces_of(words)) {
+        filled += piece.plain;
+        if (!piece.word) continue;
+        const auto& control = control_of(piece, controls, shown);
+        filled += text("[", control.empty() ? "not bound" : control, "]");
+    }
+    return filled;
+}
 
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls) {
     const auto offer = offer_to(player, controls);

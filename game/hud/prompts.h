@@ -12,9 +12,14 @@ namespace thaum::game {
 /// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". Empty: no control.
 struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{};
+    std::string move{}, look{}, jump{}, pause{};
     std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
     bool operator==(const ControlNames&) const = default;
 };
+
+/// Words with the player's controls in place of their braces (game/data/control_words.h): "[E]". A wand without a
+/// control of its own is taken by the control that goes on to the next wand.
+std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
 enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing };
 inline constexpr std::size_t prompt_kinds = 5;

@@ -22,7 +22,7 @@ struct Announcement {
 
 // Sizes in units. The table of hits: distance of a side from the middle, height of a row, size of its words.
 constexpr float panel_wide = 460, panel_high = 156;
-constexpr float table_aside = 42, table_row = 23, table_size = 15;
+constexpr float table_aside = 42, table_row = 23, table_size = 15, table_head = 17;
 
 fvec2 middle_of(const Rect& window) {
     return {static_cast<float>(window.x) + 0.5F * static_cast<float>(window.width),
@@ -46,8 +46,10 @@ void add_panel(Overlay& out, const Announcement& a, float wide, float tall, cons
 }
 
 /// Width of a panel that holds the longest words of the table (units).
-float table_width_of(const std::vector<ResultRow>& rows) {
+float table_width_of(const std::vector<ResultRow>& rows, const PlayerNames& names) {
     float widest = 0;
+    for (std::uint32_t player = 0; player < players; ++player)
+        widest = std::max(widest, width_of(name_of(names, player), table_head));
     for (const auto& row : rows)
         for (const auto& words : row.words) widest = std::max(widest, width_of(words, table_size));
     return 2 * (table_aside + widest + 16);
@@ -60,8 +62,8 @@ void add_match_stats(Overlay& out, const HudSettings& settings, const std::vecto
     for (std::uint32_t player = 0; player < players; ++player) {
         const float side = player == 0 ? -table_aside : table_aside;
         const auto paint = opaque(team_colours(player).light);
-        add_text(out, std::string(name_of(settings, player)), top + u * fvec2(side, 0), 17 * u, paint,
-                 aligned[player]);
+        add_text(out, std::string(name_of(settings.names, player)), top + u * fvec2(side, 0), table_head * u,
+                 paint, aligned[player]);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const float y = table_row * static_cast<float>(i + 1);
             const auto& words = rows[i].words[player];
@@ -78,7 +80,7 @@ void add_match_stats(Overlay& out, const HudSettings& settings, const std::vecto
 
 Announcement pause_of(const Picture& picture, const HudSettings& settings) {
     const bool known = picture.paused_by < players;
-    return {"Paused", known ? text("by ", name_of(settings, picture.paused_by)) : std::string(),
+    return {"Paused", known ? text("by ", name_of(settings.names, picture.paused_by)) : std::string(),
             "Esc: leave"};
 }
 
@@ -96,7 +98,7 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     if (winner >= players) {
         a.head = last ? "A draw" : text("A draw in", what);
     } else {
-        a.head = text(name_of(settings, winner), " wins", what);
+        a.head = text(name_of(settings.names, winner), " wins", what);
         a.paint = opaque(team_colours(winner).light);
     }
     a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
@@ -115,7 +117,7 @@ void add_result_panel(Overlay& out, const Picture& picture, const HudSettings& s
     const auto rows = result_rows(picture.match_stats);
     const float table = rows.empty() ? 0 : table_row * static_cast<float>(rows.size() + 1) + 14;
     const float tall = panel_high + table,
-                wide = rows.empty() ? panel_wide : std::max(640.0F, table_width_of(rows));
+                wide = rows.empty() ? panel_wide : std::max(640.0F, table_width_of(rows, settings.names));
     unit = std::min({unit, 0.96F * static_cast<float>(window.width) / wide,
                      0.96F * static_cast<float>(window.height) / tall});
     add_panel(out, result_of(picture, settings), wide, tall, window, unit);

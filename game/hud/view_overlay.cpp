@@ -77,7 +77,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
                 empty ? paints.light_red : paints.white, Align::right);
 }
 
-void add_feed(Overlay& out, const Picture& picture, const ViewLayout& l) {
+void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, const ViewLayout& l) {
     const float u = l.unit, line = 20 * u;
     const auto room = static_cast<std::uint32_t>((l.feed.high.y - l.feed.low.y) / line);
     const bool left = l.feed.low.x - static_cast<float>(l.view.x) < static_cast<float>(l.view.width) / 4;
@@ -87,7 +87,7 @@ void add_feed(Overlay& out, const Picture& picture, const ViewLayout& l) {
         const auto& fed = picture.feed[i];
         const auto& row = row_of(picture.shown->events, fed.event.kind);
         const bool alone = fed.event.by >= players || fed.event.by == fed.event.subject;
-        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event, fed.thing);
+        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event, names, fed.thing);
         const auto who = alone ? fed.event.subject : fed.event.by;
         add_text_in(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
                     opaque(team_colours(who).light), left ? Align::left : Align::right);
@@ -220,31 +220,35 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 
 // Messages --------------------------------------------------------------------------------------------------
 
-/// Message about the player's device, real or simulated; empty if there is none. `told`: the driver has
-/// reported the fault itself.
-std::string_view caption_of(const ForcePicture& force, bool told) {
+/// Message about a device, real or simulated, with which its player must do something; empty if there is none.
+/// `told`: the driver has reported the fault itself.
+std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
         case ArmCondition::gone:
             return told ? "Mouse and keys play on" : "The arm does not answer: mouse and keys play on";
         case ArmCondition::back: return "The arm is back: hold it still";
-        case ArmCondition::clutched: return "Clutch: the arm moves free of the hand";
-        case ArmCondition::none:
-        case ArmCondition::felt: break;
+        default: break;
     }
+    switch (force.cause) {
+        case SafetyCause::shut_off:
+            return "Forces are shut off after a fault: the emergency key brings them back";
+        case SafetyCause::panic: return "All forces off: the emergency key brings yours back";
+        default: return {};
+    }
+}
+
+/// Caption of what the hand feels; empty if there is none.
+std::string_view caption_of(const ForcePicture& force) {
+    using haptics::SafetyCause;
+    if (force.arm == ArmCondition::clutched) return "Clutch: the arm moves free of the hand";
     switch (force.cause) {
         case SafetyCause::warm: return "Forces are weaker for a while: they were strong for too long";
         case SafetyCause::stale: return "Forces fade: the game or the arm is late";
         case SafetyCause::over_speed: return "Forces wait until the hand is slower";
-        case SafetyCause::shut_off:
-            return "Forces are shut off after a fault: the emergency key brings them back";
-        case SafetyCause::panic: return "All forces off: the emergency key brings yours back";
         case SafetyCause::waiting: return "Forces wait until the pull is small";
-        case SafetyCause::none:
-        case SafetyCause::capped:
-        case SafetyCause::off: break;
+        default: return {};
     }
-    return {};
 }
 
 /// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and salt, mixed
@@ -317,13 +321,17 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         if (!words.empty()) all.push_back({std::move(words), paint});
     };
     if (!p.dead && !warns_at_crosshair(l)) add(std::string(warning_of(picture, p)), paints.light_red);
-    add(std::string(caption_of(p.force, !device_message.empty())), paints.white);
+    const bool captions = settings.captions[player];
+    const auto fault = fault_of(p.force, !device_message.empty());
+    add(std::string(fault), paints.white);
+    if (captions && fault.empty()) add(std::string(caption_of(p.force)), paints.white);
     add(device_message, paints.light_red);
     if (p.dead) return all;
     if (const auto prompt = prompt_of(p, settings.controls[player])) {
-        const float strength = strength_of(*prompt, player, settings.prompts, settings.prompt_uses);
+        const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
+    if (!captions) return all;
     if (p.stirs || p.at_rim) {
         auto words = words_of_brew(picture.cauldron, player);
         if (p.refilled) words += ", refills your wands";
@@ -332,7 +340,8 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
     }
     if (p.since_gift_s <= gift_seconds)
-        add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift), paints.white);
+        add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift, settings.names),
+            paints.white);
     return all;
 }
 
@@ -424,10 +433,10 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     }
     if (plays) add_messages(out, messages_to(picture, settings, player, l), l);
     add_health(out, p, player, l);
-    add_text_in(out, l.name, name_of(settings, player), 14 * l.unit, opaque(team_colours(player).light),
+    add_text_in(out, l.name, name_of(settings.names, player), 14 * l.unit, opaque(team_colours(player).light),
                 Align::left);
     add_wands(out, picture, settings.controls[player], player, l);
-    if (plays) add_feed(out, picture, l);
+    if (plays) add_feed(out, picture, settings.names, l);
     if (settings.forces)
         add_force_plot(out, p.force, l);
     else if (plays && !p.dead)

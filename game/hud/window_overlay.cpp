@@ -44,15 +44,17 @@ void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) 
                 paints.soft, Align::centre);
 }
 
-/// Adds the score of the practice range and the state of the dummy.
-void add_practice(Overlay& out, const PracticePicture& practice, const Panel& box, float u) {
+/// Adds the score of the practice range, and the line below it.
+void add_practice(Overlay& out, const Picture& picture, const ControlNames& controls, const Panel& box,
+                  float u) {
+    const auto& practice = picture.practice;
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * u});
     const float middle = middle_of(box).y + 4 * u;
     const fvec2 margin(6 * u, 3 * u);
     add_text_in(out, {box.low + margin, {box.high.x - margin.x, middle}}, practice.score, 17 * u,
                 paints.white, Align::centre);
-    add_text_in(out, {{box.low.x + margin.x, middle}, box.high - margin}, practice.dummy, 13 * u, paints.soft,
-                Align::centre);
+    add_text_in(out, {{box.low.x + margin.x, middle}, box.high - margin},
+                with_controls(practice.below, controls, *picture.shown), 13 * u, paints.soft, Align::centre);
 }
 
 struct Notice {
@@ -89,6 +91,35 @@ void add_notices(Overlay& out, const Picture& picture, const Panel& box, float u
     }
 }
 
+/// Words of a lesson and of its hint, in lines.
+struct LessonWords {
+    FittedWords words, hint;
+    float height(float gap) const { return words.height() + (hint.lines.empty() ? 0 : gap + hint.height()); }
+};
+
+/// Adds the words of the Apprentice's present step. The hint goes below them where it leaves them large enough.
+void add_lesson(Overlay& out, const Picture& picture, const ControlNames& controls, const Panel& box,
+                float u) {
+    // Smallest size of the words beside a hint, as a share of their usual size.
+    constexpr float least_share = 0.7F;
+    const auto& practice = picture.practice;
+    const float usual = std::floor(14 * u), gap = 3 * u;
+    const fvec2 room = box.high - box.low - fvec2(usual, 0);
+    const auto fitted = [&](const std::string& words, float size, float high) {
+        return fit(with_controls(words, controls, *picture.shown), size, {room.x, high});
+    };
+    LessonWords lesson{fitted(practice.lesson, usual, room.y), {}};
+    for (float size = usual; size >= least_share * usual; --size) {
+        LessonWords both{fitted(practice.lesson, size, room.y), fitted(practice.hint, size, room.y)};
+        if (both.height(gap) > room.y) continue;
+        lesson = std::move(both);
+        break;
+    }
+    add_plate(out, box, box.low.y, lesson.words, paints.white);
+    if (!lesson.hint.lines.empty())
+        add_plate(out, box, box.low.y + lesson.words.height() + gap, lesson.hint, paints.soft);
+}
+
 void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     if (settings.watch != Watch::both || settings.split == render::Split::none) return;
     const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
@@ -116,10 +147,12 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
     }
     if (picture.practice.on)
-        add_practice(out, picture.practice, layout.score, layout.unit);
+        add_practice(out, picture, settings.controls[0], layout.score, layout.unit);
     else
         add_score(out, picture, layout.score, layout.unit);
     add_notices(out, picture, layout.notices, layout.unit);
+    if (layout.lesson && !picture.practice.lesson.empty())
+        add_lesson(out, picture, settings.controls[0], *layout.lesson, layout.unit);
     gather(out, 0);
     const auto panel = out.items.size();
     const Rect window{0, 0, size.width, size.height};

@@ -33,6 +33,7 @@ expect 2 "needs a display" --solo 1
 expect 2 "range needs a display" range
 expect 2 "must be still, strafing or shooting" range --headless --dummy dead
 expect 2 "must be mouse, half, pad or arm" range --hands mouse,pad
+expect 2 "has its own dummy and arena" range --apprentice --dummy shooting
 expect 2 "no --hands" range --headless --hands pad
 expect 2 "unknown option '--record'" range --headless --record "$folder/log"
 expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3

@@ -41,13 +41,16 @@ umockdev-wrapper "$harness" "$thaum" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
 game=$!
 exec 4>"$folder/pad"
 eventually "no start screen" drawn
-presses w
+# S and W move through the rows and do not join. Back on the first row, the keyboard joins.
+presses s s w w
+! seat_taken 213 || fail "a key that moves has joined"
+presses x
 eventually "the keyboard did not join" seat_taken 213
 pad a 1
 eventually "the pad did not join" seat_taken 650
 pad a 0
 [ "$(logs)" = 0 ] || fail "a match before anybody started one"
-presses w
+presses x
 eventually "no match after three presses" has_logs 1
 
 # 2. The pad is unplugged, which pauses the match. Its player goes on with the keypad, then with the pad.
@@ -85,9 +88,9 @@ eventually "the new key is not in the settings" grep -q '^move_forward = "key i"
 presses Escape Escape Down Return Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
 grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
-# The cauldron's page is the last row but one. Player 1's viscosity goes down by two steps, and the flow is
+# The cauldron's page is the last row but two. Player 1's viscosity goes down by two steps, and the flow is
 # switched off.
-presses Up Up Return Down Left Left Down Return
+presses Up Up Up Return Down Left Left Down Return
 eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
 presses Escape Escape Escape

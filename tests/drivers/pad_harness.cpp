@@ -1,8 +1,10 @@
-// Runs a program with a fake Xbox 360 pad (045e:028e) made by umockdev. It does not need /dev/uinput:
+// Runs a program with a fake Xbox 360 pad (045e:028e) made by umockdev, or also with an Xbox One pad (045e:02d1). It
+// does not need /dev/uinput:
 //
-//     umockdev-wrapper pad_harness PROGRAM ARGS...
+//     umockdev-wrapper pad_harness [--two] PROGRAM ARGS...
 //
-// The steps come from standard input, one line "WHAT VALUE" each, and happen at once. WHAT is one of:
+// The steps come from standard input, one line "WHAT VALUE" each, and happen at once. WHAT is one of the
+// following, with "2." before it for the second pad:
 //
 //     a, b, x, y, lb, rb, back, start   a button: 1 or 0
 //     lx, ly, rx, ry                    an axis: -32768 to 32767, positive to the right and down
@@ -27,18 +29,17 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
 
-constexpr const char* node = "/dev/input/event0";
-constexpr const char* description =
-    "P: /devices/virtual/input/input0/event0\n"
-    "N: input/event0\n"
-    "E: DEVNAME=/dev/input/event0\n"
-    "E: SUBSYSTEM=input\n"
-    "E: ID_INPUT=1\n"
-    "E: ID_INPUT_JOYSTICK=1\n";
+struct Model {
+    std::uint16_t product{}, version{};
+    const char* name{};
+};
+constexpr std::array models{Model{0x028e, 0x0114, "Microsoft X-Box 360 pad"},
+                            Model{0x02d1, 0x0101, "Microsoft X-Box One pad"}};
 
 struct Part {
     std::uint16_t type{}, code{};
@@ -64,20 +65,26 @@ input_absinfo range_of(unsigned axis) {
     return {0, -32768, 32767, 16, 128, 0};
 }
 
-/// Present values of the axes. Programs read them again after each report.
-std::array<std::atomic<int>, ABS_CNT> axis_values{};
+struct Pad {
+    UMockdevTestbed* testbed{};
+    Model model{};
+    int fd = -1;
+    std::filesystem::path link{}, target{};
+    std::string device{};  ///< path of the device in /sys
+    /// Present values of the axes. Programs read them again after each report.
+    std::array<std::atomic<int>, ABS_CNT> axis_values{};
+};
 
-std::vector<guint8> answer(unsigned number, std::size_t size) {
+std::vector<guint8> answer(const Pad& pad, unsigned number, std::size_t size) {
     std::vector<guint8> out(size, 0);
     const auto copy = [&](const void* from, std::size_t n) {
         std::memcpy(out.data(), from, std::min(n, size));
     };
     if (number == _IOC_NR(EVIOCGID)) {
-        const input_id id{BUS_USB, 0x045e, 0x028e, 0x0114};
+        const input_id id{BUS_USB, 0x045e, pad.model.product, pad.model.version};
         copy(&id, sizeof id);
     } else if (number == _IOC_NR(EVIOCGNAME(0))) {
-        constexpr char name[] = "Microsoft X-Box 360 pad";
-        copy(name, sizeof name);
+        copy(pad.model.name, std::strlen(pad.model.name) + 1);
     } else if (number == 0x20) {
         for (const unsigned type : std::array<unsigned, 3>{EV_SYN, EV_KEY, EV_ABS}) set_bit(out, type);
     } else if (number == 0x20 + EV_KEY || number == 0x20 + EV_ABS) {
@@ -86,13 +93,13 @@ std::vector<guint8> answer(unsigned number, std::size_t size) {
         }
     } else if (number >= 0x40 && number < 0x40 + ABS_CNT) {
         auto range = range_of(number - 0x40);
-        range.value = axis_values[number - 0x40];
+        range.value = pad.axis_values[number - 0x40];
         copy(&range, sizeof range);
     }
     return out;
 }
 
-gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
+gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer pad) {
     const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
     if (_IOC_TYPE(request) != 'E') return FALSE;
     const auto size = static_cast<std::size_t>(_IOC_SIZE(request));
@@ -100,7 +107,7 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
         auto* argument = umockdev_ioctl_client_get_arg(client);
         auto* target = umockdev_ioctl_data_resolve(argument, 0, size, nullptr);
         if (target == nullptr) return FALSE;
-        auto bytes = answer(_IOC_NR(request), size);
+        auto bytes = answer(*static_cast<const Pad*>(pad), _IOC_NR(request), size);
         umockdev_ioctl_data_update(target, 0, bytes.data(), static_cast<gint>(bytes.size()));
         umockdev_ioctl_data_unref(target);
     }
@@ -110,15 +117,8 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
 
 // ---- changes of the pad -----------------------------------------------------------------------------------
 
-struct Pad {
-    UMockdevTestbed* testbed{};
-    int fd = -1;
-    std::filesystem::path link{}, target{};
-    pid_t game = 0;  ///< process of the program that uses the pad
-};
-
-void report(const Pad& pad, const Part& part, int value) {
-    if (part.type == EV_ABS) axis_values[part.code] = value;
+void report(Pad& pad, const Part& part, int value) {
+    if (part.type == EV_ABS) pad.axis_values[part.code] = value;
     std::array<input_event, 2> events{};
     events[0].type = part.type;
     events[0].code = part.code;
@@ -136,53 +136,67 @@ void plug(const Pad& pad, bool in) {
     else
         std::filesystem::remove(pad.link, error);
     if (error) std::fprintf(stderr, "pad: %s\n", error.message().c_str());
-    umockdev_testbed_uevent(pad.testbed, "/sys/devices/virtual/input/input0/event0", in ? "add" : "remove");
+    umockdev_testbed_uevent(pad.testbed, pad.device.c_str(), in ? "add" : "remove");
 }
 
-void perform(const Pad& pad, const std::string& what, int value) {
+using Pads = std::array<Pad, models.size()>;
+
+void perform(Pads& pads, pid_t game, std::string_view what, int value) {
+    const bool second = what.starts_with("2.");
+    if (second) what.remove_prefix(2);
+    auto& pad = pads[second ? 1 : 0];
     if (what == "plugged")
         plug(pad, value != 0);
     else if (what == "signal")
-        kill(pad.game, value);
-    else if (const auto part = parts.find(what); part != parts.end())
+        kill(game, value);
+    else if (const auto part = parts.find(std::string(what)); part != parts.end())
         report(pad, part->second, value);
     else
-        std::fprintf(stderr, "pad: no part '%s'\n", what.c_str());
+        std::cerr << "pad: no part '" << what << "'\n";
 }
 
-void perform_as_told(const Pad& pad) {
+void perform_as_told(Pads& pads, pid_t game) {
     std::string what;
-    for (int value = 0; std::cin >> what >> value;) perform(pad, what, value);
+    for (int value = 0; std::cin >> what >> value;) perform(pads, game, what, value);
 }
 
-Pad make_pad() {
-    Pad pad{.testbed = umockdev_testbed_new()};
+void make_pad(Pad& pad, UMockdevTestbed* testbed, std::size_t number) {
+    const auto digit = std::to_string(number);
+    const auto event = "event" + digit, node = "/dev/input/" + event;
+    pad.testbed = testbed;
+    pad.model = models[number];
+    pad.device = "/sys/devices/virtual/input/input" + digit + "/" + event;
+    const auto description = "P: " + pad.device.substr(4) + "\nN: input/" + event + "\nE: DEVNAME=" + node +
+                             "\nE: SUBSYSTEM=input\nE: ID_INPUT=1\nE: ID_INPUT_JOYSTICK=1\n";
     GError* error = nullptr;
-    if (!umockdev_testbed_add_from_string(pad.testbed, description, &error)) g_error("%s", error->message);
+    if (!umockdev_testbed_add_from_string(testbed, description.c_str(), &error))
+        g_error("%s", error->message);
     auto* handler = umockdev_ioctl_base_new();
-    g_signal_connect(handler, "handle-ioctl", G_CALLBACK(on_ioctl), nullptr);
-    if (!umockdev_testbed_attach_ioctl(pad.testbed, node, handler, &error)) g_error("%s", error->message);
-    pad.fd = umockdev_testbed_get_dev_fd(pad.testbed, node);
+    g_signal_connect(handler, "handle-ioctl", G_CALLBACK(on_ioctl), &pad);
+    if (!umockdev_testbed_attach_ioctl(testbed, node.c_str(), handler, &error)) g_error("%s", error->message);
+    pad.fd = umockdev_testbed_get_dev_fd(testbed, node.c_str());
     const auto* root = std::getenv("UMOCKDEV_DIR");
-    pad.link = std::filesystem::path(root == nullptr ? "" : root) / "dev/input/event0";
+    pad.link = std::filesystem::path(root == nullptr ? "" : root) / node.substr(1);
     std::error_code error_code;
     pad.target = std::filesystem::read_symlink(pad.link, error_code);
-    return pad;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2) return 2;
-    auto pad = make_pad();
+    const bool two = argc > 1 && std::string_view(argv[1]) == "--two";
+    char** program = argv + (two ? 2 : 1);
+    if (*program == nullptr) return 2;
+    Pads pads;
+    auto* testbed = umockdev_testbed_new();
+    for (std::size_t i = 0; i < (two ? pads.size() : 1); ++i) make_pad(pads[i], testbed, i);
     const auto child = fork();
-    pad.game = child;
     if (child == 0) {
-        execvp(argv[1], argv + 1);
-        std::perror(argv[1]);
+        execvp(*program, program);
+        std::perror(*program);
         _exit(127);
     }
-    perform_as_told(pad);
+    perform_as_told(pads, child);
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tests/drivers/range.sh THAUM: the range under Xvfb with mouse and keys by xdotool, on a copy of the data
-# files. The dummy is shot. A file is edited meanwhile and read again, and a faulty file is named. A recorded
+# files. The dummy is shot. A step of the Apprentice is done, and one skipped. A file is edited meanwhile and read again, and a faulty file is named. A recorded
 # match must ignore changed files, and its log must replay. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
@@ -14,6 +14,8 @@ fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
+# lesson_pause: tests whether the pause of the Apprentice is shown, by the colour of its chosen row.
+lesson_pause() { import -window root -crop 1x1+900+418 -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
 
 # 1. Shoots, and edits a file as editors do: a new file renamed over the old one. Then makes it faulty.
 "$thaum" range --seconds 60 >"$folder/said" 2>&1 &
@@ -36,8 +38,32 @@ grep -Eq '^range: [1-9][0-9]* of [1-9][0-9]* hit' "$folder/said" || fail "nothin
 grep -Eq 'hit .*, [0-9]*[05]0 HP, [1-9][0-9]* kill' "$folder/said" || fail "not by the new damage"
 [ -z "$(find "$folder/data" -name '*.thaumlog' 2>/dev/null)" ] || fail "the range was recorded"
 
-# 2. A recorded match reads no file again.
+# 2. The Apprentice: the first step is done by keys and mouse, the second one is skipped in the pause.
 cp "$(dirname "$0")/../../assets/wands/bolt.toml" "$bolt"
+"$thaum" range --apprentice >"$folder/said" 2>&1 &
+game=$!
+eventually "no first step" said '^apprentice: 1 of [0-9]*: '
+eventually "no window of the Apprentice" drawn
+looks_and_walks() {
+    xdotool keydown w mousemove_relative 150 0
+    sleep 0.3
+    xdotool keyup w keydown s
+    sleep 0.3
+    xdotool keyup s
+    said '^apprentice: 2 of '
+}
+eventually "the first step was not done" looks_and_walks
+xdotool key Escape
+eventually "no pause of the Apprentice" lesson_pause
+xdotool key --delay 30 Down Return
+eventually "the second step was not skipped" said '^apprentice: 3 of '
+import -window root "${SHOTS:-$folder}/apprentice.png"
+xdotool key Escape
+eventually "no second pause of the Apprentice" lesson_pause
+xdotool key q
+wait "$game" || fail "the exit code of the Apprentice"
+
+# 3. A recorded match reads no file again.
 "$thaum" --solo 1 --seconds 4 --record "$folder/log" >"$folder/said" 2>&1 &
 game=$!
 eventually "no window of the match" drawn

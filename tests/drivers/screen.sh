@@ -53,5 +53,5 @@ few_pictures() {
 }
 
 # pause_menu: tests whether the pause menu is shown, by the colour of its chosen row (screen of 1280x720).
-pause_menu() { import -window root -crop 1x1+900+505 -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
+pause_menu() { import -window root -crop 1x1+900+463 -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
 no_pause_menu() { ! pause_menu; }

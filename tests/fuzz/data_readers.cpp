@@ -2,6 +2,7 @@
 #include "core/file.h"
 #include "fuzz/fuzz.h"
 #include "game/app/settings.h"
+#include "game/bots/apprentice.h"
 #include "game/bots/duel.h"
 #include "game/bots/range.h"
 
@@ -50,7 +51,8 @@ Outcome read_match_file(const char* name, const std::string& input, const Places
 
 constexpr const char *arena = "arenas/boiling_court.toml", *rules = "rules/quick.toml",
                      *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *blast = "wands/blast.toml",
-                     *lob = "wands/lob.toml", *bot = "bots/level_1.toml", *range = "range.toml";
+                     *lob = "wands/lob.toml", *bot = "bots/level_1.toml", *range = "range.toml",
+                     *lessons = "apprentice.toml";
 
 template <const char* const& name>
 std::vector<std::string> shipped(const Places& places) {
@@ -95,6 +97,26 @@ Outcome read_range(const std::string& input, const Places& places) {
     });
 }
 
+/// Follows the lessons for a while, and skips through them.
+Outcome read_lessons(const std::string& input, const Places& places) {
+    auto lessons = game::parse_lessons(input, "apprentice.toml");
+    if (!lessons) return {.refusal = lessons.error().message};
+    const auto data = game::load_range(places.assets, {});
+    if (!data) return {.fault = data.error().message};
+    auto range = game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 1);
+    game::Apprentice apprentice(std::move(*lessons));
+    input::DeviceSample sample;
+    sample.press(input::Button::fire);
+    sample.counts[input::hand::forward] = 127;
+    for (Tick t = 0; t < 3 * played; ++t) {
+        range.tick(sample);
+        apprentice.follow(*range.match);
+        if (t % 16 == 0) apprentice.skip();
+        if (apprentice.share() < 0 || apprentice.share() > 1) return {.fault = "a share outside 0 to 1"};
+    }
+    return {.accepted = true};
+}
+
 std::vector<std::string> shipped_settings(const Places& places) {
     return {must_read(places.assets / "settings.toml")};
 }
@@ -115,6 +137,7 @@ const Reader blast_reader{"blast", shipped<blast>, mutate_text, read_as<blast>};
 const Reader lob_reader{"lob", shipped<lob>, mutate_text, read_as<lob>};
 const Reader bot_reader{"bot", shipped<bot>, mutate_text, read_bot};
 const Reader range_reader{"range", shipped<range>, mutate_text, read_range};
+const Reader lessons_reader{"lessons", shipped<lessons>, mutate_text, read_lessons};
 const Reader settings_reader{"settings", shipped_settings, mutate_text, read_settings};
 
 }  // namespace thaum::fuzz

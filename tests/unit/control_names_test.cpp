@@ -25,6 +25,21 @@ TEST(ControlNames, AreThoseOfTheBindings) {
     EXPECT_EQ(control_names(settings, DeviceKind::keyboard_half).fire, "Keypad 0");
 }
 
+TEST(ControlNames, NameDirectionsAsOneControl) {
+    Settings settings;
+    const auto keys = control_names(settings, DeviceKind::keyboard_mouse);
+    EXPECT_EQ(keys.move, "W A S D");
+    EXPECT_EQ(keys.look, "Mouse");
+    EXPECT_EQ(keys.pause, "Escape");
+    const auto pad = control_names(settings, DeviceKind::pad);
+    EXPECT_EQ(pad.move, "Left stick");
+    EXPECT_EQ(pad.look, "Right stick");
+    EXPECT_EQ(pad.pause, "Start");
+    const auto half = control_names(settings, DeviceKind::keyboard_half);
+    EXPECT_EQ(half.move, "Keypad 8 Keypad 4 Keypad 5 Keypad 6");
+    EXPECT_EQ(half.look, "Up Left Down Right");
+}
+
 TEST(ControlNames, FollowANewBindingAndAreEmptyWithoutOne) {
     Settings settings;
     auto& bindings = settings.bindings_of(DeviceKind::keyboard_mouse);

@@ -39,6 +39,7 @@ struct NamedBox {
 
 std::vector<NamedBox> boxes_of(const HudLayout& layout) {
     std::vector<NamedBox> boxes{{"score", layout.score}, {"notices", layout.notices}};
+    if (layout.lesson) boxes.push_back({"lesson", *layout.lesson});
     for (std::uint32_t p = 0; p < players; ++p) {
         if (!layout.views[p]) continue;
         const auto& v = *layout.views[p];
@@ -160,6 +161,8 @@ Picture talkative() {
                       .by = 1,
                       .detail = static_cast<std::uint32_t>(hit_kind("bolt_hit"))};
     }
+    picture.practice.lesson = "Take Swing with {wand:swing}. Hold {fire} on the anchor: cross the pit.";
+    picture.practice.hint = "Look up at the anchor, walk forward, let go beyond.";
     picture.caption.words = "read wands/bolt.toml";
     picture.overloaded = true;
     picture.skipped = 1107;
@@ -201,7 +204,7 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     std::size_t said = 0;
     each_case([&](HudSettings settings, render::Size window, const std::string& name) {
         settings.forces = true;
-        settings.prompts = PromptWish::always;
+        settings.prompts = {PromptWish::always, PromptWish::always};
         for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
         for (auto& one : settings.device_messages) one = "The arm's motors are too warm: let them rest";
         render::Overlay overlay;

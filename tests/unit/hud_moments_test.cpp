@@ -30,7 +30,7 @@ TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     auto picture = picture_of(*new_match());
     picture.wizards[0].at_rim = true;
     HudSettings settings;
-    settings.prompts = PromptWish::always;
+    settings.prompts.fill(PromptWish::always);
     for (auto& controls : settings.controls) controls.stir = "E";
     EXPECT_TRUE(has_text(overlay_of(picture, settings), "[E] Stir"));
     EXPECT_FALSE(has_text(overlay_of(picture, settings), "8"));
@@ -52,10 +52,11 @@ Event death_by_thing(std::uint32_t killer) {
 }
 
 TEST(Feed, NamesTheThingThatKilled) {
-    EXPECT_EQ(event_words("{by} > {cause} > {whom}", death_by_thing(0), "barrel"),
+    EXPECT_EQ(event_words("{by} > {cause} > {whom}", death_by_thing(0), {}, "barrel"),
               "Ember > thrown barrel > Tide");
-    EXPECT_EQ(event_words("{whom} fell ({cause})", death_by_thing(no_player), "crate"), "Tide fell (crate)");
-    EXPECT_EQ(event_words("{cause}", death_by_thing(0)), "blow");
+    EXPECT_EQ(event_words("{whom} fell ({cause})", death_by_thing(no_player), {}, "crate"),
+              "Tide fell (crate)");
+    EXPECT_EQ(event_words("{cause}", death_by_thing(0), {}), "blow");
 }
 
 TEST(Feed, FindsTheThingInTheVictimsLastBlow) {

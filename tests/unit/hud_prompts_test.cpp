@@ -37,6 +37,17 @@ TEST(Prompts, NameTheControlOfWhatCanBeDone) {
     EXPECT_EQ(said_to(p), "");
 }
 
+TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
+    const auto data = picture_of(*new_match()).shown;
+    const auto filled = [&](std::string_view words) { return with_controls(words, names, *data); };
+    EXPECT_EQ(filled("Hold {stir}, then {fire}: {throw}."), "Hold [E], then [Left mouse]: [F].");
+    EXPECT_EQ(filled("{wand:bolt} takes Bolt"), "[1] takes Bolt");
+    EXPECT_EQ(filled("{wand:lob} takes Lob"), "[Wheel down] takes Lob")
+        << "a wand without a control of its own";
+    EXPECT_EQ(filled("{jump}"), "[not bound]");
+    EXPECT_EQ(filled("{nothing} {"), "{nothing} {");
+}
+
 TEST(Prompts, AreNotShownToWhoeverHasNoControl) {
     PlayerPicture p;
     p.at_rim = true;

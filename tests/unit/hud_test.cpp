@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
 #include "core/random.h"
 #include "core/text.h"
+#include "game/hud/event_words.h"
 #include "render/context.h"
 #include "unit/hud_rig.h"
 
@@ -360,8 +362,16 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     EXPECT_TRUE(has_text(overlay, "Enter, A: rematch    Esc, B: quit to menu"));
     make_overlay(p, {.names = {"Bot 3", ""}}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Bot 3 wins"));
+    make_overlay(p, {.names = {"", "WWWWWWWWWWWWWWWW"}}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "WWWWWWWWWWWWWWWW"));
     make_overlay(p, {.can_play_again = false}, size, overlay);
     EXPECT_FALSE(has_text(overlay, "Enter"));
+}
+
+TEST(Feed, NamesPlayersAsTheScreenDoes) {
+    const Event kill{.kind = EventKind::death, .subject = 1, .by = 0};
+    EXPECT_EQ(event_words("{by} beats {whom}", kill, {}), "Ember beats Tide");
+    EXPECT_EQ(event_words("{by} beats {whom}", kill, {"Zoë", "{by}"}), "Zoë beats {by}");
 }
 
 // ---- captions of the device -------------------------------------------------------------------------------
@@ -397,6 +407,33 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
         }
         picture.wizards[player].force.arm = ArmCondition::none;
     }
+}
+
+TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
+    const render::Size size{1280, 720};
+    auto picture = picture_of(*new_match());
+    picture.wizards[0].force.cause = haptics::SafetyCause::over_speed;
+    picture.wizards[0].at_rim = true;
+    picture.wizards[1] = picture.wizards[0];
+    HudSettings settings;
+    settings.device_messages[0] = "The arm's motors are too warm: let them rest";
+    const auto shown = [&](std::string_view words) {
+        render::Overlay overlay;
+        make_overlay(picture, settings, size, overlay);
+        const auto items = std::count_if(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
+            const auto* found = std::get_if<render::TextItem>(&item);
+            return found != nullptr && found->text == words;
+        });
+        return items / 2;  // each text has a dark copy below it
+    };
+    EXPECT_EQ(shown("Pure brew"), 2);
+    EXPECT_EQ(shown("Forces wait until the hand is slower"), 2);
+    settings.captions = {false, true};
+    EXPECT_EQ(shown("Pure brew"), 1) << "the other player still has captions";
+    EXPECT_EQ(shown("Forces wait until the hand is slower"), 1);
+    EXPECT_EQ(shown(settings.device_messages[0]), 1) << "a fault is told in any case";
+    picture.wizards[0].force.cause = haptics::SafetyCause::panic;
+    EXPECT_EQ(shown("All forces off: the emergency key brings yours back"), 1);
 }
 
 TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {

@@ -27,6 +27,8 @@ TEST(InputBindings, ActionsAreButtonsInTheirOrder) {
     EXPECT_EQ(bit(Action::quit), Button::quit);
     EXPECT_EQ(name_of(Action::throw_), "throw");
     EXPECT_EQ(name_of(Action::turn_down), "turn_down");
+    EXPECT_EQ(name_of(Action::farther), "farther");
+    EXPECT_EQ(name_of(Action::nearer), "nearer");
 }
 
 TEST(InputBindings, DefaultsReachEveryActionOfTheTable) {
@@ -39,6 +41,7 @@ TEST(InputBindings, DefaultsReachEveryActionOfTheTable) {
             EXPECT_FALSE(controls(b, action).empty()) << name_of(kind) << " " << name_of(action);
         }
         EXPECT_TRUE(b.mouse_look || !controls(b, Action::turn_left).empty());
+        EXPECT_TRUE(b.mouse_look || !controls(b, Action::nearer).empty()) << "hands without a wheel";
     }
     EXPECT_TRUE(controls(default_bindings(DeviceKind::bot, code_of), Action::fire).empty());
 }

@@ -312,6 +312,33 @@ TEST(InputCollector, AWheelStepTogglesToo) {
     EXPECT_FALSE(hands.take().down(Button::trace));
 }
 
+TEST(InputCollector, AHeldButtonTurnsTheWheelAtOnceAndThenTwelveTimesASecond) {
+    HandsCollector hands(default_bindings(DeviceKind::pad, length_code_of));
+    PadState up, down;
+    up.buttons = 1U << static_cast<unsigned>(PadButton::up);
+    down.buttons = 1U << static_cast<unsigned>(PadButton::down);
+    const auto steps_of = [&](int takes) {
+        std::int32_t steps = 0;
+        for (int i = 0; i < takes; ++i) steps += hands.take().counts[hand::wheel];
+        return steps;
+    };
+    EXPECT_EQ(steps_of(1000), 0);
+    hands.pad(up);
+    EXPECT_EQ(steps_of(1), 1);
+    hands.pad(up);
+    EXPECT_EQ(steps_of(1000), 12);
+    hands.pad(down);
+    EXPECT_EQ(steps_of(1001), -13);
+    hands.pad({});
+    EXPECT_EQ(steps_of(1000), 0);
+    hands.pad(up);
+    hands.pad({});
+    EXPECT_EQ(steps_of(10), 1) << "a press between two samples is not lost";
+    hands.pad(down);
+    hands.focus_lost();
+    EXPECT_EQ(steps_of(1000), -1) << "the press, but nothing after the focus was lost";
+}
+
 TEST(InputCollector, LookCanBeScaledAndTurnedAround) {
     auto hands = mouse();
     hands.set_look(0.25, true);

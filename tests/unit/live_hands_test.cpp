@@ -153,12 +153,46 @@ TEST_F(PlayerHandsTest, TheMatchGoesOnWhenBothPlayersAreBack) {
     EXPECT_EQ(look(pressed_, pressed_).all_back, 0U);
 }
 
+TEST_F(PlayerHandsTest, TwoLostPadsComeBackInAnyOrderToTheirPlayers) {
+    seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
+    hands_.begin_match(settings_, {idle_, idle_});
+    look(unplugged_, idle_);
+    EXPECT_EQ(look(unplugged_, unplugged_).lost, 1U);
+    look(unplugged_, pressed_);
+    EXPECT_TRUE(hands_.is_lost(0));
+    EXPECT_FALSE(hands_.is_lost(1));
+    EXPECT_EQ(look(pressed_, idle_).all_back, 0U);
+    look(idle_, idle_);
+    look(full_trigger_, idle_);
+    EXPECT_EQ(sample(0).counts[input::hand::trigger], 255);
+    EXPECT_EQ(sample(1).counts[input::hand::trigger], 0);
+}
+
+TEST_F(PlayerHandsTest, AFreePadStandsInForALostOne) {
+    look(unplugged_, idle_);
+    EXPECT_TRUE(hands_.is_lost(1));
+    const auto news = look(unplugged_, pressed_);
+    EXPECT_EQ(news.all_back, 1U);
+    EXPECT_TRUE(news.used[1]);
+    look(unplugged_, idle_);
+    look(idle_, full_trigger_);
+    EXPECT_EQ(sample().counts[input::hand::trigger], 255);
+    look(full_trigger_, idle_);
+    EXPECT_EQ(sample().counts[input::hand::trigger], 0) << "the pad that came back has no player";
+    // The pad of another player is not free.
+    seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
+    hands_.begin_match(settings_, {idle_, idle_});
+    EXPECT_FALSE(look(unplugged_, pressed_).all_back);
+    EXPECT_TRUE(hands_.is_lost(0));
+}
+
 TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
     auto settings = settings_;
     settings.bindings_of(input::DeviceKind::keyboard_mouse).of(input::Action::move_forward) = {
         {input::Control::Source::key, rig::key("i"), 0}};
-    settings.sensitivity = 2 * settings_.sensitivity;
-    settings.invert_y = !settings_.invert_y;
+    settings.players[0].sensitivity = 2 * settings_.players[0].sensitivity;
+    settings.players[0].invert_y = !settings_.players[0].invert_y;
+    settings.players[1].sensitivity = 7;  // changes nothing for player 1
     hands_.each([&](auto& hands) { hands.key(rig::key("w"), true); });
     EXPECT_EQ(sample(0).counts[input::hand::forward], 127);
     hands_.rebind(settings);

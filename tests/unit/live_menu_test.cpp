@@ -175,6 +175,62 @@ TEST_F(LiveMenuTest, TheWheelMovesTheChoice) {
     EXPECT_EQ(cursor(), 0U);
 }
 
+// ---- typing a name ----------------------------------------------------------------------------------------
+
+class LiveMenuNameTest : public LiveMenuTest {
+protected:
+    LiveMenuNameTest() {
+        open_pause();
+        press_all({"down", "down", "enter"});
+        choose("Each player's own settings");
+        press("enter");
+        choose("Name");
+        press("enter");
+    }
+    void type(std::u32string_view words) {
+        for (const auto character : words) menu_.character(character);
+    }
+};
+
+TEST_F(LiveMenuNameTest, CharactersMakeTheNameAndKeysDoNothingElse) {
+    ASSERT_TRUE(menu_.takes_text());
+    type(U" Zoë");
+    press_all({"w", "q", "space", "down"});
+    EXPECT_EQ(menu_.take_request(), MenuRequest::none) << "Q does not leave";
+    EXPECT_EQ(value_of("Name"), "Zoë_");
+    EXPECT_EQ(menu_.settings().players[0].name, "") << "not before Enter";
+    menu_.key(rig::key("backspace"), true, 0);
+    menu_.repeat(first);
+    menu_.key(rig::key("backspace"), false, first);
+    type(U"ö");
+    press("enter");
+    EXPECT_FALSE(menu_.takes_text());
+    EXPECT_EQ(menu_.settings().players[0].name, "Zö");
+    EXPECT_EQ(menu_.settings().players[1].name, "");
+    EXPECT_TRUE(menu_.take_settings_change());
+    type(U"x");
+    EXPECT_EQ(value_of("Name"), "Zö") << "only while a name is typed";
+}
+
+TEST_F(LiveMenuNameTest, EscapeKeepsTheOldNameAndTheMouseCannotLeaveTheRow) {
+    type(U"Ann");
+    const auto row = cursor();
+    menu_.cursor(point_of("Back"), rig::window);
+    EXPECT_EQ(cursor(), row);
+    press("escape");
+    EXPECT_EQ(menu_.settings(), Settings{});
+    EXPECT_EQ(page(), Page::player);
+}
+
+TEST_F(LiveMenuTest, WAndSMoveTheChoiceAndAAndDTurnAValue) {
+    menu_.open(Page::start);
+    press_all({"s", "s", "w"});
+    EXPECT_EQ(cursor(), 1U);
+    press_all({"d", "d", "a"});
+    EXPECT_EQ(value_of("Bot"), "level 2");
+    EXPECT_FALSE(menu_.state().seats[0]) << "keys that move do not join";
+}
+
 // ---- devices ----------------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, EachDeviceJoinsWithItsOwnPress) {
@@ -241,9 +297,9 @@ TEST_F(LiveMenuTest, AChangedSettingIsReportedOnce) {
     press_all({"down", "down", "enter"});
     ASSERT_EQ(page(), Page::settings);
     EXPECT_FALSE(menu_.take_settings_change());
-    choose("Mouse speed");
+    choose("Text size");
     press("right");
-    EXPECT_GT(menu_.settings().sensitivity, Settings{}.sensitivity);
+    EXPECT_GT(menu_.settings().text_scale, Settings{}.text_scale);
     EXPECT_TRUE(menu_.take_settings_change());
     EXPECT_FALSE(menu_.take_settings_change());
     EXPECT_TRUE(menu_.state().note.empty());

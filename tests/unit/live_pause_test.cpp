@@ -45,12 +45,21 @@ TEST(RoundEndTest, TheResultIsSeenBeforeAKeyLeavesIt) {
 }
 
 TEST(PauseWordsTest, NameThePlayerOrTheLostPad) {
-    EXPECT_EQ(pause_words(0, {}), (PauseWords{"Paused", "by player 1"}));
-    EXPECT_EQ(pause_words(1, {}), (PauseWords{"Paused", "by player 2"}));
-    EXPECT_EQ(pause_words(game::no_player, {}), (PauseWords{"Paused", ""}));
-    const std::string help = "press a button on it to rejoin, or keypad 0 for half of the keyboard";
-    EXPECT_EQ(pause_words(0, {true, false}), (PauseWords{"Player 1: pad lost", help}));
-    EXPECT_EQ(pause_words(1, {false, true}), (PauseWords{"Player 2: pad lost", help}));
+    EXPECT_EQ(pause_words({.paused_by = 0}), (PauseWords{"Paused", "by Ember"}));
+    EXPECT_EQ(pause_words({.paused_by = 1, .names = {"", "Zoë"}}), (PauseWords{"Paused", "by Zoë"}));
+    EXPECT_EQ(pause_words({}), (PauseWords{"Paused", ""}));
+    const std::string help = "plug it in and press a button on it or on another pad";
+    EXPECT_EQ(pause_words({.lost_pad = {2, std::nullopt}}),
+              (PauseWords{"Pad 3 of Ember was unplugged", help}));
+    EXPECT_EQ(pause_words({.lost_pad = {std::nullopt, 0}, .names = {"", "Zoë"}, .key_for_half = "Keypad 0"}),
+              (PauseWords{"Pad 1 of Zoë was unplugged", help + ", or Keypad 0 for half of the keyboard"}));
+    EXPECT_EQ(pause_words({.focus_lost = true, .lost_pad = {0, 1}}).head,
+              "Pad 1 of Ember and pad 2 of Tide were unplugged");
+}
+
+TEST(PauseWordsTest, SayThatTheWindowLostTheFocus) {
+    EXPECT_EQ(pause_words({.paused_by = 0, .focus_lost = true}),
+              (PauseWords{"Paused", "the window lost the focus"}));
 }
 
 }  // namespace

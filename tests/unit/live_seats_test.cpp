@@ -48,8 +48,7 @@ TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
 
 TEST(TakenSeats, HaveTheirPlayersSettings) {
     Settings settings;
-    settings.sensitivity = 3;
-    settings.turn_deg_per_s = 90;
+    settings.players[1] = {.sensitivity = 3, .turn_deg_per_s = 90, .invert_y = true, .force = 4};
     const auto seats = rig::seats_for(rig::bot_seat, rig::mouse_seat, settings);
     EXPECT_FALSE(seats[0].hands) << "a bot has no hands";
     EXPECT_EQ(seats[0].spec.kind, DeviceKind::bot);
@@ -59,6 +58,12 @@ TEST(TakenSeats, HaveTheirPlayersSettings) {
     EXPECT_EQ(seats[1].spec.name, "mouse and keyboard");
     EXPECT_DOUBLE_EQ(seats[1].spec.look_rad_per_count, 3 * input::DeviceSpec{}.look_rad_per_count);
     EXPECT_DOUBLE_EQ(seats[1].spec.turn_rad_per_s, pi / 2);
+    EXPECT_TRUE(seats[1].spec.invert_y);
+    EXPECT_EQ(seats[1].spec.force_percent, 100);
+    const auto first = rig::seats_for(rig::mouse_seat, rig::bot_seat, settings);
+    EXPECT_DOUBLE_EQ(first[0].spec.look_rad_per_count, input::DeviceSpec{}.look_rad_per_count)
+        << "the other player's settings do not count";
+    EXPECT_FALSE(first[0].spec.invert_y);
     EXPECT_EQ(first_person(seats), 1U);
     EXPECT_FALSE(has_pad(seats[0]) || has_pad(seats[1]));
     const auto pads = rig::seats_for(rig::second_pad_seat, rig::bot_seat);

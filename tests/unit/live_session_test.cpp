@@ -63,6 +63,11 @@ protected:
         session_->key(key, false, now_);
     }
     void press(std::string_view name) { press(rig::key(name)); }
+    /// Chooses a row of the menu.
+    void choose(std::string_view label) {
+        const auto& menu = session_->menu();
+        while (menu.picture().rows.at(menu.picture().cursor).label != label) press("down");
+    }
     void pause(std::uint32_t player) {
         shared_.progress.paused_by = player;
         shared_.progress.state = PlayState::paused;
@@ -93,15 +98,16 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_EQ(requests().pause, 1U);
     EXPECT_TRUE(shared_.pad_lost[1]);
     EXPECT_FALSE(shared_.pad_lost[0]);
-    EXPECT_EQ(screen().hud.device_messages[1], "pad lost: press a button on it to rejoin");
+    EXPECT_EQ(screen().hud.device_messages[1],
+              "pad lost: plug it in and press a button on it or on another pad");
     EXPECT_EQ(screen().menu, game::MenuPicture{}) << "the match has not paused yet";
     pause(1);
     step();
-    EXPECT_EQ(screen().menu.title, "Player 2: pad lost");
+    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide was unplugged");
     EXPECT_TRUE(screen().hud.menu);
     pads_[0] = rig::pad_with();
     step();
-    EXPECT_EQ(screen().menu.title, "Player 2: pad lost");
+    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide was unplugged");
     EXPECT_EQ(requests().go_on, game::no_player);
     pads_[0] = rig::pad_with({PadButton::a});
     step();
@@ -178,6 +184,23 @@ TEST_F(LiveSessionTest, ALostFocusReleasesAllKeysAndThenPauses) {
     EXPECT_EQ(requests().pause, game::no_player) << "once";
 }
 
+TEST_F(LiveSessionTest, ThePauseSaysThatTheWindowLostTheFocus) {
+    begin();
+    session_->focus(false, now_);
+    step(200);
+    pause(0);
+    step();
+    EXPECT_EQ(screen().menu.line, "the window lost the focus");
+    shared_.progress.state = PlayState::playing;
+    step();
+    pause(0);
+    step();
+    EXPECT_EQ(screen().menu.line, "by Ember") << "another pause has another reason";
+    session_->focus(false, now_);
+    step(200);
+    EXPECT_EQ(screen().menu.line, "by Ember") << "the match was paused before";
+}
+
 TEST_F(LiveSessionTest, ALostFocusWaitsForTheFirstPicture) {
     begin();
     shared_.ready = false;
@@ -250,10 +273,16 @@ TEST_F(LiveSessionTest, TheScreenNamesPlayersAndTheirControls) {
     EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{})) << "people are called by their teams";
     EXPECT_EQ(screen().hud.controls[0].fire, "Left mouse");
     EXPECT_EQ(screen().hud.controls[1].fire, "RT");
+    plan_.settings.players[0].name = "Zoë";
+    plan_.settings.players[1].name = "Ann";
+    begin();
+    step();
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"Zoë", "Ann"}));
+    plan_.settings.players[0].name.clear();
     plan_.seats[1] = {.kind = SeatKind::bot, .level = 3};
     begin();
     step();
-    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"", "Bot 3"}));
+    EXPECT_EQ(screen().hud.names, (std::array<std::string, 2>{"", "Bot 3"})) << "a bot has not Ann's name";
     EXPECT_EQ(screen().hud.controls[1], game::ControlNames{}) << "a bot needs no prompt";
     plan_.seats[0] = {.kind = SeatKind::bot, .level = 3};
     begin();
@@ -323,12 +352,16 @@ TEST_F(LiveSessionTest, ASettingChangedInThePauseReachesFileScreenAndHands) {
     for (const auto* key : {"down", "down", "enter", "down", "down", "right"}) press(key);
     step();
     EXPECT_EQ(screen().hud.fov, 95);
-    for (const auto* key : {"down", "down", "right"}) press(key);
+    choose("Each player's own settings");
+    press("enter");
+    choose("Mouse speed");
+    press("right");
     step();
     const auto saved = parse_settings(read_text_file(plan_.settings_file, 1U << 20U).value(), "settings");
     ASSERT_TRUE(saved);
     EXPECT_EQ(saved->fov, 95);
-    EXPECT_DOUBLE_EQ(saved->sensitivity, 1.05);
+    EXPECT_DOUBLE_EQ(saved->players[0].sensitivity, 1.05);
+    EXPECT_DOUBLE_EQ(saved->players[1].sensitivity, 1);
     shared_.progress.state = PlayState::playing;
     step();
     session_->mouse_move(100, 0, now_);
@@ -340,8 +373,7 @@ TEST_F(LiveSessionTest, AnotherKeyActsAtOnce) {
     pause(0);
     step();
     for (const auto* key : {"down", "enter", "enter"}) press(key);
-    const auto& menu = session_->menu();
-    while (menu.picture().rows.at(menu.picture().cursor).label != "Move forward") press("down");
+    choose("Move forward");
     for (const auto* key : {"enter", "i"}) press(key);
     step();
     shared_.progress.state = PlayState::playing;
@@ -364,6 +396,68 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesTheDummy) {
     press("right");
     step();
     EXPECT_EQ(requests().dummy, game::DummyKind::shooting);
+}
+
+TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesItsRules) {
+    plan_.practice = game::DummyKind::still;
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    session_.emplace(shared_, plan_);
+    ASSERT_TRUE(session_->next().open_range());
+    session_->take_seats({});
+    session_->begin_match({});
+    ASSERT_TRUE(session_->next().take_range());
+    pause(0);
+    step();
+    choose("Energy of the wands");
+    press("right");
+    choose("Effects of the brew");
+    press("right");
+    step();
+    EXPECT_EQ(requests().range.load(), (game::RangeChanges{.endless_energy = true, .harmless_brew = true}));
+    choose("Restart the range");
+    press("enter");
+    step();
+    EXPECT_TRUE(requests().end);
+    EXPECT_TRUE(session_->take_restart());
+    EXPECT_TRUE(session_->next().is_practice()) << "the files were read again";
+}
+
+TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
+    plan_.practice = game::DummyKind::still;
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    session_.emplace(shared_, plan_);
+    ASSERT_TRUE(session_->next().open_apprentice());
+    session_->take_seats({});
+    session_->begin_match({});
+    ASSERT_TRUE(session_->next().take_range() && session_->next().take_lessons());
+    const auto chosen = [&](std::string_view row) {
+        pause(0);
+        step();
+        choose(row);
+        press("enter");
+        step();
+    };
+    chosen("Skip this step");
+    EXPECT_EQ(requests().lesson_skips.load(), 1U);
+    chosen("Repeat this step");
+    EXPECT_TRUE(requests().lesson_repeats == 1U && requests().go_on == 0U) << "and the match goes on";
+    chosen("Restart the Apprentice");
+    EXPECT_TRUE(requests().end && session_->take_restart());
+    EXPECT_TRUE(session_->next().is_apprentice()) << "the lessons were read again";
+}
+
+TEST_F(LiveSessionTest, RestartingInThePauseEndsTheMatchAndBeginsAnother) {
+    begin();
+    pause(0);
+    step();
+    choose("Restart the match");
+    press("enter");
+    EXPECT_FALSE(requests().end);
+    step();
+    EXPECT_TRUE(requests().end);
+    EXPECT_FALSE(shared_.stop);
+    EXPECT_TRUE(session_->take_restart());
+    EXPECT_FALSE(session_->take_restart()) << "once";
 }
 
 TEST_F(LiveSessionTest, EndingTheMatchInThePauseEndsItAndNotTheProgram) {
@@ -460,20 +554,18 @@ TEST_F(LiveStartScreenTest, TwoPressesStartAMatchOfThatDevice) {
 }
 
 TEST_F(LiveStartScreenTest, TheRangeStartsWithADummy) {
-    const auto& menu = session_->menu();
-    while (menu.picture().rows.at(menu.picture().cursor).label != "Range: practise on a dummy") press("down");
+    choose("Range: practise on a dummy");
     press("enter");
     EXPECT_TRUE(step_start());
     session_->take_seats({});
     EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::dummy);
-    EXPECT_TRUE(menu.context().practice);
+    EXPECT_TRUE(session_->menu().context().practice);
     EXPECT_TRUE(session_->next().take_range());
 }
 
 TEST_F(LiveStartScreenTest, AnotherArenaIsShownAtOnce) {
     shared_.scene.take();
-    const auto& menu = session_->menu();
-    while (menu.picture().rows.at(menu.picture().cursor).label != "Arena") press("down");
+    choose("Arena");
     press("right");
     step_start();
     ASSERT_TRUE(shared_.scene.take());

@@ -74,14 +74,14 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     start_match(std::move(*recording));
     press("escape");
     ASSERT_TRUE(becomes(PlayState::paused));
-    EXPECT_EQ(session_->menu().picture().line, "by player 1");
+    EXPECT_EQ(session_->menu().picture().line, "by Ember");
     press("escape");
     step({rig::pad_with()});
     ASSERT_TRUE(becomes(PlayState::playing)) << "a request that follows the pause at once";
     EXPECT_FALSE(session_->menu().is_open());
     step({});
     ASSERT_TRUE(becomes(PlayState::paused));
-    EXPECT_EQ(session_->menu().picture().title, "Player 2: pad lost");
+    EXPECT_EQ(session_->menu().picture().title, "Pad 1 of Tide was unplugged");
     step({rig::pad_with({input::PadButton::a})});
     ASSERT_TRUE(becomes(PlayState::playing));
     end_match();
@@ -92,6 +92,24 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     while (replay->step()) EXPECT_FALSE(replay->divergence());
     EXPECT_GT(replay->match().now(), 0U);
     EXPECT_EQ(replay->missing_hashes(), "");
+}
+
+/// A round of one second ends in a draw. Its result is shown for eight seconds.
+TEST_F(LiveThreadsTest, ADemoEndsAMatchByItselfForTheNextOne) {
+    game::DataChoice choice;
+    choice.overrides = {"quick.seconds=1"};
+    auto data = game::load_match_data(THAUM_SOURCE_DIR "/assets", choice);
+    ASSERT_TRUE(data) << data.error().message;
+    plan_.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan_.seats = {rig::bot_seat, rig::bot_seat};
+    plan_.demo = true;
+    session_.emplace(shared_, plan_);
+    start_match({});
+    simulating_.join();
+    EXPECT_TRUE(shared_.progress.ended);
+    EXPECT_TRUE(shared_.requests.rematch);
+    EXPECT_GE(shared_.report.ticks, ticks(9.0));
+    EXPECT_FALSE(shared_.stop);
 }
 
 }  // namespace

@@ -1,73 +1,11 @@
-// Tests of menus: events in, state and rows out, and the places where rows are drawn and clicked.
-#include "game/app/menu.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
+// Tests of menus: the start screen, the pause and the pages of controls. Events in, state and rows out.
 #include "core/file.h"
-#include "core/random.h"
 #include "game/app/menu_choices.h"
 #include "game/data/match_data.h"
-#include "render/font.h"
+#include "unit/menu_rig.h"
 
-namespace thaum::app {
+namespace thaum::app::menu_tests {
 namespace {
-
-using input::Action;
-using input::Control;
-using input::DeviceKind;
-using input::PadButton;
-using Kind = MenuEvent::Kind;
-
-constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keyboard_half, 0},
-    first_pad{DeviceKind::pad, 0}, second_pad{DeviceKind::pad, 1};
-
-const MenuContext& context() {
-    static const MenuContext context{
-        .levels = {1, 2, 3},
-        .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
-        .arenas = {{"boiling_court", "Boiling Court"}},
-        .pads = {"Make-believe pad", "Another pad", "", ""},
-        .ends_match = true};
-    return context;
-}
-
-MenuState with(MenuState s, Kind kind, const Device& device = keyboard) {
-    return step(std::move(s), {.kind = kind, .device = device}, context());
-}
-
-MenuState start_page() { return opened({}, Page::start); }
-
-std::size_t row_named(const MenuState& s, std::string_view label) {
-    const auto rows = picture_of(s, context()).rows;
-    const auto found =
-        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.label == label; });
-    EXPECT_NE(found, rows.end()) << label;
-    return static_cast<std::size_t>(found - rows.begin());
-}
-
-MenuState choose(MenuState s, std::string_view label, Kind kind = Kind::confirm) {
-    const auto row = row_named(s, label);
-    return step(std::move(s), {.kind = kind, .device = keyboard, .row = row}, context());
-}
-
-std::string value_of(const MenuState& s, std::string_view label) {
-    return picture_of(s, context()).rows[row_named(s, label)].value;
-}
-
-MenuState bindings_of(std::string_view sheet) { return choose(choose(start_page(), "Controls"), sheet); }
-
-Control key(std::string_view name) { return {Control::Source::key, *key_code_of(name), 0}; }
-Control button(PadButton b) { return {Control::Source::pad_button, static_cast<int>(b), 0}; }
-
-MenuState press(MenuState s, const Control& control) {
-    return step(std::move(s), {.kind = Kind::control, .control = control}, context());
-}
-
-const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Action action) {
-    return s.settings.bindings_of(kind).of(action);
-}
 
 // ---- joining ----------------------------------------------------------------------------------------------
 
@@ -224,6 +162,30 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
 }
 
+TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
+    const auto quit = with(start_page(), Kind::up, keyboard);
+    EXPECT_EQ(with(quit, Kind::confirm, keyboard).request, MenuRequest::quit) << "who chose the row means it";
+    const auto s = with(quit, Kind::confirm, first_pad);
+    EXPECT_EQ(s.request, MenuRequest::none);
+    EXPECT_EQ(s.seats[0], first_pad);
+    EXPECT_EQ(with(s, Kind::confirm, half).seats[1], half);
+    // A seated device, or a third one, acts on the row.
+    EXPECT_EQ(with(s, Kind::confirm, first_pad).request, MenuRequest::quit);
+    EXPECT_EQ(with(with(s, Kind::confirm, half), Kind::confirm, second_pad).request, MenuRequest::quit);
+    // A click means its row.
+    const MenuEvent click{.kind = Kind::confirm, .device = keyboard, .row = row_named(s, "Settings")};
+    EXPECT_EQ(step(start_page(), click, context()).pages.back().page, Page::settings);
+}
+
+TEST(StartScreen, RemembersItsChoicesInTheSettings) {
+    auto two = context();
+    two.arenas.push_back({"the_well", "The Well"});
+    auto s = start_page();
+    for (const std::size_t row : {1UL, 2UL, 3UL})
+        s = step(s, {.kind = Kind::right, .device = keyboard, .row = row}, two);
+    EXPECT_EQ(s.settings.last, (LastChoice{.bot_level = 2, .match = "standard", .arena = "the_well"}));
+}
+
 // ---- the pause --------------------------------------------------------------------------------------------
 
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
@@ -232,6 +194,7 @@ TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     EXPECT_EQ(with(s, Kind::confirm).request, MenuRequest::go_on);
     EXPECT_EQ(with(s, Kind::back, first_pad).request, MenuRequest::go_on);
     EXPECT_EQ(choose(s, "End this match").request, MenuRequest::leave);
+    EXPECT_EQ(choose(s, "Restart the match").request, MenuRequest::restart);
     EXPECT_EQ(with(s, Kind::other).request, MenuRequest::none);
     auto below = choose(choose(s, "Controls"), "Pad");
     EXPECT_EQ(below.pages.size(), 3U);
@@ -239,6 +202,30 @@ TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     ASSERT_EQ(below.pages.size(), 1U);
     EXPECT_EQ(below.request, MenuRequest::none);
     EXPECT_EQ(picture_of(below, context()).cursor, 1U);
+}
+
+TEST(StartScreen, OffersTheApprenticeFirstOnAFirstStartAndAlways) {
+    const auto s = choose(start_page(), "Apprentice (3 min)");
+    EXPECT_EQ(s.request, MenuRequest::apprentice);
+    EXPECT_EQ(s.seats[0], keyboard);
+    EXPECT_FALSE(s.seats[1]);
+    EXPECT_GT(row_named(start_page(), "Apprentice (3 min)"), 0U);
+    auto first = context();
+    first.first_start = true;
+    const auto rows = picture_of(start_page(), first).rows;
+    EXPECT_EQ(rows.front().label, "Apprentice (3 min)");
+    const auto count = std::count_if(rows.begin(), rows.end(),
+                                     [](const auto& row) { return row.label == "Apprentice (3 min)"; });
+    EXPECT_EQ(count, 1);
+}
+
+TEST(StartScreen, OnAFirstStartTwoPressesOfAnyButtonStillStartADuel) {
+    auto first = context();
+    first.first_start = true;
+    auto s = start_page();
+    for (int press = 0; press < 2; ++press)
+        s = step(std::move(s), {.kind = Kind::other, .device = keyboard}, first);
+    EXPECT_EQ(s.request, MenuRequest::start);
 }
 
 TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
@@ -323,6 +310,15 @@ TEST(BindingsPage, ActionsThatNeverActTogetherMayShareAControl) {
     }
 }
 
+TEST(BindingsPage, TheWheelNeedsNoBindingToMoveWhatIsHeld) {
+    auto s = choose(bindings_of("Mouse and keyboard"), "Nearer");
+    EXPECT_TRUE(press(s, {Control::Source::wheel, 0, 1}).waiting);
+    s = press(s, key("z"));
+    EXPECT_EQ(value_of(s, "Nearer"), "Z");
+    EXPECT_EQ(value_of(bindings_of("Pad"), "Farther"), "Pad up");
+    EXPECT_EQ(value_of(bindings_of("Keypad and arrows"), "Nearer"), "Keypad 2");
+}
+
 TEST(BindingsPage, EscCanBeBoundToPauseOnly) {
     auto s = choose(bindings_of("Mouse and keyboard"), "Pause");
     EXPECT_FALSE(esc_ends_waiting(s));
@@ -363,196 +359,5 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
     EXPECT_EQ(label_of(key("left_alt")), "Left alt");
 }
 
-// ---- settings ---------------------------------------------------------------------------------------------
-
-TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
-    auto s = choose(start_page(), "Settings");
-    const auto count = picture_of(s, context()).rows.size();
-    EXPECT_EQ(count, all_settings().size() + 2) << "the cauldron's page, and back";
-    for (std::size_t i = 0; i < all_settings().size(); ++i) {
-        const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
-        const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
-        auto changed = step(s, more, context());
-        // The value was at the end of its range.
-        if (changed.settings == s.settings) changed = step(s, less, context());
-        const auto edits = changes(s.settings, changed.settings);
-        ASSERT_EQ(edits.size(), 1U) << all_settings()[i].key;
-        EXPECT_EQ(edits[0].key, all_settings()[i].key);
-        EXPECT_EQ(edits[0].table, "");
-    }
-    EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
-}
-
-// ---- the cauldron -----------------------------------------------------------------------------------------
-
-constexpr std::string_view cauldron_row = "Cauldron feedback";
-
-MenuState cauldron_page() { return choose(choose(opened({}, Page::pause), "Settings"), cauldron_row); }
-
-TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
-    const auto fresh = cauldron_page();
-    EXPECT_EQ(picture_of(fresh, context()).title, "The cauldron");
-    EXPECT_NE(picture_of(fresh, context()).hint.find("applies from the next match"), std::string::npos);
-    for (std::size_t player = 0; player < 2; ++player) {
-        for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
-            const auto label = label_of_fader(i);
-            auto s = fresh;
-            for (std::size_t p = 0; p < player; ++p) s = choose(s, "Whose hand", Kind::right);
-            s = choose(choose(s, label, Kind::left), label, Kind::left);
-            EXPECT_EQ(value_of(s, label), "90 %");
-            EXPECT_EQ(picture_of(s, context()).line, effect_of_fader(i));
-            s = choose(s, label);
-            EXPECT_EQ(value_of(s, label), "off (90 %)");
-            EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, label)].dim);
-            const auto name = std::string(haptics::fluid_modes[i].name);
-            const std::string table(cauldron_tables[player]);
-            EXPECT_EQ(changes({}, s.settings),
-                      (std::vector<SettingEdit>{{table, name, "0.9"}, {table, "off", '"' + name + '"'}}));
-            s = choose(s, label, Kind::right);
-            EXPECT_EQ(value_of(s, label), "off (95 %)") << "a fader that is moved stays off";
-            s = choose(s, label);
-            EXPECT_EQ(value_of(s, label), "95 %");
-            EXPECT_EQ(choose(s, "Reset to defaults").settings, Settings{});
-        }
-    }
-    EXPECT_EQ(choose(fresh, "Back").pages.size(), 2U);
-}
-
-TEST(CauldronPage, OpensForThePlayerWhoAsks) {
-    auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
-    s = choose(opened(s, Page::pause), "Settings");
-    const auto row = row_named(s, cauldron_row);
-    const auto opened_by = [&](const Device& device) {
-        return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
-                        "Whose hand");
-    };
-    EXPECT_EQ(opened_by(first_pad), "player 1");
-    EXPECT_EQ(opened_by(keyboard), "player 2");
-    EXPECT_EQ(opened_by(second_pad), "player 1") << "a device without a seat opens the page of player 1";
-}
-
-// ---- anything at all --------------------------------------------------------------------------------------
-
-/// After random events the state can be drawn, no control is bound twice in conflict, and the settings can
-/// be written.
-TEST(MenuUnderWildHands, StaysWhole) {
-    Random dice = random_stream(7, 1);
-    const auto roll = [&](std::uint64_t n) { return static_cast<int>(dice.next() % n); };
-    auto s = start_page();
-    for (int i = 0; i < 20000; ++i) {
-        MenuEvent event{.kind = static_cast<Kind>(roll(12)),
-                        .device = {static_cast<DeviceKind>(roll(3)), roll(4)}};
-        if (roll(4) == 0) event.row = static_cast<std::size_t>(roll(60));
-        if (event.kind == Kind::control) {
-            const auto source = static_cast<Control::Source>(roll(5));
-            event.control = {source, 0, roll(2) * 2 - 1};
-            if (source == Control::Source::key)
-                event.control = key(std::string(1, static_cast<char>('a' + roll(26))));
-            if (source == Control::Source::pad_button) event.control = {source, roll(15), 0};
-            if (source == Control::Source::mouse_button) event.control = {source, roll(5), 0};
-            if (source == Control::Source::pad_axis) event.control.code = roll(6);
-        }
-        s = step(std::move(s), event, context());
-        ASSERT_FALSE(s.pages.empty());
-        const auto picture = picture_of(s, context());
-        ASSERT_LT(picture.cursor, picture.rows.size());
-        ASSERT_TRUE(!s.seats[0] || s.seats[0] != s.seats[1]);
-        if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? Page::start : Page::pause);
-    }
-    const auto edited = edit_settings("version = 1\n", "s", changes({}, s.settings));
-    ASSERT_TRUE(edited) << edited.error().message;
-    EXPECT_EQ(changes(parse_settings(*edited, "s").value(), s.settings), std::vector<SettingEdit>{});
-    for (std::size_t action = 0; action < input::actions; ++action) {
-        auto again = s.settings;
-        const auto controls = controls_of(again, {0, action});
-        for (const auto& control : controls)
-            EXPECT_TRUE(assign(again, {0, action}, control).empty()) << action;
-    }
-}
-
-// ---- drawing ----------------------------------------------------------------------------------------------
-
-struct Box {
-    fvec2 low, high;
-};
-
-std::vector<Box> boxes_of_text(const render::Overlay& overlay, render::Font& font) {
-    std::vector<Box> boxes;
-    for (const auto& item : overlay.items) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        if (words == nullptr) continue;
-        const auto size = font.measure(words->text, words->size);
-        const float share = words->align == render::Align::left    ? 0
-                            : words->align == render::Align::right ? 1
-                                                                   : 0.5F;
-        const fvec2 low = words->position - fvec2(share * size.x, 0);
-        boxes.push_back({low, low + size});
-    }
-    return boxes;
-}
-
-TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font) << font.error().message;
-    auto joined = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
-    auto conflict = press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("kp_8"));
-    for (const auto& state : {start_page(), joined, conflict, choose(start_page(), "Settings"),
-                              cauldron_page(), opened({}, Page::pause)}) {
-        for (const render::Size size :
-             {render::Size{1280, 720}, {640, 480}, {320, 200}, {3840, 2160}, {500, 900}}) {
-            for (const double scale : {1.0, 1.75, 2.5}) {
-                render::Overlay overlay;
-                auto picture = picture_of(state, context());
-                if (picture.title.empty()) picture.title = "Paused";
-                add_menu(overlay, picture, size, scale);
-                for (const auto& box : boxes_of_text(overlay, *font)) {
-                    EXPECT_GE(box.low.x, 0) << size.width << ' ' << scale;
-                    EXPECT_GE(box.low.y, 0) << size.width << ' ' << scale;
-                    EXPECT_LE(box.high.x, size.width + 3) << size.width << ' ' << scale;
-                    EXPECT_LE(box.high.y, size.height + 3) << size.width << ' ' << scale;
-                }
-            }
-        }
-    }
-}
-
-/// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
-/// chosen row is always visible.
-TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
-    auto s = bindings_of("Mouse and keyboard");
-    for (const double scale : {1.0, 2.5}) {
-        for (const std::size_t cursor : {0UL, 15UL, 31UL}) {
-            s.pages.back().cursor = cursor;
-            const auto picture = picture_of(s, context());
-            std::vector<std::size_t> seen;
-            for (float y = 0; y < 480; ++y) {
-                const auto place = game::place_at(picture, {640, 480}, scale, {320, y});
-                if (place && (seen.empty() || seen.back() != place->row)) seen.push_back(place->row);
-            }
-            ASSERT_GE(seen.size(), 4U);
-            EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
-            EXPECT_EQ(seen.back() - seen.front() + 1, seen.size());
-            EXPECT_NE(std::find(seen.begin(), seen.end(), picture.cursor), seen.end());
-        }
-    }
-    EXPECT_FALSE(game::place_at(picture_of(s, context()), {640, 480}, 1, {2, 240}));
-    EXPECT_FALSE(game::place_at({}, {640, 480}, 1, {320, 240}));
-}
-
-TEST(MenuDrawing, ArrowsAroundAValueAreLessAndMore) {
-    const auto picture = picture_of(choose(start_page(), "Settings"), context());
-    int less = 0, more = 0, row = 0;
-    for (float x = 0; x < 1280; ++x) {
-        const auto place = game::place_at(picture, {1280, 720}, 1, {x, 560});
-        if (!place) continue;
-        less += place->part == game::MenuPart::less ? 1 : 0;
-        more += place->part == game::MenuPart::more ? 1 : 0;
-        row += place->part == game::MenuPart::row ? 1 : 0;
-    }
-    EXPECT_EQ(less, 30);
-    EXPECT_EQ(more, 30);
-    EXPECT_GT(row, 400);
-}
-
 }  // namespace
-}  // namespace thaum::app
+}  // namespace thaum::app::menu_tests

@@ -116,6 +116,47 @@ TEST_F(PracticeTest, ThreadReadsChangedFilesWithinASecondAndEndsAtOnce) {
     EXPECT_LT(since.count(), 1500) << "400 on a machine that is not loaded";
 }
 
+/// Energy of the wand in hand after two seconds of shots.
+double energy_after_shots(Practice& practice) {
+    for (Tick t = 0; t < ticks(2.0); ++t) {
+        input::InputFrame frame;
+        frame.devices[game::practising].press(input::Button::fire);
+        frame.devices[game::practising].counts[input::hand::trigger] = 255;
+        practice.match().tick(frame);
+    }
+    auto picture = game::make_picture();
+    game::take_picture(practice.match(), picture);
+    return picture.wizards[game::practising].energy;
+}
+
+TEST_F(PracticeTest, EndlessEnergyKeepsWandsFullAlsoAfterAReload) {
+    auto watched = files();
+    auto practice = practice_of(watched);
+    const auto full = picture(practice).wizards[game::practising].energy_cap;
+    EXPECT_LT(energy_after_shots(practice), full - 5);
+    EXPECT_TRUE(practice.set_changes({.endless_energy = true}));
+    EXPECT_FALSE(practice.set_changes({.endless_energy = true})) << "nothing has changed";
+    EXPECT_GT(energy_after_shots(practice), full - 1.5) << "the last shot may have just been taken";
+    set_damage("7");
+    look(watched, practice);
+    EXPECT_GT(energy_after_shots(practice), full - 1.5);
+    EXPECT_TRUE(practice.set_changes({}));
+    EXPECT_LT(energy_after_shots(practice), full - 5);
+}
+
+TEST_F(PracticeTest, AHarmlessBrewNeitherSlowsNorLiftsNorScalds) {
+    auto watched = files();
+    const auto& data = watched.data();
+    ASSERT_TRUE(data.match->cauldron);
+    EXPECT_EQ(changed(data, {}).match, data.match);
+    const auto harmless = *changed(data, {.harmless_brew = true}).match->cauldron;
+    EXPECT_GT(harmless.aura.thick_above, 1e9);
+    EXPECT_EQ(harmless.aura.light_below, 0);
+    EXPECT_EQ(harmless.spoil_harm, 0);
+    EXPECT_EQ(harmless.spoil_push, 0);
+    EXPECT_EQ(harmless.aura.refill, data.match->cauldron->aura.refill);
+}
+
 TEST_F(PracticeTest, ShowsAReloadForAWhileAndAFaultUntilItIsCorrected) {
     auto watched = files();
     auto practice = practice_of(watched);
@@ -170,10 +211,10 @@ TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     firing.devices[game::practising].press(input::Button::fire);
     for (int t = 0; t < 1500; ++t) practice.match().tick(firing);
     EXPECT_EQ(practice.score().find("0 of 0"), std::string::npos) << practice.score();
-    EXPECT_EQ(picture(practice).practice.dummy.find("still dummy: "), 0U);
+    EXPECT_EQ(picture(practice).practice.below.find("still dummy: "), 0U);
     practice.set_dummy(game::DummyKind::strafing);
     EXPECT_EQ(practice.score().find("0 of 0"), 0U);
-    EXPECT_EQ(picture(practice).practice.dummy.find("strafing dummy: "), 0U);
+    EXPECT_EQ(picture(practice).practice.below.find("strafing dummy: "), 0U);
 }
 
 bool shows(const render::Overlay& overlay, std::string_view words) {

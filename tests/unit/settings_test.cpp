@@ -8,8 +8,10 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/app/player_name.h"
 #include "input/log.h"
 #include "render/context.h"
+#include "render/font.h"
 
 namespace thaum::app {
 namespace {
@@ -90,8 +92,10 @@ TEST(Settings, ChangedValuesAndBindingsAreRead) {
     EXPECT_EQ(s->split, render::Split::side_by_side);
     EXPECT_EQ(s->quality, render::Quality::medium);
     EXPECT_FALSE(s->bloom);
-    EXPECT_EQ(s->sensitivity, 2.5);
-    EXPECT_TRUE(s->invert_y);
+    for (const auto& player : s->players) {
+        EXPECT_EQ(player.sensitivity, 2.5) << "a value at the top counts for both players";
+        EXPECT_TRUE(player.invert_y);
+    }
     const auto& fire = s->bindings_of(input::DeviceKind::keyboard_mouse)
                            .controls[static_cast<std::size_t>(input::Action::fire)];
     ASSERT_EQ(fire.size(), 1U);
@@ -130,16 +134,99 @@ TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
     EXPECT_EQ(*read_text_file(file, 1U << 20U), own);
 }
 
+TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
+    const auto s = parse_settings(
+        "version = 1\nsensitivity = 2\nforce_1 = \"soft\"\nforce_2 = \"full\"\nprompts = \"never\"\n"
+        "[player_2]\nname = \"  Ann \"\nsensitivity = 3\nforce = \"off\"\ncaptions = false\n",
+        "s");
+    ASSERT_TRUE(s) << s.error().message;
+    EXPECT_EQ(s->players[0],
+              (PlayerSettings{.sensitivity = 2, .force = 1, .prompts = game::PromptWish::never}));
+    EXPECT_EQ(s->players[1], (PlayerSettings{.name = "Ann",
+                                             .captions = false,
+                                             .sensitivity = 3,
+                                             .force = 0,
+                                             .prompts = game::PromptWish::never}));
+    // A change of one player's value leaves the value at the top for the other one.
+    auto wanted = *s;
+    wanted.players[1].sensitivity = 1;
+    const std::string old = "version = 1\nsensitivity = 2\n";
+    const auto edited = edit_settings(old, "s", {{"player_2", "sensitivity", "1"}});
+    ASSERT_TRUE(edited) << edited.error().message;
+    EXPECT_EQ(*edited, old + "\n[player_2]\nsensitivity = 1\n");
+    EXPECT_EQ(parse_settings(*edited, "s")->players[0].sensitivity, 2);
+}
+
+std::string name_line(std::string_view name) { return text("[player_1]\nname = \"", name, '"'); }
+
+TEST(Settings, ANameHasUpToSixteenCharactersThatCanBeShown) {
+    for (const auto* good : {"", "A", "Zoë", "0123456789abcdef", "ΣΟΦΙΑ", "Жук 7", "Łukasz-Ø_{by}"}) {
+        const auto s = parse_settings(text("version = 1\n", name_line(good)), "s");
+        ASSERT_TRUE(s) << s.error().message;
+        EXPECT_EQ(s->players[0].name, good);
+    }
+    const std::string many(10'000, 'x');
+    EXPECT_EQ(refusal(name_line(many)),
+              "settings.toml:3: 'name': a name has at most 16 characters, not 10000");
+    EXPECT_EQ(refusal(name_line("0123456789abcdefg")),
+              "settings.toml:3: 'name': a name has at most 16 characters, not 17");
+    const std::string odd =
+        "settings.toml:3: 'name': character 2 cannot be shown; use Latin, Greek or Cyrillic letters, digits "
+        "and "
+        "signs";
+    // Control characters, Hebrew, Arabic, a mark that joins a letter, writing from right to left, an emoji, no
+    // width, and a soft hyphen.
+    for (const auto* bad : {"a\\u0000", "a\\u0007", "a\\n", "a\\u007F", "aא", "aش", "a\\u0301", "a\\u202E",
+                            "a😀", "a\\u200B", "a\\u00AD"})
+        EXPECT_EQ(refusal(name_line(bad)), odd) << bad;
+    for (const auto* bytes : {"a\xFF", "a\xC3", "\xE2\x82", "a\x07"})
+        EXPECT_TRUE(refusal(name_line(bytes)).starts_with("settings.toml:3")) << refusal(name_line(bytes));
+    EXPECT_NE(refusal("[player_1]\nname = 7"), "");
+}
+
+TEST(Settings, EveryCharacterOfANameHasAGlyph) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    const auto none = font->glyph(0x10FFFF, 40).coverage;
+    int fitting = 0;
+    for (char32_t c = 1; c < 0x3000; ++c) {
+        if (!fits_name(c)) continue;
+        ++fitting;
+        EXPECT_NE(font->glyph(c, 40).coverage, none) << static_cast<std::uint32_t>(c);
+    }
+    EXPECT_GT(fitting, 900);
+}
+
+TEST(Settings, ATypedNameGrowsAndShrinksByCharacters) {
+    std::string name;
+    for (const char32_t c : std::u32string(U" Zo\u00EB\n \u05D0x")) name = with_character(name, c);
+    EXPECT_EQ(name, "Zoë x");
+    for (int i = 0; i < 30; ++i) name = with_character(name, U'\u0416');
+    EXPECT_EQ(render::decode_utf8(name).size(), longest_name);
+    EXPECT_TRUE(player_name(name));
+    for (std::size_t i = 0; i < longest_name; ++i) name = without_last(name);
+    EXPECT_EQ(without_last(name), "");
+}
+
 // ---- writing ----------------------------------------------------------------------------------------------
+
+template <class Of>
+void change_all(std::span<const SettingOf<Of>> settings, Of& values) {
+    for (const auto& setting : settings) {
+        const auto before = written(setting, values);
+        change(setting, values, 1);
+        if (written(setting, values) == before) change(setting, values, -1);
+    }
+}
 
 /// Settings in which every value differs from its default.
 Settings all_different() {
     Settings s;
-    for (const auto& setting : all_settings()) {
-        const auto before = written(setting, s);
-        change(setting, s, 1);
-        if (written(setting, s) == before) change(setting, s, -1);
-    }
+    change_all(all_settings(), s);
+    for (auto& player : s.players) change_all(player_settings(), player);
+    s.players[0].name = "Zoë \"\\\" # ]";
+    s.players[1].name = "Two";
+    s.last = {.bot_level = 3, .match = "standard", .arena = "the \"well\""};
     for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
         for (std::size_t i = 0; i < s.cauldron[p].size(); ++i)
             s.cauldron[p][i] = {.share = static_cast<double>(i + p) / 20, .on = (i + p) % 2 == 0};
@@ -242,10 +329,10 @@ TEST(SettingsWriter, ALinkStaysALink) {
     ASSERT_TRUE(write_text_file(folder / "real.toml", documented()));
     std::filesystem::create_symlink("real.toml", folder / "settings.toml");
     auto wanted = Settings{};
-    wanted.invert_y = true;
+    wanted.players[1].invert_y = true;
     ASSERT_TRUE(save_changes(folder / "settings.toml", {}, wanted));
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "settings.toml"));
-    EXPECT_TRUE(load_settings(folder / "real.toml", assets)->invert_y);
+    EXPECT_TRUE(load_settings(folder / "real.toml", assets)->players[1].invert_y);
 }
 
 /// Bytes of the documented file are removed, doubled or changed. The editor must refuse the result, or
@@ -290,10 +377,15 @@ TEST(SettingsScreen, StepsStayInRangeAndRound) {
         }
         return Setting{};
     };
-    change(setting("sensitivity"), s, -14);
-    EXPECT_EQ(written(setting("sensitivity"), s), "0.3");
-    change(setting("sensitivity"), s, -1000);
-    EXPECT_EQ(s.sensitivity, 0.05);
+    PlayerSettings player;
+    const auto& speed = *std::find_if(player_settings().begin(), player_settings().end(),
+                                      [](const auto& one) { return one.key == "sensitivity"; });
+    change(speed, player, -14);
+    EXPECT_EQ(written(speed, player), "0.3");
+    change(speed, player, -1000);
+    EXPECT_EQ(player.sensitivity, 0.05);
+    reset(speed, player);
+    EXPECT_EQ(player, PlayerSettings{});
     change(setting("text_scale"), s, 1);
     EXPECT_EQ(shown(setting("text_scale"), s), "125 %");
     change(setting("text_scale"), s, 100);

@@ -1,0 +1,299 @@
+#include "game/app/menu_rows.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "game/bots/dummy.h"
+
+namespace thaum::app {
+
+using input::Control;
+
+std::size_t joined(const MenuState& s) {
+    return static_cast<std::size_t>(
+        std::count_if(s.seats.begin(), s.seats.end(), [](const auto& seat) { return seat.has_value(); }));
+}
+
+namespace {
+
+using Rows = std::vector<Row>;
+
+void add_back_row(Rows& rows) {
+    rows.push_back({RowKind::back, 0, {.label = "Back", .help = "Returns to the page before."}});
+}
+
+void add_defaults_row(Rows& rows) {
+    rows.push_back({RowKind::defaults,
+                    0,
+                    {.label = "Reset to defaults", .help = "Sets every value of this page to its default."}});
+}
+
+void add_page_rows(Rows& rows) {
+    rows.push_back({RowKind::controls,
+                    0,
+                    {.label = "Controls", .help = "Shows and changes which key or button does what."}});
+    rows.push_back({RowKind::settings,
+                    0,
+                    {.label = "Settings", .help = "Changes picture, words, look, forces and recordings."}});
+}
+
+// Start and pause -------------------------------------------------------------------------------------------
+
+std::string duel_label(const MenuState& s) {
+    switch (joined(s)) {
+        case 0: return "Duel: press any button to join";
+        case 1: return "Start against the bot";
+        default: return "Start the duel";
+    }
+}
+
+void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    rows.push_back({RowKind::level,
+                    0,
+                    {.label = "Bot",
+                     .help = "Sets how well the bot plays, which takes a seat that nobody joins.",
+                     .value = text("level ", context.levels[s.level]),
+                     .adjustable = context.levels.size() > 1,
+                     .dim = joined(s) == game::players}});
+    if (context.rules.size() > 1) {
+        rows.push_back({RowKind::rules,
+                        0,
+                        {.label = "Match",
+                         .help = "Sets how many kills win, and how long a round lasts.",
+                         .value = context.rules[s.rules].label,
+                         .adjustable = true}});
+    }
+    if (context.arenas.size() > 1) {
+        rows.push_back({RowKind::arena,
+                        0,
+                        {.label = "Arena",
+                         .help = "Sets the place of the duel, which is shown behind this menu.",
+                         .value = context.arenas[s.arena].label,
+                         .adjustable = true}});
+    }
+}
+
+void add_apprentice_row(Rows& rows) {
+    rows.push_back({RowKind::apprentice,
+                    0,
+                    {.label = "Apprentice (3 min)",
+                     .help = "Teaches one player everything, step by step. Leave it at any time."}});
+}
+
+void add_start_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    if (context.first_start) add_apprentice_row(rows);
+    rows.push_back(
+        {RowKind::duel,
+         0,
+         {.label = duel_label(s), .help = "The first press of a device joins, and the next one starts."}});
+    add_choice_rows(s, context, rows);
+    if (!context.first_start) add_apprentice_row(rows);
+    rows.push_back({RowKind::range,
+                    0,
+                    {.label = "Range: practise on a dummy",
+                     .help = "Plays alone, without an end and without a recording."}});
+    add_page_rows(rows);
+    rows.push_back({RowKind::quit, 0, {.label = "Quit", .help = "Ends the program."}});
+}
+
+void add_range_rows(const MenuState& s, Rows& rows) {
+    rows.push_back({RowKind::dummy,
+                    0,
+                    {.label = "Dummy",
+                     .help = "Lets the dummy stand still, walk to and fro, or shoot back.",
+                     .value = std::string(game::dummy_names[s.dummy]),
+                     .adjustable = true}});
+    rows.push_back({RowKind::energy,
+                    0,
+                    {.label = "Energy of the wands",
+                     .help = "Keeps every wand full, or lets shots use it up as in a match.",
+                     .value = s.range.endless_energy ? "endless" : "as in a match",
+                     .adjustable = true}});
+    rows.push_back({RowKind::brew,
+                    0,
+                    {.label = "Effects of the brew",
+                     .help = "Lets the brew slow, lift and scald wizards, or leave them alone.",
+                     .value = s.range.harmless_brew ? "off" : "as in a match",
+                     .adjustable = true}});
+}
+
+void add_lesson_rows(Rows& rows) {
+    rows.push_back({RowKind::skip_step,
+                    0,
+                    {.label = "Skip this step", .help = "Goes on to the next step of the Apprentice."}});
+    rows.push_back({RowKind::repeat_step,
+                    0,
+                    {.label = "Repeat this step", .help = "Begins this step of the Apprentice again."}});
+}
+
+/// Calls what the pause belongs to: "match", "range" or "Apprentice".
+std::string_view name_of_play(const MenuContext& context) {
+    if (context.apprentice) return "Apprentice";
+    return context.practice ? "range" : "match";
+}
+
+void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    rows.push_back(
+        {RowKind::go_on, 0, {.label = "Go on", .help = "Closes this menu and plays on for everybody."}});
+    if (context.apprentice)
+        add_lesson_rows(rows);
+    else if (context.practice)
+        add_range_rows(s, rows);
+    add_page_rows(rows);
+    rows.push_back(
+        {RowKind::restart,
+         0,
+         {.label = text("Restart the ", name_of_play(context)),
+          .help = context.practice ? "Puts the arena and the score back to their beginning."
+                                   : "Gives up this match and begins another with the same players."}});
+    const auto leave =
+        context.practice ? text("Leave the ", name_of_play(context)) : std::string("End this match");
+    rows.push_back({RowKind::leave,
+                    0,
+                    {.label = context.ends_match ? leave : std::string("Quit"),
+                     .help = context.ends_match ? "Returns to the start screen." : "Ends the program."}});
+}
+
+// Controls --------------------------------------------------------------------------------------------------
+
+void add_sheet_rows(Rows& rows) {
+    for (std::size_t i = 0; i < sheets; ++i) {
+        const auto label = label_of_sheet(i);
+        rows.push_back({RowKind::sheet,
+                        i,
+                        {.label = label,
+                         .help = i == session_sheet ? "Shows and changes the keys that belong to no player."
+                                                    : "Shows and changes what this device's controls do."}});
+    }
+    add_back_row(rows);
+}
+
+std::string labels_of(const std::vector<Control>& controls) {
+    std::string labels;
+    for (const auto& control : controls) labels += text(labels.empty() ? "" : ", ", label_of(control));
+    return labels.empty() ? "none" : labels;
+}
+
+void add_toggle_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    const auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled;
+    for (const auto action : input::toggle_actions) {
+        const auto index = static_cast<std::size_t>(action);
+        rows.push_back({RowKind::toggle,
+                        index,
+                        {.label = text(label_of(Slot{s.sheet, index}, context.wands), ": hold or toggle"),
+                         .help = "Hold: lasts while pressed. Toggle: one press begins, the next one ends.",
+                         .value = toggled[index] ? "toggle" : "hold",
+                         .adjustable = true}});
+    }
+}
+
+void add_binding_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    for (std::size_t action = 0; action < size_of_sheet(s.sheet); ++action) {
+        const Slot slot{s.sheet, action};
+        if (!is_listed(slot, context.wands)) continue;
+        const bool waits = s.waiting == slot;
+        rows.push_back({RowKind::action,
+                        action,
+                        {.label = label_of(slot, context.wands),
+                         .help = help_of(slot, context.wands),
+                         .value = waits ? (is_pad_sheet(s.sheet) ? "press it on the pad ..." : "press it ...")
+                                        : labels_of(controls_of(s.settings, slot))}});
+    }
+    if (s.sheet != session_sheet) add_toggle_rows(s, context, rows);
+    rows.push_back({RowKind::undo,
+                    0,
+                    {.label = "Undo the last change",
+                     .help = "Brings the controls back that the last change took away.",
+                     .dim = !s.undo}});
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+// Settings --------------------------------------------------------------------------------------------------
+
+template <class Of>
+Row row_of(RowKind kind, std::size_t index, const SettingOf<Of>& setting, const Of& values) {
+    return {kind,
+            index,
+            {.label = std::string(setting.label),
+             .help = std::string(setting.help),
+             .value = shown(setting, values),
+             .adjustable = true},
+            setting.next_match};
+}
+
+void add_setting_rows(const MenuState& s, Rows& rows) {
+    const auto settings = all_settings();
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        rows.push_back(row_of(RowKind::setting, i, settings[i], s.settings));
+    rows.push_back({RowKind::player_page,
+                    0,
+                    {.label = "Each player's own settings",
+                     .help = "Changes a player's name, captions, look and forces."}});
+    rows.push_back(
+        {RowKind::cauldron,
+         0,
+         {.label = "Cauldron feedback", .help = "Changes what each player's hand feels of the brew."}});
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+void add_whose_row(const MenuState& s, std::string label, Rows& rows) {
+    rows.push_back({RowKind::player,
+                    0,
+                    {.label = std::move(label),
+                     .help = "Shows this page for the other player.",
+                     .value = player_words(s.settings, s.player),
+                     .adjustable = true}});
+}
+
+void add_player_rows(const MenuState& s, Rows& rows) {
+    const auto& player = s.settings.players[s.player];
+    const auto& team = player.name.empty() ? std::string("none") : player.name;
+    add_whose_row(s, "Whose settings", rows);
+    rows.push_back({RowKind::name,
+                    0,
+                    {.label = "Name",
+                     .help = "Stands on the screen instead of the team's name.",
+                     .value = s.typing ? text(*s.typing, "_") : team}});
+    const auto settings = player_settings();
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        rows.push_back(row_of(RowKind::player_setting, i, settings[i], player));
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+void add_cauldron_rows(const MenuState& s, Rows& rows) {
+    add_whose_row(s, "Whose hand", rows);
+    const auto& faders = s.settings.cauldron[s.player];
+    for (std::size_t i = 0; i < faders.size(); ++i) {
+        rows.push_back({RowKind::fader,
+                        i,
+                        {.label = std::string(label_of_fader(i)),
+                         .help = std::string(effect_of_fader(i)),
+                         .value = shown(faders[i]),
+                         .adjustable = true,
+                         .dim = !faders[i].on},
+                        true});
+    }
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+}  // namespace
+
+std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
+    Rows rows;
+    switch (s.pages.back().page) {
+        case Page::start: add_start_rows(s, context, rows); break;
+        case Page::pause: add_pause_rows(s, context, rows); break;
+        case Page::sheets: add_sheet_rows(rows); break;
+        case Page::bindings: add_binding_rows(s, context, rows); break;
+        case Page::settings: add_setting_rows(s, rows); break;
+        case Page::player: add_player_rows(s, rows); break;
+        case Page::cauldron: add_cauldron_rows(s, rows); break;
+    }
+    return rows;
+}
+
+}  // namespace thaum::app

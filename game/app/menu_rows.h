@@ -1,0 +1,54 @@
+// game/app/menu_rows.h: the rows of the menu's pages, with their words and values. menu.cpp acts on them, and
+// menu_picture.cpp shows them.
+#pragma once
+#include "game/app/menu.h"
+
+namespace thaum::app {
+
+enum class RowKind : std::uint8_t {
+    duel,
+    level,
+    rules,
+    arena,
+    range,
+    apprentice,
+    skip_step,
+    repeat_step,
+    dummy,
+    energy,
+    brew,
+    controls,
+    settings,
+    quit,
+    go_on,
+    restart,
+    leave,
+    sheet,
+    action,
+    toggle,
+    defaults,
+    undo,
+    setting,
+    player_page,
+    player,
+    name,
+    player_setting,
+    cauldron,
+    fader,
+    back,
+};
+
+struct Row {
+    RowKind kind{};
+    std::size_t index = 0;  ///< index of the setting, action, sheet or fader
+    game::MenuRow look;
+    bool next_match = false;  ///< true: a change takes effect with the next match
+};
+
+/// Rows of the page that is shown.
+std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
+
+/// Number of players who have joined.
+std::size_t joined(const MenuState& state);
+
+}  // namespace thaum::app

@@ -1,0 +1,24 @@
+// game/app/player_name.h: names that players give themselves. They hold letters, digits and signs that the game's
+// typeface has and that are written from left to right, so a name is drawn as it was typed.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace thaum::app {
+
+inline constexpr std::size_t longest_name = 16;  ///< characters
+
+/// Whether a name may hold the character.
+bool fits_name(char32_t character);
+
+/// A name without spaces at its ends; empty if nothing is left. The error says what is wrong with it.
+Expected<std::string> player_name(std::string_view utf8);
+
+/// Name with one more typed character, or the same name if it does not fit.
+std::string with_character(std::string name, char32_t character);
+/// Name without its last character.
+std::string without_last(std::string name);
+
+}  // namespace thaum::app

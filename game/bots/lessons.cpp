@@ -1,0 +1,165 @@
+// Reads the lessons of the Apprentice (game/bots/apprentice.h).
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/bots/apprentice.h"
+#include "game/data/control_words.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr auto lessons_file = "apprentice.toml";
+constexpr double farthest = 500;  ///< limit of coordinates (m)
+constexpr double longest = 600;   ///< limit of times (s)
+
+/// A condition of one number, as the file names it.
+struct NumberCondition {
+    std::string_view key;
+    ConditionKind kind;
+    double least, most, unit;
+};
+constexpr NumberCondition number_conditions[] = {
+    {"moved_m", ConditionKind::moved, 0.1, farthest, 1},
+    {"turned_deg", ConditionKind::turned, 1, 36000, radians_per_degree},
+    {"readiness", ConditionKind::readiness, 0.01, 1, 1},
+    {"lifted_s", ConditionKind::lifted, 0.01, longest, 1},
+    {"guarded_s", ConditionKind::guarded, 0.01, longest, 1},
+    {"hung_s", ConditionKind::hung, 0.01, longest, 1},
+    {"carried_s", ConditionKind::carried, 0.01, longest, 1},
+    {"stirred_s", ConditionKind::stirred, 0.01, longest, 1},
+};
+
+/// A key that belongs to a condition, and the key of that condition.
+struct Companion {
+    std::string_view key, of;
+};
+constexpr Companion companions[] = {{"count", "event"}, {"within_m", "near"}, {"wand", "readiness"}};
+
+std::vector<std::string_view> wand_names() {
+    std::vector<std::string_view> names;
+    for (const auto& wand : wand_kinds()) names.push_back(wand.name);
+    std::sort(names.begin(), names.end());  // the linker decides on the order of wands
+    return names;
+}
+
+bool is_condition(std::string_view key) {
+    return key == "event" || key == "near" ||
+           std::any_of(std::begin(number_conditions), std::end(number_conditions),
+                       [&](const auto& c) { return c.key == key; });
+}
+
+/// Reports keys that are no condition, and keys without the condition that they belong to.
+void check_keys(const ConfigTable& table) {
+    std::string all;
+    for (const auto& condition : number_conditions) all += text(condition.key, ", ");
+    for (const auto& key : table.keys()) {
+        if (is_condition(key) || key == "soon_s") continue;
+        const auto* companion = std::find_if(std::begin(companions), std::end(companions),
+                                             [&](const auto& c) { return c.key == key; });
+        if (companion == std::end(companions))
+            table.report(key, text("unknown goal '", key, "': must be one of ", all, "event, near"));
+        else if (!table.has(companion->of))
+            table.report(key, text("'", key, "' needs '", companion->of, "' beside it"));
+    }
+}
+
+std::optional<LessonPlace> read_place(const ConfigTable& places, const ConfigTable& table,
+                                      std::string_view key) {
+    if (!table.has(key)) return {};
+    const auto name = table.string(key);
+    if (!places.has(name)) {
+        table.report(key, text("'", key, "': no place '", name, "' in the table [place]"));
+        return {};
+    }
+    const auto place = places.table(name);
+    return LessonPlace{.feet = place.vector("position", {-farthest, farthest}),
+                       .yaw = place.number("yaw_deg", {-180, 180}, 0) * radians_per_degree};
+}
+
+Condition read_event(const ConfigTable& table) {
+    const auto name = table.string("event");
+    const auto kind = event_kind(name);
+    if (!kind || *kind == EventKind::none) table.report("event", text("unknown event '", name, "'"));
+    return {.kind = ConditionKind::event,
+            .amount = static_cast<double>(table.integer("count", {1, 1000}, 1)),
+            .event = kind.value_or(EventKind::none)};
+}
+
+Deed read_deed(const ConfigTable& places, const ConfigTable& table) {
+    Deed deed;
+    check_keys(table);
+    for (const auto& number : number_conditions) {
+        if (!table.has(number.key)) continue;
+        deed.conditions.push_back(
+            {.kind = number.kind,
+             .amount = table.number(number.key, {number.least, number.most}) * number.unit});
+        if (number.kind != ConditionKind::readiness) continue;
+        const auto wands = wand_names();
+        deed.conditions.back().wand = wands[table.choice("wand", wands)];
+    }
+    if (table.has("event")) deed.conditions.push_back(read_event(table));
+    if (table.has("near")) {
+        const auto place = read_place(places, table, "near").value_or(LessonPlace{});
+        deed.conditions.push_back({.kind = ConditionKind::near,
+                                   .amount = table.number("within_m", {0.1, farthest}),
+                                   .place = place.feet});
+    }
+    if (table.has("soon_s")) deed.soon = ticks(table.number("soon_s", {0.1, longest}));
+    if (deed.conditions.empty()) table.report("", "a deed needs a condition, such as moved_m = 5");
+    return deed;
+}
+
+std::string read_text(const ConfigTable& table, std::string_view key) {
+    auto words = read_control_words(table, key, wand_names());
+    std::istringstream in(words);
+    const auto count = std::distance(std::istream_iterator<std::string>(in), {});
+    if (static_cast<std::size_t>(count) > most_lesson_words)
+        table.report(key, text("'", key, "' has ", count, " words: at most ", most_lesson_words));
+    return words;
+}
+
+LessonStep read_step(const ConfigTable& places, const ConfigTable& table) {
+    LessonStep step;
+    step.name = table.string("name");
+    step.words = read_text(table, "text");
+    step.hint = read_text(table, "hint");
+    step.player = read_place(places, table, "player");
+    step.dummy = read_place(places, table, "dummy");
+    step.dummy_kind =
+        static_cast<DummyKind>(table.choice("dummy_does", {dummy_names.begin(), dummy_names.end()}, 0));
+    for (const auto& deed : table.tables("goal")) step.deeds.push_back(read_deed(places, deed));
+    if (step.deeds.empty()) table.report("goal", "a step needs a goal: a list with at least one deed");
+    return step;
+}
+
+}  // namespace
+
+Expected<Lessons> parse_lessons(std::string_view toml, std::string name) {
+    const auto file = Config::parse(toml, std::move(name), 1);
+    if (!file) return tl::unexpected(file.error());
+    const auto root = file->root();
+    Lessons lessons{
+        .arena = root.string("arena"), .end = read_control_words(root, "end", wand_names()), .steps = {}};
+    const auto places = root.table("place");
+    for (const auto& table : root.tables("step")) {
+        auto step = read_step(places, table);
+        const auto same = [&](const LessonStep& other) { return other.name == step.name; };
+        if (std::any_of(lessons.steps.begin(), lessons.steps.end(), same))
+            table.report("name", text("a second step has the name '", step.name, "': give it another one"));
+        lessons.steps.push_back(std::move(step));
+    }
+    if (lessons.steps.empty()) root.report("", "the course needs at least one [[step]]");
+    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    return lessons;
+}
+
+Expected<Lessons> load_lessons(const std::filesystem::path& assets) {
+    const auto source = read_text_file(assets / lessons_file, 1U << 16U);
+    if (!source) return tl::unexpected(source.error());
+    return parse_lessons(*source, lessons_file);
+}
+
+}  // namespace thaum::game

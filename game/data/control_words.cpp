@@ -1,0 +1,66 @@
+#include "game/data/control_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+/// Names of all controls but the wands, in the order of ControlWord.
+constexpr std::array<std::string_view, 8> control_names{"move", "look",  "jump",      "fire",
+                                                        "stir", "throw", "next_wand", "pause"};
+constexpr std::string_view wand_prefix = "wand:";
+
+/// The control between two braces; std::nullopt for an unknown one.
+std::optional<ControlPiece> control_of(std::string_view name) {
+    if (name.starts_with(wand_prefix) && name.size() > wand_prefix.size())
+        return ControlPiece{{}, ControlWord::wand, std::string(name.substr(wand_prefix.size()))};
+    const auto* found = std::find(control_names.begin(), control_names.end(), name);
+    if (found == control_names.end()) return {};
+    return ControlPiece{{}, static_cast<ControlWord>(found - control_names.begin()), {}};
+}
+
+bool is_sound(const ControlPiece& piece, const std::vector<std::string_view>& wands) {
+    if (piece.plain.find_first_of("{}") != std::string::npos) return false;
+    return piece.word != ControlWord::wand ||
+           std::find(wands.begin(), wands.end(), piece.wand) != wands.end();
+}
+
+}  // namespace
+
+std::vector<ControlPiece> control_pieces_of(std::string_view pattern) {
+    std::vector<ControlPiece> pieces(1);
+    while (!pattern.empty()) {
+        const auto close = pattern.front() == '{' ? pattern.find('}') : std::string_view::npos;
+        const auto control =
+            close == std::string_view::npos ? std::nullopt : control_of(pattern.substr(1, close - 1));
+        if (control) {
+            pieces.back().word = control->word;
+            pieces.back().wand = control->wand;
+            pieces.emplace_back();
+            pattern.remove_prefix(close + 1);
+        } else {
+            pieces.back().plain += pattern.front();
+            pattern.remove_prefix(1);
+        }
+    }
+    return pieces;
+}
+
+std::string read_control_words(const ConfigTable& table, std::string_view key,
+                               const std::vector<std::string_view>& wands) {
+    auto words = table.string(key);
+    const auto pieces = control_pieces_of(words);
+    if (!std::all_of(pieces.begin(), pieces.end(), [&](const auto& p) { return is_sound(p, wands); })) {
+        std::string all;
+        for (const auto name : control_names) all += text("{", name, "}, ");
+        for (const auto name : wands)
+            all += text(name == wands.front() ? "" : ", ", "{", wand_prefix, name, "}");
+        table.report(key, text("'", key, "' may contain ", all));
+    }
+    return words;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,259 @@
+// A scripted player does the whole Apprentice. The player acts by device samples alone, as a person does, and each
+// step must be open until its deed is done.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "core/text.h"
+#include "game/app/live_practice.h"
+#include "game/bots/aim.h"
+#include "game/bots/senses.h"
+#include "game/bots/stirring.h"
+#include "game/components/cauldron.h"
+
+namespace thaum::app {
+namespace {
+
+using game::practising;
+using input::Button;
+using input::DeviceSample;
+namespace hand = input::hand;
+
+const std::filesystem::path assets_folder = THAUM_SOURCE_DIR "/assets";
+
+/// What the player sees, and the sample that the player gives.
+struct Player {
+    Practice& practice;
+    Tick tick;  ///< ticks since the player began with the step
+    DeviceSample sample{};
+
+    const game::Simulation& match() const { return practice.match(); }
+    game::Self self(double readiness = 0) const { return game::self_of(match(), practising, readiness); }
+    vec3 place_of(std::uint32_t player) const {
+        const auto& world = match().world();
+        return world.get<game::Motion>(game::wizard_of(world, player)).position;
+    }
+    std::uint32_t slot_of(std::string_view name) const {
+        for (const auto& wand : match().data().wands)
+            if (wand.kind->name == name) return wand.stats.slot;
+        ADD_FAILURE() << "no wand " << name;
+        return 0;
+    }
+    /// Turns the view towards a direction. Returns whether it is reached.
+    bool look(game::Aim aim) {
+        const auto me = self();
+        const double left = game::angle_between(me.yaw, aim.yaw), up = aim.pitch - me.pitch;
+        const auto counts = [](double angle) {
+            return std::clamp(static_cast<std::int32_t>(std::lround(0.05 * angle / game::rad_per_count)), -4,
+                              4);
+        };
+        sample.counts[hand::look_right] = -counts(left);
+        sample.counts[hand::look_up] = counts(up);
+        return std::abs(left) < 0.02 && std::abs(up) < 0.02;
+    }
+    bool look_at(vec3 place) { return look(game::aim_at(self().eye, place)); }
+    void walk_to(vec3 place) {
+        look_at({place.x, self().eye.y, place.z});
+        sample.counts[hand::forward] = 127;
+    }
+    void hold_fire() {
+        sample.press(Button::fire);
+        sample.counts[hand::trigger] = 255;
+    }
+    /// Presses the key of a wand until it is in hand. Returns whether it is.
+    bool take(std::string_view wand) {
+        const auto slot = slot_of(wand);
+        if (self().wand == slot) return true;
+        sample.wand = static_cast<std::uint8_t>(slot + 1);
+        return false;
+    }
+};
+
+void walk_and_look(Player& p) {
+    p.sample.counts[hand::strafe] = p.tick / 1500 % 2 == 0 ? 127 : -127;
+    p.sample.counts[hand::look_right] = 2;
+}
+
+void shoot_bolts(Player& p) {
+    if (p.take("bolt") && p.look_at(p.place_of(game::dummys))) p.hold_fire();
+}
+
+/// Holds fire until the wand is ready, aims, and lets go.
+void ready_and_shoot(Player& p, std::string_view wand, double readiness) {
+    if (!p.take(wand)) return;
+    const auto me = p.self(readiness);
+    const bool aims = p.look(game::aim_of_shot(me, p.place_of(game::dummys)));
+    if (me.readiness < readiness || !aims) p.hold_fire();
+}
+
+/// Takes the small crate up and keeps it before the dummy.
+void lift_and_block(Player& p) {
+    if (!p.take("lift")) return;
+    const auto me = p.self();
+    if (me.held) {
+        p.hold_fire();
+        p.look_at(p.place_of(game::dummys) + vec3(0, 0.3, 0));
+    } else if (p.look_at({10, 1.05, 4.5}) && p.tick % 400 < 300) {
+        p.hold_fire();
+    }
+}
+
+void swing_over(Player& p) {
+    const vec3 anchor(-4, 7, 9), beyond(-4, 1.5, 25);
+    const auto me = p.self();
+    const bool passed = me.centre.z > anchor.z + 2.2;
+    if (!p.take("swing")) return;
+    if (passed || me.held) p.walk_to(beyond);
+    if (passed) return;
+    if (me.held || p.look_at(anchor)) p.hold_fire();
+}
+
+void fetch_ingredient(Player& p) { p.walk_to({7, 0, 0}); }
+
+void brew(Player& p) {
+    const auto& world = p.match().world();
+    const auto wizard = game::wizard_of(world, practising);
+    if (!world.has<game::Ladle>(wizard) && p.self().centre.x > 2.3) return p.walk_to({0, 0, 0});
+    game::stir_hand(p.tick, p.sample);
+    if (world.has<game::Pouch>(wizard) && p.tick % 200 < 100) p.hold_fire();
+}
+
+const std::map<std::string, void (*)(Player&)> ways_to_do{
+    {"Look and move", walk_and_look},
+    {"Bolt", shoot_bolts},
+    {"Blast", [](Player& p) { ready_and_shoot(p, "blast", 0.97); }},
+    {"Lob", [](Player& p) { ready_and_shoot(p, "lob", 0.8); }},
+    {"Lift", lift_and_block},
+    {"Swing", swing_over},
+    {"Ingredient", fetch_ingredient},
+    {"Brew", brew}};
+
+class ApprenticeCourse : public testing::Test {
+protected:
+    static Practice make() {
+        const auto lessons = game::load_lessons(assets_folder);
+        EXPECT_TRUE(lessons) << (lessons ? "" : lessons.error().message);
+        game::DataChoice choice;
+        choice.arena = lessons->arena;
+        const auto data = game::load_range(assets_folder, choice);
+        EXPECT_TRUE(data) << (data ? "" : data.error().message);
+        return {*data, {game::bot_device(practising, 1)}, game::DummyKind::still, 1, *lessons};
+    }
+    void tick(const DeviceSample& sample) {
+        input::InputFrame frame;
+        frame.devices[practising] = sample;
+        frame.devices[game::dummys] = practice_.dummy_sample();
+        practice_.match().tick(frame);
+        practice_.follow_lessons();
+    }
+    game::Apprentice& course() { return *practice_.apprentice(); }
+    std::string step_name() { return course().is_over() ? "" : course().lessons().steps[course().at()].name; }
+    void wait(Tick duration) {
+        for (Tick t = 0; t < duration; ++t) tick({});
+    }
+    /// Plays until the step is done. Returns the ticks that it took; at most `limit`.
+    Tick do_step(void (*way)(Player&), Tick limit) {
+        Tick t = 0;
+        for (; t < limit && !course().is_done(); ++t) {
+            Player player{practice_, t};
+            way(player);
+            tick(player.sample);
+        }
+        return t;
+    }
+
+    Practice practice_ = make();
+};
+
+TEST_F(ApprenticeCourse, AScriptedPlayerDoesItAll) {
+    const auto count = course().lessons().steps.size();
+    for (std::size_t step = 0; step < count; ++step) {
+        ASSERT_EQ(course().at(), step);
+        const auto name = step_name();
+        wait(ticks(1.0));
+        ASSERT_FALSE(course().is_done()) << name << " is done although nothing was done";
+        ASSERT_EQ(ways_to_do.count(name), 1U) << "the script does not know the step " << name;
+        const auto took = do_step(ways_to_do.at(name), ticks(60.0));
+        ASSERT_TRUE(course().is_done()) << name << ": " << course().share() << " after " << took << " ticks";
+        std::printf("%s: %llu ticks\n", name.c_str(), static_cast<unsigned long long>(took));
+        wait(ticks(1.6));
+    }
+    EXPECT_TRUE(course().is_over());
+    const auto all = practice_.match().now();
+    std::printf("the whole course: %llu ticks\n", static_cast<unsigned long long>(all));
+    EXPECT_LT(all, ticks(480.0));
+}
+
+TEST_F(ApprenticeCourse, AnotherDeedThanTheStepsIsNotEnough) {
+    while (step_name() != "Blast") course().skip();
+    const auto uncharged = [](Player& p) {
+        if (p.take("blast") && p.look_at(p.place_of(game::dummys)) && p.tick % 800 < 500) p.hold_fire();
+    };
+    do_step(uncharged, ticks(10.0));
+    EXPECT_FALSE(course().is_done()) << "the blasts are not charged";
+    do_step(shoot_bolts, ticks(3.0));
+    EXPECT_FALSE(course().is_done()) << "the bolts are no blasts";
+    EXPECT_LT(course().share(), 0.5);
+    do_step(ways_to_do.at("Blast"), ticks(10.0));
+    EXPECT_TRUE(course().is_done());
+}
+
+TEST_F(ApprenticeCourse, ADeedThatComesTooLateBeginsTheStepAgain) {
+    while (step_name() != "Blast") course().skip();
+    const auto charge = [](Player& p) {
+        if (p.take("blast")) p.hold_fire();
+        p.look({p.self().yaw, 1.2});
+    };
+    do_step(charge, ticks(3.0));
+    EXPECT_GE(course().share(), 0.5) << "the wand is charged";
+    wait(ticks(7.0));
+    EXPECT_LT(course().share(), 0.1) << "the blast flew into the sky";
+}
+
+TEST_F(ApprenticeCourse, PutsThePlayerToTheStepsPlaceAgainAfterADeath) {
+    while (step_name() != "Swing") course().skip();
+    wait(16);
+    const auto place = course().lessons().steps[course().at()].player->feet;
+    const auto feet_off = [&] {
+        const auto& world = practice_.match().world();
+        const auto centre = world.get<game::Motion>(game::wizard_of(world, practising)).position;
+        return std::hypot(centre.x - place.x, centre.z - place.z);
+    };
+    EXPECT_LT(feet_off(), 0.1);
+    auto& world = practice_.match().world_to_change();
+    world.get<game::Health>(game::wizard_of(world, practising)).points = 0;
+    wait(ticks(1.0));
+    EXPECT_TRUE(world.has<game::Dead>(game::wizard_of(world, practising)));
+    wait(ticks(6.0));
+    EXPECT_FALSE(world.has<game::Dead>(game::wizard_of(world, practising)));
+    EXPECT_LT(feet_off(), 0.1);
+}
+
+TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
+    const auto picture = [&] {
+        auto all = game::make_picture();
+        game::take_picture(practice_.match(), all);
+        practice_.show(all);
+        return all.practice;
+    };
+    wait(16);
+    EXPECT_EQ(picture().score, "1 of 8: Look and move, 0 %");
+    do_step(walk_and_look, 500);
+    EXPECT_GT(course().share(), 0.1);
+    course().repeat();
+    wait(16);
+    EXPECT_LT(course().share(), 0.05) << "the step begins again";
+    EXPECT_EQ(course().at(), 0U);
+    course().skip();
+    wait(16);
+    EXPECT_EQ(picture().lesson, course().lessons().steps[1].words);
+    EXPECT_EQ(picture().score, "2 of 8: Bolt, 0 %");
+    for (int i = 0; i < 20; ++i) course().skip();
+    wait(16);
+    EXPECT_EQ(picture().lesson, course().lessons().end);
+    course().repeat();
+    EXPECT_TRUE(course().is_over());
+}
+
+}  // namespace
+}  // namespace thaum::app

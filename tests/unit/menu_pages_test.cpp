@@ -1,0 +1,304 @@
+// Tests of menus: the pages of settings, random events on all pages, the rows' help, and the places where rows are
+// drawn and clicked.
+#include <utility>
+
+#include "core/random.h"
+#include "render/font.h"
+#include "unit/menu_rig.h"
+
+namespace thaum::app::menu_tests {
+namespace {
+
+// ---- settings ---------------------------------------------------------------------------------------------
+
+TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
+    auto s = choose(start_page(), "Settings");
+    const auto count = picture_of(s, context()).rows.size();
+    EXPECT_EQ(count, all_settings().size() + 4) << "two pages of players, reset and back";
+    for (std::size_t i = 0; i < all_settings().size(); ++i) {
+        const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
+        const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
+        auto changed = step(s, more, context());
+        // The value was at the end of its range.
+        if (changed.settings == s.settings) changed = step(s, less, context());
+        const auto edits = changes(s.settings, changed.settings);
+        ASSERT_EQ(edits.size(), 1U) << all_settings()[i].key;
+        EXPECT_EQ(edits[0].key, all_settings()[i].key);
+        EXPECT_EQ(edits[0].table, "");
+    }
+    EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
+}
+
+TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
+    auto s = choose(start_page(), "Settings");
+    s.settings.players[0].name = "Zoë";
+    s.settings.last.match = "standard";
+    s.settings.cauldron[1][0].on = false;
+    s.settings.session[0].clear();
+    const auto kept = s.settings;
+    for (const auto& setting : all_settings()) change(setting, s.settings, 1);
+    EXPECT_NE(s.settings, kept);
+    s = choose(s, "Reset to defaults");
+    EXPECT_EQ(s.settings, kept);
+    EXPECT_EQ(s.note, "settings of this page reset to defaults");
+}
+
+// ---- a player's own settings ------------------------------------------------------------------------------
+
+TEST(PlayerPage, EveryRowChangesTheSettingOfThePlayerShown) {
+    auto s = player_page();
+    EXPECT_EQ(value_of(s, "Whose settings"), "player 1");
+    for (const std::size_t player : {0UL, 1UL}) {
+        for (const auto& setting : player_settings()) {
+            auto changed = choose(s, setting.label, Kind::right);
+            if (changed.settings == s.settings) changed = choose(s, setting.label, Kind::left);
+            const auto edits = changes(s.settings, changed.settings);
+            ASSERT_EQ(edits.size(), 1U) << setting.key;
+            EXPECT_EQ(edits[0].key, setting.key);
+            EXPECT_EQ(edits[0].table, player_tables[player]);
+        }
+        s = choose(s, "Whose settings", Kind::right);
+    }
+}
+
+TEST(PlayerPage, ResetsThePlayerShown) {
+    auto s = player_page();
+    s.settings.players[0].name = s.settings.players[1].name = "Zoë";
+    s = choose(choose(s, "Whose settings", Kind::right), "Reset to defaults");
+    EXPECT_EQ(s.settings.players[0].name, "Zoë");
+    EXPECT_EQ(s.settings.players[1], PlayerSettings{});
+    EXPECT_EQ(value_of(s, "Whose settings"), "player 2");
+}
+
+TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
+    auto s = choose(player_page(), "Name");
+    for (const char32_t c : std::u32string(U"Zoë"))
+        s = step(s, {.kind = Kind::character, .device = keyboard, .typed = c}, context());
+    EXPECT_EQ(picture_of(s, context()).hint, "type the name    Enter: take it    Esc: leave it as it was");
+    EXPECT_EQ(with(s, Kind::down).typing, s.typing) << "nothing else happens meanwhile";
+    s = with(s, Kind::confirm);
+    EXPECT_EQ(value_of(s, "Whose settings"), "Zoë");
+    EXPECT_EQ(value_of(s, "Name"), "Zoë");
+    s = with(opened(s, Page::start), Kind::other, first_pad);
+    EXPECT_EQ(picture_of(s, context()).seats[0].head, "Zoë: joined");
+    EXPECT_EQ(picture_of(s, context()).seats[1].head, "Player 2");
+}
+
+// ---- the cauldron -----------------------------------------------------------------------------------------
+
+constexpr std::string_view cauldron_row = "Cauldron feedback";
+
+TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
+    const auto fresh = cauldron_page();
+    EXPECT_EQ(picture_of(fresh, context()).title, "The cauldron");
+    EXPECT_NE(picture_of(fresh, context()).hint.find("applies from the next match"), std::string::npos);
+    for (std::size_t player = 0; player < 2; ++player) {
+        for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
+            const auto label = label_of_fader(i);
+            auto s = fresh;
+            for (std::size_t p = 0; p < player; ++p) s = choose(s, "Whose hand", Kind::right);
+            s = choose(choose(s, label, Kind::left), label, Kind::left);
+            EXPECT_EQ(value_of(s, label), "90 %");
+            EXPECT_EQ(picture_of(s, context()).rows[row_named(s, label)].help, effect_of_fader(i));
+            s = choose(s, label);
+            EXPECT_EQ(value_of(s, label), "off (90 %)");
+            EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, label)].dim);
+            const auto name = std::string(haptics::fluid_modes[i].name);
+            const std::string table(cauldron_tables[player]);
+            EXPECT_EQ(changes({}, s.settings),
+                      (std::vector<SettingEdit>{{table, name, "0.9"}, {table, "off", '"' + name + '"'}}));
+            s = choose(s, label, Kind::right);
+            EXPECT_EQ(value_of(s, label), "off (95 %)") << "a fader that is moved stays off";
+            s = choose(s, label);
+            EXPECT_EQ(value_of(s, label), "95 %");
+            EXPECT_EQ(choose(s, "Reset to defaults").settings, Settings{});
+        }
+    }
+    EXPECT_EQ(choose(fresh, "Back").pages.size(), 2U);
+}
+
+TEST(CauldronPage, OpensForThePlayerWhoAsks) {
+    auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
+    s = choose(opened(s, Page::pause), "Settings");
+    const auto row = row_named(s, cauldron_row);
+    const auto opened_by = [&](const Device& device) {
+        return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
+                        "Whose hand");
+    };
+    EXPECT_EQ(opened_by(first_pad), "player 1");
+    EXPECT_EQ(opened_by(keyboard), "player 2");
+    EXPECT_EQ(opened_by(second_pad), "player 1") << "a device without a seat opens the page of player 1";
+}
+
+// ---- anything at all --------------------------------------------------------------------------------------
+
+/// After random events the state can be drawn, no control is bound twice in conflict, and the settings can
+/// be written.
+TEST(MenuUnderWildHands, StaysWhole) {
+    Random dice = random_stream(7, 1);
+    const auto roll = [&](std::uint64_t n) { return static_cast<int>(dice.next() % n); };
+    auto s = start_page();
+    for (int i = 0; i < 20000; ++i) {
+        MenuEvent event{.kind = static_cast<Kind>(roll(14)),
+                        .device = {static_cast<DeviceKind>(roll(3)), roll(4)}};
+        if (roll(4) == 0) event.row = static_cast<std::size_t>(roll(60));
+        if (event.kind == Kind::control) {
+            const auto source = static_cast<Control::Source>(roll(5));
+            event.control = {source, 0, roll(2) * 2 - 1};
+            if (source == Control::Source::key)
+                event.control = key(std::string(1, static_cast<char>('a' + roll(26))));
+            if (source == Control::Source::pad_button) event.control = {source, roll(15), 0};
+            if (source == Control::Source::mouse_button) event.control = {source, roll(5), 0};
+            if (source == Control::Source::pad_axis) event.control.code = roll(6);
+        }
+        if (event.kind == Kind::character) event.typed = static_cast<char32_t>(roll(0x600));
+        s = step(std::move(s), event, context());
+        ASSERT_FALSE(s.pages.empty());
+        const auto picture = picture_of(s, context());
+        ASSERT_LT(picture.cursor, picture.rows.size());
+        ASSERT_TRUE(!s.seats[0] || s.seats[0] != s.seats[1]);
+        if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? Page::start : Page::pause);
+    }
+    const auto edited = edit_settings("version = 1\n", "s", changes({}, s.settings));
+    ASSERT_TRUE(edited) << edited.error().message;
+    EXPECT_EQ(changes(parse_settings(*edited, "s").value(), s.settings), std::vector<SettingEdit>{});
+    for (std::size_t action = 0; action < input::actions; ++action) {
+        auto again = s.settings;
+        const auto controls = controls_of(again, {0, action});
+        for (const auto& control : controls)
+            EXPECT_TRUE(assign(again, {0, action}, control).empty()) << action;
+    }
+}
+
+// ---- drawing ----------------------------------------------------------------------------------------------
+
+/// A state for each page of the menu.
+std::vector<MenuState> all_pages() {
+    auto pause = opened({}, Page::pause);
+    pause.head = "Pad 1 of Ember and pad 2 of WWWWWWWWWWWWWWWW were unplugged";
+    pause.line =
+        "plug it in and press a button on it or on another pad, or Keypad 0 for half of the keyboard";
+    std::vector<MenuState> all{start_page(),
+                               with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard),
+                               pause,
+                               choose(start_page(), "Controls"),
+                               choose(start_page(), "Settings"),
+                               player_page(),
+                               choose(player_page(), "Name"),
+                               cauldron_page()};
+    for (std::size_t sheet = 0; sheet < sheets; ++sheet) all.push_back(bindings_of(label_of_sheet(sheet)));
+    return all;
+}
+
+TEST(MenuHelp, EveryRowOfEveryPageSaysWhatItDoesInOneSentence) {
+    auto range = context();
+    range.practice = true;
+    range.arenas.push_back({"the_well", "The Well"});
+    range.wands[0] = "Bolt";
+    for (const auto& state : all_pages()) {
+        for (const auto& row : picture_of(state, range).rows) {
+            EXPECT_TRUE(row.help.ends_with('.')) << row.label << ": " << row.help;
+            EXPECT_LE(row.help.size(), 80U) << row.help;
+            EXPECT_GE(row.help.size(), 6U) << row.label;
+        }
+    }
+}
+
+struct Box {
+    fvec2 low, high;
+};
+
+/// Whether two boxes share more than the empty edge of a line.
+bool overlap(const Box& a, const Box& b) {
+    const auto shared = glm::min(a.high, b.high) - glm::max(a.low, b.low);
+    return shared.x > 1 && shared.y > 0.25F * std::min(a.high.y - a.low.y, b.high.y - b.low.y);
+}
+
+std::vector<Box> boxes_of_text(const render::Overlay& overlay, render::Font& font) {
+    std::vector<Box> boxes;
+    const render::TextItem* before = nullptr;
+    for (const auto& item : overlay.items) {
+        const auto* words = std::get_if<render::TextItem>(&item);
+        const auto* shade = std::exchange(before, words);
+        if (words == nullptr) continue;
+        // The dark copy below a text lies under it on purpose.
+        if (shade != nullptr && shade->text == words->text) boxes.pop_back();
+        const auto size = font.measure(words->text, words->size);
+        const float share = words->align == render::Align::left    ? 0
+                            : words->align == render::Align::right ? 1
+                                                                   : 0.5F;
+        const fvec2 low = words->position - fvec2(share * size.x, 0);
+        boxes.push_back({low, low + size});
+    }
+    return boxes;
+}
+
+TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
+    auto font = render::Font::load();
+    ASSERT_TRUE(font) << font.error().message;
+    auto states = all_pages();
+    states.push_back(press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("kp_8")));
+    for (const auto& state : states) {
+        for (const render::Size size :
+             {render::Size{1280, 720}, {640, 480}, {320, 200}, {3840, 2160}, {500, 900}}) {
+            for (const double scale : {1.0, 1.75, 2.5}) {
+                render::Overlay overlay;
+                add_menu(overlay, picture_of(state, context()), size, scale);
+                const auto boxes = boxes_of_text(overlay, *font);
+                for (std::size_t a = 0; a < boxes.size(); ++a) {
+                    for (std::size_t b = a + 1; b < boxes.size(); ++b)
+                        EXPECT_FALSE(overlap(boxes[a], boxes[b])) << size.width << ' ' << scale;
+                }
+                for (const auto& box : boxes) {
+                    EXPECT_GE(box.low.x, 0) << size.width << ' ' << scale;
+                    EXPECT_GE(box.low.y, 0) << size.width << ' ' << scale;
+                    EXPECT_LE(box.high.x, size.width + 3) << size.width << ' ' << scale;
+                    EXPECT_LE(box.high.y, size.height + 3) << size.width << ' ' << scale;
+                }
+            }
+        }
+    }
+}
+
+/// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
+/// chosen row is always visible.
+TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
+    auto s = bindings_of("Mouse and keyboard");
+    for (const double scale : {1.0, 2.5}) {
+        for (const std::size_t cursor : {0UL, 15UL, 31UL}) {
+            s.pages.back().cursor = cursor;
+            const auto picture = picture_of(s, context());
+            std::vector<std::size_t> seen;
+            for (float y = 0; y < 480; ++y) {
+                const auto place = game::place_at(picture, {640, 480}, scale, {320, y});
+                if (place && (seen.empty() || seen.back() != place->row)) seen.push_back(place->row);
+            }
+            ASSERT_GE(seen.size(), 4U);
+            EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+            EXPECT_EQ(seen.back() - seen.front() + 1, seen.size());
+            EXPECT_NE(std::find(seen.begin(), seen.end(), picture.cursor), seen.end());
+        }
+    }
+    EXPECT_FALSE(game::place_at(picture_of(s, context()), {640, 480}, 1, {2, 240}));
+    EXPECT_FALSE(game::place_at({}, {640, 480}, 1, {320, 240}));
+}
+
+TEST(MenuDrawing, ArrowsAroundAValueAreLessAndMore) {
+    const auto picture = picture_of(choose(start_page(), "Settings"), context());
+    int less = 0, more = 0, row = 0;
+    float top = 0;
+    while (top < 720 && !game::place_at(picture, {1280, 720}, 1, {640, top})) ++top;
+    for (float x = 0; x < 1280; ++x) {
+        const auto place = game::place_at(picture, {1280, 720}, 1, {x, top + 8});
+        if (!place) continue;
+        less += place->part == game::MenuPart::less ? 1 : 0;
+        more += place->part == game::MenuPart::more ? 1 : 0;
+        row += place->part == game::MenuPart::row ? 1 : 0;
+    }
+    EXPECT_EQ(less, 30);
+    EXPECT_EQ(more, 30);
+    EXPECT_GT(row, 400);
+}
+
+}  // namespace
+}  // namespace thaum::app::menu_tests
