@@ -21,8 +21,8 @@ const fvec4 quiet = colour(0xCABEDC, 0.9F);
 const fvec4 faint = colour(0x8F84A6, 0.9F);
 const fvec4 bright_gold = colour(0xFFD98A, 1.0F);
 
-/// Width of a wide character (em).
-constexpr float wide = 0.66F;
+/// Widths of most characters and of the widest ones, rounded up (em).
+constexpr float wide = 0.66F, widest = 1.0F;
 constexpr std::size_t fewest_rows = 4;
 
 /// Positions and sizes of a menu (px). The rows shown are `visible` rows from `first` on.
@@ -78,9 +78,15 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     return l;
 }
 
+/// The largest text size up to `size` with which the words fit in `room` (px). Each character's advance is rounded to whole pixels.
 float fitted(std::string_view words, float size, float room) {
-    const auto count = static_cast<float>(std::max<std::size_t>(render::decode_utf8(words).size(), 1));
-    return std::max(std::min(size, room / (wide * count)), 4.0F);
+    constexpr float rounding = 0.5F;
+    float width = wide, rounded = 0;
+    for (const char32_t c : render::decode_utf8(words)) {
+        width += std::u32string_view(U"MW@%mw").find(c) != std::u32string_view::npos ? widest : wide;
+        rounded += rounding;
+    }
+    return std::max(std::min(size, (room - rounded) / width), 4.0F);
 }
 
 void add_fitted(Overlay& out, const std::string& words, fvec2 position, float size, float room, fvec4 paint,

@@ -416,19 +416,24 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     picture.wizards[0].at_rim = true;
     picture.wizards[1] = picture.wizards[0];
     HudSettings settings;
-    settings.device_messages[0] = "The arm's motors are too warm: let them rest";
+    /// Number of views that show the words, which have a dark copy below them where they have no plate.
     const auto shown = [&](std::string_view words) {
         render::Overlay overlay;
         make_overlay(picture, settings, size, overlay);
-        const auto items = std::count_if(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
-            const auto* found = std::get_if<render::TextItem>(&item);
-            return found != nullptr && found->text == words;
+        const auto views = views_of(settings, size);
+        return std::count_if(views.begin(), views.end(), [&](const auto& view) {
+            return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
+                const auto* found = std::get_if<render::TextItem>(&item);
+                return found != nullptr && found->text == words &&
+                       found->position.y >= static_cast<float>(view.y) &&
+                       found->position.y < static_cast<float>(view.y + view.height);
+            });
         });
-        return items / 2;  // each text has a dark copy below it
     };
     EXPECT_EQ(shown("Pure brew"), 2);
     EXPECT_EQ(shown("Forces wait until the hand is slower"), 2);
     settings.captions = {false, true};
+    settings.device_messages[0] = "The arm's motors are too warm: let them rest";
     EXPECT_EQ(shown("Pure brew"), 1) << "the other player still has captions";
     EXPECT_EQ(shown("Forces wait until the hand is slower"), 1);
     EXPECT_EQ(shown(settings.device_messages[0]), 1) << "a fault is told in any case";
