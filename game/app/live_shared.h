@@ -115,7 +115,7 @@ struct MatchStart {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
-    int countdown = 0;                       ///< time for which the start is shown before the match begins (s)
+    int countdown = 0;  ///< time for which the start is shown before the match begins (s)
     std::optional<game::Lessons> lessons{};  ///< lessons of the Apprentice, which is played on the range
 };
 

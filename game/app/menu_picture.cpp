@@ -79,8 +79,7 @@ std::string name_of_seat(const MenuState& s, const MenuContext& context, const D
 }
 
 std::string head_of_seat(const MenuState& s, std::size_t player) {
-    const auto& name = s.settings.players[player].name;
-    const auto who = name.empty() ? text("Player ", player + 1) : name;
+    auto who = player_words(s.settings, player);
     return s.seats[player] ? text(who, ": joined") : who;
 }
 

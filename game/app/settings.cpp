@@ -14,6 +14,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/app/player_name.h"
+#include "game/hud/figures.h"
 #include "input/log.h"
 #include "render/context.h"
 
@@ -378,7 +379,7 @@ template void reset(const PlayerSetting&, PlayerSettings&);
 
 std::string player_words(const Settings& settings, std::size_t player) {
     const auto& name = settings.players[player].name;
-    return name.empty() ? text("player ", player + 1) : name;
+    return name.empty() ? std::string(game::team_name(static_cast<std::uint32_t>(player))) : name;
 }
 
 std::optional<int> key_code_of(std::string_view name) {

@@ -157,7 +157,7 @@ void change(const SettingOf<Of>& setting, Of& values, int steps);
 template <class Of>
 void reset(const SettingOf<Of>& setting, Of& values);
 
-/// A player for the menu: the player's own name, or "player 1".
+/// Name of a player on every page: the player's own, or the team's ("Ember", "Tide").
 std::string player_words(const Settings& settings, std::size_t player);
 
 /// Parses a settings file. Messages call the file `name`; an error names file, line and key.

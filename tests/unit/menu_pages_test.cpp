@@ -47,7 +47,7 @@ TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
 
 TEST(PlayerPage, EveryRowChangesTheSettingOfThePlayerShown) {
     auto s = player_page();
-    EXPECT_EQ(value_of(s, "Whose settings"), "player 1");
+    EXPECT_EQ(value_of(s, "Whose settings"), "Ember");
     for (const std::size_t player : {0UL, 1UL}) {
         for (const auto& setting : player_settings()) {
             auto changed = choose(s, setting.label, Kind::right);
@@ -67,7 +67,7 @@ TEST(PlayerPage, ResetsThePlayerShown) {
     s = choose(choose(s, "Whose settings", Kind::right), "Reset to defaults");
     EXPECT_EQ(s.settings.players[0].name, "Zoë");
     EXPECT_EQ(s.settings.players[1], PlayerSettings{});
-    EXPECT_EQ(value_of(s, "Whose settings"), "player 2");
+    EXPECT_EQ(value_of(s, "Whose settings"), "Tide");
 }
 
 TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
@@ -81,7 +81,7 @@ TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     EXPECT_EQ(value_of(s, "Name"), "Zoë");
     s = with(opened(s, Page::start), Kind::other, first_pad);
     EXPECT_EQ(picture_of(s, context()).seats[0].head, "Zoë: joined");
-    EXPECT_EQ(picture_of(s, context()).seats[1].head, "Player 2");
+    EXPECT_EQ(picture_of(s, context()).seats[1].head, "Tide");
 }
 
 // ---- the cauldron -----------------------------------------------------------------------------------------
@@ -125,9 +125,9 @@ TEST(CauldronPage, OpensForThePlayerWhoAsks) {
         return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
                         "Whose hand");
     };
-    EXPECT_EQ(opened_by(first_pad), "player 1");
-    EXPECT_EQ(opened_by(keyboard), "player 2");
-    EXPECT_EQ(opened_by(second_pad), "player 1") << "a device without a seat opens the page of player 1";
+    EXPECT_EQ(opened_by(first_pad), "Ember");
+    EXPECT_EQ(opened_by(keyboard), "Tide");
+    EXPECT_EQ(opened_by(second_pad), "Ember") << "a device without a seat opens the first page";
 }
 
 // ---- anything at all --------------------------------------------------------------------------------------
