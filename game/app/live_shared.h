@@ -66,6 +66,7 @@ struct MatchRequests {
     std::atomic<std::uint32_t> lesson_skips{0};    ///< number of the Apprentice's steps to skip so far
     std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
+    static_assert(decltype(range)::is_always_lock_free);
 };
 
 /// State of the present match, from the simulation thread.

@@ -14,8 +14,9 @@ struct RangeData {
     DummyRules dummy;
 };
 
-/// Changes of a range's rules that a practising player chooses.
-struct RangeChanges {
+/// Changes of a range's rules that a practising player chooses. The alignment makes them one atomic word for
+/// every compiler.
+struct alignas(2) RangeChanges {
     bool endless_energy = false;  ///< wands are always full
     bool harmless_brew = false;   ///< the brew does nothing to wizards
     bool operator==(const RangeChanges&) const = default;

@@ -78,7 +78,8 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     return l;
 }
 
-/// The largest text size up to `size` with which the words fit in `room` (px). Each character's advance is rounded to whole pixels.
+/// The largest text size up to `size` with which the words fit in `room` (px). Each character's advance is
+/// rounded to whole pixels.
 float fitted(std::string_view words, float size, float room) {
     constexpr float rounding = 0.5F;
     float width = wide, rounded = 0;
