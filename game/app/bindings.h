@@ -42,7 +42,7 @@ std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& co
 std::string label_of_sheet(std::size_t sheet);
 /// Label of an action: "Use wand". An action that takes a wand is called as the wand is.
 std::string label_of(Slot slot, const WandNames& wands);
-/// What an action does, in one sentence.
+/// Returns a sentence that says what an action does.
 std::string help_of(Slot slot, const WandNames& wands);
 /// Label of a control: "Space", "Left mouse button", "RT", "Left stick up".
 std::string label_of(const input::Control& control);

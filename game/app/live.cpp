@@ -170,7 +170,7 @@ int run_live(const LivePlan& plan) {
     shared.stop = true;
     drawing->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
-    follow_arms(shared.arms);  // what happened while this thread waited for the window's events
+    follow_arms(shared.arms);  // tells of changes during the last wait for events
     for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);

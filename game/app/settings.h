@@ -144,7 +144,7 @@ std::span<const Setting> all_settings();
 /// All settings of one player but the name.
 std::span<const PlayerSetting> player_settings();
 
-// Of: Settings or PlayerSettings.
+// The type Of is Settings or PlayerSettings.
 /// Value as the file writes it (`written`) and as the settings page shows it (`shown`).
 template <class Of>
 std::string written(const SettingOf<Of>& setting, const Of& values);

@@ -64,7 +64,7 @@ double readiness_of(const Simulation& match, ecs::Entity wizard, const Hand& han
 
 /// Motion of the player since the last look.
 struct Steps {
-    double way{}, turn{};  ///< m along the ground, rad
+    double way{}, turn{};  ///< way along the ground (m) and turn of the view (rad)
     vec3 feet{};
 };
 

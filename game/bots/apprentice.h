@@ -16,7 +16,7 @@ namespace thaum::game {
 
 inline constexpr std::uint32_t practising = 0, dummys = 1;  ///< numbers of the range's two players
 
-/// What a condition measures of the practising player.
+/// Quantities and deeds of the practising player that a condition can measure.
 enum class ConditionKind : std::uint8_t {
     moved,      ///< way along the ground (m)
     turned,     ///< turns of the view (rad)

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/text.h"
+#include "game/data/words_pattern.h"
 
 namespace thaum::game {
 namespace {
@@ -31,22 +32,13 @@ bool is_sound(const ControlPiece& piece, const std::vector<std::string_view>& wa
 }  // namespace
 
 std::vector<ControlPiece> control_pieces_of(std::string_view pattern) {
-    std::vector<ControlPiece> pieces(1);
-    while (!pattern.empty()) {
-        const auto close = pattern.front() == '{' ? pattern.find('}') : std::string_view::npos;
-        const auto control =
-            close == std::string_view::npos ? std::nullopt : control_of(pattern.substr(1, close - 1));
-        if (control) {
-            pieces.back().word = control->word;
-            pieces.back().wand = control->wand;
-            pieces.emplace_back();
-            pattern.remove_prefix(close + 1);
-        } else {
-            pieces.back().plain += pattern.front();
-            pattern.remove_prefix(1);
-        }
-    }
-    return pieces;
+    return split_at_names<ControlPiece>(pattern, [](ControlPiece& piece, std::string_view name) {
+        const auto control = control_of(name);
+        if (!control) return false;
+        piece.word = control->word;
+        piece.wand = control->wand;
+        return true;
+    });
 }
 
 std::string read_control_words(const ConfigTable& table, std::string_view key,

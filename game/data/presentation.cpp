@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/text.h"
+#include "game/data/words_pattern.h"
 
 namespace thaum::game {
 namespace {
@@ -63,21 +64,12 @@ bool is_hit_of_wand(const EventKindInfo& info) {
 }  // namespace
 
 std::vector<WordsPiece> pieces_of(std::string_view pattern) {
-    std::vector<WordsPiece> pieces(1);
-    while (!pattern.empty()) {
-        const auto close = pattern.front() == '{' ? pattern.find('}') : std::string_view::npos;
-        const auto name = close == std::string_view::npos ? std::string_view() : pattern.substr(1, close - 1);
+    return split_at_names<WordsPiece>(pattern, [](WordsPiece& piece, std::string_view name) {
         const auto found = std::find(word_names.begin(), word_names.end(), name);
-        if (found != word_names.end()) {
-            pieces.back().word = static_cast<EventWord>(found - word_names.begin());
-            pieces.emplace_back();
-            pattern.remove_prefix(close + 1);
-        } else {
-            pieces.back().plain += pattern.front();
-            pattern.remove_prefix(1);
-        }
-    }
-    return pieces;
+        if (found == word_names.end()) return false;
+        piece.word = static_cast<EventWord>(found - word_names.begin());
+        return true;
+    });
 }
 
 EventRows read_event_rows(const Config& file) {
