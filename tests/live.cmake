@@ -16,6 +16,8 @@ add_executable(live_session drivers/live_main.cpp)
 target_link_libraries(live_session PRIVATE thaum_flags thaum_live)
 add_executable(live_log_probe drivers/log_probe.cpp)
 target_link_libraries(live_log_probe PRIVATE thaum_flags thaum_duel)
+add_executable(press_keys drivers/press_keys.cpp)
+target_link_libraries(press_keys PRIVATE thaum_flags)
 
 # A virtual pad, if umockdev is installed.
 pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
@@ -34,8 +36,10 @@ function(thaum_driver_test name)
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
-thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh $<TARGET_FILE:thaum>)
-thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh $<TARGET_FILE:thaum>)
+thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
+thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 if(NOT THAUM_SANITIZE)
     # Tests of times.
     thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
@@ -44,9 +48,9 @@ if(NOT THAUM_SANITIZE)
         $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 endif()
 thaum_driver_test(live_threads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/live_threads.sh
-    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:press_keys>)
 set_tests_properties(drivers.range drivers.live_threads PROPERTIES LABELS threads)
-thread_program(thaum fake_hd)
+thread_program(thaum fake_hd press_keys)
 add_executable(forge_log drivers/forge_log.cpp)
 target_link_libraries(forge_log PRIVATE thaum_flags thaum_input)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
@@ -60,7 +64,8 @@ if(NOT THAUM_SANITIZE)
     # The program with a driver that only this test has, and two arms in one match.
     add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/main.cpp)
     target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_commands fake_arm)
-    thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh $<TARGET_FILE:thaum_with_fake_arms>)
+    thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh
+        $<TARGET_FILE:thaum_with_fake_arms> $<TARGET_FILE:live_log_probe>)
     list(APPEND slow_drivers drivers.two_arms)
 endif()
 # slow: these take a minute of real time. Shorter tests show the sanitizers the same code. They draw few pictures or
@@ -86,12 +91,12 @@ add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/comma
 set_tests_properties(drivers.hostile_files drivers.commands PROPERTIES COST 50)
 if(umockdev_FOUND)
     thaum_driver_test(duel_to_death ${CMAKE_CURRENT_SOURCE_DIR}/drivers/duel_to_death.sh
-        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(menu ${CMAKE_CURRENT_SOURCE_DIR}/drivers/menu.sh
-        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
-        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE [SCREENSHOTS]: two players in the program under Xvfb.
+# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS [SCREENSHOTS]: two players in the program under Xvfb.
 # Player 2 turns with the pad's stick and kills player 1. Player 1 returns on the opposite pad and kills with
 # the mouse. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while
 # it is being written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool
 # is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 harness=$2 probe=$3
+thaum=$1 harness=$2 probe=$3 press_keys=$4
 need Xvfb xdotool import umockdev-wrapper
 open_screen 640x360
-shots=${4:-$folder}
+shots=${5:-$folder}
 few_pictures
 # A slow turning speed, so that one push of the stick turns by a small angle.
 echo 'turn_deg_per_s = 22.5' >>"$XDG_CONFIG_HOME/thaum/settings.toml"
@@ -88,9 +88,7 @@ eventually "player 1 does not come back" alive
 eventually "player 1 does not hit" hits 'xdotool mousedown 1' 'xdotool mouseup 1' '1 : 1'
 import -window root "$shots/player_2_is_dead.png"
 exec 4>&-
-xdotool key Escape
-# Q leaves only while the pause menu is open, and has no effect before.
-leaves() { xdotool key q; ! kill -0 "$game" 2>/dev/null; }
+presses Escape
 eventually "the program does not end" leaves
 wait "$game" || failed "the program's exit code"
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# tests/drivers/lab.sh THAUM: the lab under Xvfb with mouse and keys by xdotool. The brew is stirred and
+# tests/drivers/lab.sh THAUM PRESS_KEYS: the lab under Xvfb with mouse and keys by xdotool. The brew is stirred and
 # poured into, solver and grid change while it moves, and it is saved and loaded. The results are read from
 # the trace and the saved state. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1
+thaum=$1 press_keys=$2
 need Xvfb xdotool import
 open_screen 1280x720
 fail() { failed "$1"; }
@@ -18,7 +18,7 @@ eventually "no window" drawn
 picture() { import -window root -crop 640x360+0+0 rgba:- | md5sum; }
 is_new() { [ "$(picture)" != "$before" ]; }
 new_picture() { before=$(picture); eventually "no new picture" is_new; }
-key() { xdotool key "$@"; new_picture; new_picture; }
+key() { presses "$@"; new_picture; new_picture; }
 stir() {
     for i in $(seq 12); do
         xdotool mousemove $((320 + (i % 4 - 2) * 30)) $((180 + (i / 4 - 1) * 20))
@@ -40,10 +40,10 @@ key F5
 eventually "F5 did not save" test -s "$folder/brew"
 key BackSpace
 for _ in 1 2 3 4 5; do  # pressed and released within one picture
-    key --delay 0 space
+    key space
 done
 key F9
-xdotool key Escape
+presses Escape
 wait "$lab" || fail "the exit code"
 
 column() { head -1 "$folder/trace.csv" | tr , '\n' | grep -nx "$1" | cut -d: -f1; }

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# tests/drivers/live_threads.sh THAUM FAKE_HD: all threads of a live session at once, for the thread sanitizer: a match
+# tests/drivers/live_threads.sh THAUM FAKE_HD PRESS_KEYS: all threads of a live session at once, for the thread sanitizer: a match
 # under Xvfb with an arm whose libHD.so is our fake, against a bot, recorded. Keys and mouse by xdotool pause it, open a
 # page of settings, mark the log and quit. The log must replay with the arm's forces. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 fake=$2
+thaum=$1 fake=$2 press_keys=$3
 need Xvfb xdotool import
 open_screen 1280x720
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
@@ -18,20 +18,17 @@ THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,live=$folder/live" "$thaum" --solo 1
 game=$!
 # The fourth number of FakeHdLive is the strongest force so far.
 is_felt() { od -An -v -tf8 -j24 -N8 "$folder/live" 2>/dev/null | awk '{ exit !($1 > 0.3) }'; }
-presses() { local key; for key in "$@"; do xdotool key --delay 30 "$key"; done; }
 
 eventually "no shot is felt" is_felt
 xdotool keydown w
 for _ in $(seq 10); do xdotool mousemove_relative -- 12 -3; done
 presses F3 F10 F6
 xdotool keyup w
-presses Escape
-eventually "no pause" pause_menu
+pauses "no pause"
 # A page of the menu and a key on it, then on with the match.
 presses Down Return Right Escape Escape
 eventually "Esc did not go on" no_pause_menu
-presses Escape
-eventually "no second pause" pause_menu
+pauses "no second pause"
 presses q
 wait "$game" || failed "the session's exit code"
 cat "$folder/said"

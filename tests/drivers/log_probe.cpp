@@ -4,6 +4,11 @@
 //
 //     live_log_probe LOG
 //
+// Or prints a table of the age of each arm's model in each tick (ticks; 0: the tick has no sample of the arm). Where
+// the machine keeps an arm or the match waiting, the age is large or 0.
+//
+//     live_log_probe LOG --model-ages
+//
 // Or follows a log that is being written, so that a test can ask again and again what the match looks like and
 // only what is new is replayed. For each line on standard input: writes the newest states (one every 32 ticks, as
 // `thaum replay --state`) to STATES and prints the result so far, or an empty line while there is no log.
@@ -106,10 +111,21 @@ int follow(const char* path, const char* states) {
     return 0;
 }
 
+int print_model_ages(const char* path) {
+    auto log = input::LogReader::open(path);
+    if (!log) return std::fprintf(stderr, "%s\n", log.error().message.c_str()), 1;
+    std::printf("tick,p1_age,p2_age\n");
+    input::InputFrame frame;
+    for (unsigned long long tick = 1; log->next(frame); ++tick)
+        std::printf("%llu,%u,%u\n", tick, frame.devices[0].model_age, frame.devices[1].model_age);
+    return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     if (argc == 4 && std::string_view(argv[2]) == "--follow") return follow(argv[1], argv[3]);
+    if (argc == 3 && std::string_view(argv[2]) == "--model-ages") return print_model_ages(argv[1]);
     auto log = input::LogReader::open(argc > 1 ? argv[1] : "");
     if (!log) return std::fprintf(stderr, "%s\n", log.error().message.c_str()), 1;
     auto match = game::match_of_log(log->header(), game::find_assets());

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# tests/drivers/menu.sh THAUM PAD_HARNESS LOG_PROBE: start screen, pause and settings under Xvfb, with keys
+# tests/drivers/menu.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: start screen, pause and settings under Xvfb, with keys
 # and mouse by xdotool and a pad by umockdev. A keyboard and a pad join and start a duel with three presses. A
 # key is bound on the screen, works at once, and still works after a restart. The pad is unplugged, and its
 # player goes on with the keypad and then with the pad again. A broken settings file stays unchanged. Exits
 # with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 harness=$2 probe=$3
+thaum=$1 harness=$2 probe=$3 press_keys=$4
 need Xvfb xdotool import convert umockdev-wrapper
 open_screen 1280x720
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
@@ -24,8 +24,6 @@ drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev
 seat_taken() { bright "$1" 127 45 100; }  # the bar at the left of a seat has its team's light colour
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
 has_logs() { [ "$(logs)" -ge "$1" ]; }
-# presses KEY...: presses keys one after the other; X keeps their order.
-presses() { local key; for key in "$@"; do xdotool key --delay 30 "$key"; done; }
 pad() { echo "$@" >&4; }
 field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
 # logged DEVICE FIELD VALUE: tests whether the log that is being written has this input. Inputs are held until then,
@@ -81,8 +79,7 @@ eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
 # 3. In the pause menu: another key for "move forward" (row 18), and the other split.
-presses Escape
-eventually "no pause" pause_menu
+pauses "no pause"
 presses Down Return Return $(yes Down | head -18) Return i
 eventually "the new key is not in the settings" grep -q '^move_forward = "key i"$' "$settings"
 presses Escape Escape Down Return Right
@@ -95,8 +92,7 @@ eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$sett
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
 presses Escape Escape Escape
 eventually "Esc did not go on" no_pause_menu
-presses Escape
-eventually "no second pause" pause_menu
+pauses "no second pause"
 presses q
 eventually "no start screen after the match" seat_taken 213
 # Quit is the last row. Both players have joined, so the first Esc gives up the seat.
@@ -122,8 +118,7 @@ moved() {
 }
 eventually "the new key after a restart" moved
 xdotool keyup i
-presses Escape
-eventually "no pause" pause_menu
+pauses "no pause"
 presses q
 wait "$game" || fail "the exit code after Q"
 seen=$("$probe" "$folder/log")
@@ -137,11 +132,9 @@ cp "$settings" "$folder/kept"
 game=$!
 eventually "no start screen with broken settings" drawn
 presses Down Down Down Down Down Down Return Right
-sleep 0.3
 presses Escape Up Up Up Up Up Up Return Return
 eventually "no match with broken settings" has_logs 2
-presses Escape
-eventually "no pause" pause_menu
+pauses "no pause"
 presses q
 eventually "no start screen after the match" seat_taken 213
 presses Escape Escape Return
