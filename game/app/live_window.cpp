@@ -25,6 +25,13 @@ void follow_fullscreen(const LiveSession& session, LiveWindow& window) {
     if (wanted != window.fullscreen) window.window.set_fullscreen(window.fullscreen = wanted);
 }
 
+/// Says in the window's title whether the match waits, for those who look at another window.
+void tell_pause(LiveWindow& window, bool paused) {
+    if (paused == window.tells_pause) return;
+    window.tells_pause = paused;
+    window.window.set_title(paused ? "Thaum (paused)" : "Thaum");
+}
+
 bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
 
 /// Moves the mouse now and then, with a period that is no multiple of the pictures'.
@@ -67,8 +74,10 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
         session.step_match(session.needs_pads() ? std::optional(view.pads()) : std::nullopt, monotonic_ns());
         follow_fullscreen(session, window);
         view.capture_cursor(session.captures_cursor());
+        tell_pause(window, session.menu().is_open());
     }
     view.capture_cursor(false);
+    tell_pause(window, false);
 }
 
 }  // namespace thaum::app

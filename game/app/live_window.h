@@ -9,6 +9,7 @@ namespace thaum::app {
 struct LiveWindow {
     render::Window& window;
     bool fullscreen = false;
+    bool tells_pause = false;  ///< the title says that the match is paused
 };
 
 /// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).

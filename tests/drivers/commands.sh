@@ -13,7 +13,7 @@ failures=0
 expect() {
     local code=$1 words=$2 output status
     shift 2
-    output=$(cd "$folder" && timeout 60 "$thaum" "$@" 2>&1 >/dev/null </dev/null)
+    output=$(cd "$folder" && timeout 600 "$thaum" "$@" 2>&1 >/dev/null </dev/null)
     status=$?
     if [[ $status != "$code" || $output != *"$words"* || $(grep -c . <<<"$output") != 1 ]]; then
         printf 'failed: thaum %s\n  exit %s instead of %s, said: %s\n' "$*" "$status" "$code" "$output"

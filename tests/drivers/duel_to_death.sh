@@ -87,9 +87,10 @@ import -window root "$shots/player_1_is_dead.png"
 eventually "player 1 does not come back" alive
 eventually "player 1 does not hit" hits 'xdotool mousedown 1' 'xdotool mouseup 1' '1 : 1'
 import -window root "$shots/player_2_is_dead.png"
-exec 4>&-
 presses Escape
-eventually "the program does not end" leaves
+eventually "no pause" paused
+presses q
+exec 4>&-
 wait "$game" || failed "the program's exit code"
 
 result=$("$thaum" replay "$folder/log" --verify)

@@ -24,11 +24,13 @@ xdotool keydown w
 for _ in $(seq 10); do xdotool mousemove_relative -- 12 -3; done
 presses F3 F10 F6
 xdotool keyup w
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 # A page of the menu and a key on it, then on with the match.
 presses Down Return Right Escape Escape
 eventually "Esc did not go on" no_pause_menu
-pauses "no second pause"
+presses Escape
+eventually "no second pause" pause_menu
 presses q
 wait "$game" || failed "the session's exit code"
 cat "$folder/said"

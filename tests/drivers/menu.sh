@@ -79,7 +79,8 @@ eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
 # 3. In the pause menu: another key for "move forward" (row 18), and the other split.
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 presses Down Return Return $(yes Down | head -18) Return i
 eventually "the new key is not in the settings" grep -q '^move_forward = "key i"$' "$settings"
 presses Escape Escape Down Return Right
@@ -92,7 +93,8 @@ eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$sett
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
 presses Escape Escape Escape
 eventually "Esc did not go on" no_pause_menu
-pauses "no second pause"
+presses Escape
+eventually "no second pause" pause_menu
 presses q
 eventually "no start screen after the match" seat_taken 213
 # Quit is the last row. Both players have joined, so the first Esc gives up the seat.
@@ -118,7 +120,8 @@ moved() {
 }
 eventually "the new key after a restart" moved
 xdotool keyup i
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 presses q
 wait "$game" || fail "the exit code after Q"
 seen=$("$probe" "$folder/log")
@@ -134,7 +137,8 @@ eventually "no start screen with broken settings" drawn
 presses Down Down Down Down Down Down Return Right
 presses Escape Up Up Up Up Up Up Return Return
 eventually "no match with broken settings" has_logs 2
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 presses q
 eventually "no start screen after the match" seat_taken 213
 presses Escape Escape Return

@@ -46,7 +46,7 @@ unharmed() {
 refused() {
     local words=$1 output status
     shift
-    output=$(timeout "10" "$thaum" "$@" 2>&1 >/dev/null </dev/null)
+    output=$(timeout 600 "$thaum" "$@" 2>&1 >/dev/null </dev/null)
     status=$?
     [[ $status == 2 && $output == *"$words"* && $(grep -c . <<<"$output") == 1 ]] ||
         fail "thaum $*: exit $status, said: ${output:0:300}"

@@ -31,7 +31,8 @@ import -window root "${SHOTS:-$folder}/range.png"
 sed -i 's/^damage = 50/damage = -50/' "$bolt"
 eventually "the wrong file was not named" said "bolt.toml:10: 'damage' is -50"
 presses Escape
-eventually "the range does not end" leaves
+eventually "no pause of the range" paused
+presses q
 wait "$game" || fail "the exit code of the range"
 grep -Eq '^range: [1-9][0-9]* of [1-9][0-9]* hit' "$folder/said" || fail "nothing was hit"
 grep -Eq 'hit .*, [0-9]*[05]0 HP, [1-9][0-9]* kill' "$folder/said" || fail "not by the new damage"
@@ -52,11 +53,14 @@ looks_and_walks() {
     said '^apprentice: 2 of '
 }
 eventually "the first step was not done" looks_and_walks
-pauses "no pause of the Apprentice" lesson_pause
+presses Escape
+eventually "no pause of the Apprentice" lesson_pause
 presses Down Return
 eventually "the second step was not skipped" said '^apprentice: 3 of '
+eventually "the pause of the Apprentice is still there" no_pause_menu
 import -window root "${SHOTS:-$folder}/apprentice.png"
-pauses "no second pause of the Apprentice" lesson_pause
+presses Escape
+eventually "no second pause of the Apprentice" lesson_pause
 presses q
 wait "$game" || fail "the exit code of the Apprentice"
 

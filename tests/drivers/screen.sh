@@ -44,9 +44,6 @@ open_screen() {
 # presses KEY...: presses and releases keys, one after the other, by the program $press_keys.
 presses() { "$press_keys" "$@"; }
 
-# leaves: presses Q, which leaves while the pause menu is open and does nothing before. Tests whether $game has ended.
-leaves() { presses q; ! kill -0 "$game" 2>/dev/null; }
-
 # live NAME FIELD TYPE: a field of FakeHdLive, which a fake arm keeps in $folder/NAME.live: 0 to 2 the force, 3 the
 # largest force, 4 ticks, 5 whether a program has the arm, 6 to 8 the force at its closing. TYPE is f8 or u8.
 live() { od -An -v -t"$3" -j$((8 * $2)) -N8 "$folder/$1.live" 2>/dev/null | tr -d ' '; }
@@ -63,20 +60,6 @@ chosen_row() {
     [ "$(import -window root -crop "80x1+900+$1" -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" = 80 ]
 }
 pause_menu() { chosen_row 463; }
-no_pause_menu() { ! pause_menu; }
-
-# pauses WORDS [COMMAND]: presses Escape until the pause menu is shown, or until COMMAND succeeds. The program ignores a
-# press while it closes its menu, which no picture tells. So a press that has no effect is made again, each time after a
-# wait that is twice as long.
-pauses() {
-    local patience until
-    for patience in 1 2 4 8 16 32 64 128 256 512; do
-        presses Escape
-        until=$((SECONDS + patience))
-        while ((SECONDS <= until)); do
-            "${2:-pause_menu}" && return
-            sleep 0.05
-        done
-    done
-    failed "$1"
-}
+# paused, no_pause_menu: test where keys go, by the window's title: to the pause menu, or to the match.
+paused() { xdotool search --name '^Thaum \(paused\)$' >/dev/null 2>&1; }
+no_pause_menu() { xdotool search --name '^Thaum$' >/dev/null 2>&1; }

@@ -6,7 +6,7 @@
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
-need Xvfb import umockdev-wrapper
+need Xvfb xdotool import umockdev-wrapper
 open_screen 1280x720
 few_pictures
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
@@ -29,7 +29,8 @@ eventually "no match" has_logs 1
 
 # 1. A name for player 1: Settings, then the page of the players' own settings (the last row but three), then Name. The
 # letters w and q are part of the name, and neither move nor leave.
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 presses s s Return Up Up Up Up Return
 presses Down Return w Q q Return
 eventually "the name is not in the settings" grep -q '^name = "wQq"$' "$settings"
@@ -67,11 +68,13 @@ eventually "the cross does not turn the wheel" eval 'look; [ "$(field 0 wheel)" 
 pad hy 0
 
 # 3. The pause begins the match again, with a recording of its own.
-pauses "no pause"
+presses Escape
+eventually "no pause" pause_menu
 presses s s s Return
 eventually "no second match" has_logs 2
 eventually "the pause is still there" no_pause_menu
-pauses "no pause in the second match"
+presses Escape
+eventually "no pause in the second match" pause_menu
 picture named
 presses q
 exec 4>&-

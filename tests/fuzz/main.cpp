@@ -35,8 +35,9 @@ namespace thaum::fuzz {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-/// Longest time for one input, on a busy machine under sanitizers.
-constexpr auto most_time = std::chrono::seconds(10);
+/// Longest time for which the child process may compute one input, under sanitizers, and longest real time, after which it
+/// hangs. A busy machine may make it wait.
+constexpr auto most_work = std::chrono::seconds(10), most_time = std::chrono::seconds(600);
 constexpr rlim_t most_memory = rlim_t{1} << 30U;  ///< address space without sanitizers (bytes)
 /// Number of runs from which on both accepted and refused inputs must occur.
 constexpr std::uint64_t proof = 200;
@@ -94,10 +95,19 @@ void run_all(const RunPlan& plan, const std::vector<std::string>& seeds, const P
     std::exit(0);
 }
 
+/// Time that the child process has computed so far.
+std::chrono::nanoseconds work_of(pid_t child) {
+    clockid_t clock{};
+    timespec work{};
+    if (::clock_getcpuclockid(child, &clock) != 0 || ::clock_gettime(clock, &work) != 0) return {};
+    return std::chrono::seconds(work.tv_sec) + std::chrono::nanoseconds(work.tv_nsec);
+}
+
 /// Waits for the child process. Returns its fault; empty: none.
 std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     auto seen = progress.done.load();
     auto since = Clock::now();
+    auto work_before = work_of(child);
     for (;;) {
         int status = 0;
         rusage use{};
@@ -111,11 +121,13 @@ std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
         if (progress.done != seen) {
             seen = progress.done;
             since = Clock::now();
+            work_before = work_of(child);
         }
-        if (Clock::now() - since > most_time) {
+        const bool hangs = Clock::now() - since > most_time;
+        if (hangs || work_of(child) - work_before > most_work) {
             ::kill(child, SIGKILL);
             ::waitpid(child, &status, 0);
-            return "took longer than 10 s";
+            return hangs ? "hung" : "computed longer than 10 s";
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

@@ -42,7 +42,7 @@ protected:
     /// Waits for the match's next state. Returns false after a time that only a hang takes.
     bool becomes(PlayState state) {
         while (shared_.progress.state != state) {
-            if (!woken_.try_acquire_for(std::chrono::seconds(60))) return false;
+            if (!woken_.try_acquire_for(std::chrono::seconds(600))) return false;
         }
         session_->step_match(pads_, monotonic_ns());
         return true;
