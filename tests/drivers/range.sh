@@ -15,7 +15,7 @@ at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
 # lesson_pause: tests whether the pause of the Apprentice is shown, by the colour of its chosen row.
-lesson_pause() { chosen_row 418; }
+lesson_pause() { paused_at_row 418; }
 
 # 1. Shoots, and edits a file as editors do: a new file renamed over the old one. Then makes it faulty.
 "$thaum" range --seconds 60 >"$folder/said" 2>&1 &

@@ -55,11 +55,14 @@ few_pictures() {
     printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' 'countdown_s = 0' >"$XDG_CONFIG_HOME/thaum/settings.toml"
 }
 
-# chosen_row Y: tests whether a menu shows its chosen row at this height (screen of 1280x720): a stretch of one colour.
-chosen_row() {
-    [ "$(import -window root -crop "80x1+900+$1" -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" = 80 ]
-}
-pause_menu() { chosen_row 463; }
 # paused, no_pause_menu: test where keys go, by the window's title: to the pause menu, or to the match.
 paused() { xdotool search --name '^Thaum \(paused\)$' >/dev/null 2>&1; }
 no_pause_menu() { xdotool search --name '^Thaum$' >/dev/null 2>&1; }
+
+# paused_at_row Y: tests whether the match is paused and the menu shows its chosen row at this height (screen of 1280x720): a
+# stretch of one colour. The row alone could be one of the start screen, which stays until the match is drawn.
+paused_at_row() {
+    paused &&
+        [ "$(import -window root -crop "80x1+900+$1" -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" = 80 ]
+}
+pause_menu() { paused_at_row 463; }
