@@ -24,7 +24,7 @@ using game::LabState;
 
 constexpr int steps_of_a_frame = 4;  // most steps for one picture; time beyond them is dropped
 constexpr double note_s = 4, rate_s = 0.5;
-// volume poured in a step while the key is held; at least one such step for each press (m^3)
+// volume poured in a step while the key is held, and for each press (m^3)
 constexpr double pour_m3 = 2e-3;
 constexpr double above = 0.15;  // height of a lifted ladle above the level surface (m)
 constexpr double dip_m = 0.04;  // speed of the ladle up and down (m per step)
@@ -45,7 +45,7 @@ struct LabSession {
 
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
-    bool pour_is_due = false;  ///< true: the pour key was pressed since the last step
+    int pours_due = 0;  ///< presses of the pour key since the last step
     /// bowl_changed: the picture must be made again
     bool wants_reset = false, leaves = false, bowl_changed = false;
     double height{};              ///< height of a stirring ladle above the level (m), <= 0
@@ -123,6 +123,7 @@ void load_now(LabSession& session) {
     if (!lab) return note(session, lab.error().message);
     session.bowl_changed = lab->settings.room != session.plan.lab.settings.room;
     session.plan.lab = std::move(*lab);
+    session.pours_due = 0;
     session.page.hands.settings = session.plan.lab.settings;
     session.figures = game::figures_of(session.plan.lab);
     note(session, text("loaded: ", session.file.string()));
@@ -131,7 +132,7 @@ void load_now(LabSession& session) {
 void press(LabSession& session, std::string_view key) {
     if (game::turn_control(key, session.page.hands, session.plan.lab.rules)) return;
     if (key == "Esc") session.leaves = true;
-    if (key == "Space") session.pour_is_due = true;
+    if (key == "Space") ++session.pours_due;
     if (key == "Backspace") session.wants_reset = true;
     if (key == "F5") save_now(session);
     if (key == "F9") load_now(session);
@@ -188,8 +189,8 @@ game::LabInput input_now(LabSession& session, render::Size size) {
     game::LabInput input = game::scripted_input(session.plan.script, lab);
     move_ladle(session, size);
     if (session.ladle) input.ladle = session.ladle;
-    const bool pours = std::exchange(session.pour_is_due, false) || session.pouring;
-    if (pours && session.page.hands.chosen < lab.settings.substances.size())
+    const int pours = std::max(std::exchange(session.pours_due, 0), session.pouring ? 1 : 0);
+    for (int i = 0; i < pours && session.page.hands.chosen < lab.settings.substances.size(); ++i)
         input.pours.push_back({session.page.hands.chosen, pour_m3, game::place_to_pour(lab, input.ladle)});
     if (!same_settings(session.page.hands.settings, lab.settings)) input.change = session.page.hands.settings;
     input.reset = std::exchange(session.wants_reset, false);

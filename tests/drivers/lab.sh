@@ -54,14 +54,14 @@ grids=$(awk -F, -v c="$(column cells)" -v s="$(column substeps)" 'NR > 1 && $s >
 poured=$(awk -F, -v p="$(column substance_1_m3)" 'END { print ($p > 0.01) }' "$folder/trace.csv")
 [ "$poured" = 1 ] || fail "what was poured is not there after reset and load"
 # Between the reset and the load, where the time jumps: what five presses pour at least, no step that pours more than
-# 2 litres, and steps that pour nothing once the key is up. A press and its release may reach the lab in two pictures,
-# and then it pours for the steps between them.
+# that, and steps that pour nothing once the key is up. A slow machine may take several presses into one step, or a press
+# and its release in two pictures, and then the lab pours for the steps between them.
 tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" '
     NR > 2 && ($t < last || $t > last + 0.02) { if (++jumps == 1) { amount = 0; still = 0 } }
     NR > 1 { last = $t }
     jumps == 1 { rise = $p - amount; if (rise > most) most = rise; still = rise > 1e-5 ? 0 : still + 1
                  if (rise > 0) amount = $p }
-    END { print (jumps == 2 && amount > 0.0099 && most < 0.00201 && still > 0) }' "$folder/trace.csv")
+    END { print (jumps == 2 && amount > 0.0099 && most < 0.01001 && still > 0) }' "$folder/trace.csv")
 [ "$tapped" = 1 ] || fail "five presses did not pour what five steps pour, or poured on"
 "$thaum" lab --fluid --headless --stir none --load "$folder/brew" --seconds 0.1 >"$folder/said" || fail "the state does not load"
 grep -q '32 cells across, thaum, bowl' "$folder/said" || fail "another solver or grid than was chosen"
