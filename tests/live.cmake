@@ -54,7 +54,7 @@ thread_program(thaum fake_hd press_keys)
 add_executable(forge_log drivers/forge_log.cpp)
 target_link_libraries(forge_log PRIVATE thaum_flags thaum_input)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
-    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:fake_hd_old>)
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:fake_hd_old> $<TARGET_FILE:live_log_probe>)
 thaum_driver_test(fake_phantom_feels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_feels.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:forge_log>)
 thaum_driver_test(fake_phantom_fails ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_fails.sh

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# tests/drivers/fake_phantom_plays.sh THAUM FAKE_HD FAKE_HD_OLD: matches under Xvfb with an arm whose libHD.so
-# is our fake. The match must be recorded and replay with the same forces, the hand must feel its own shots,
+# tests/drivers/fake_phantom_plays.sh THAUM FAKE_HD FAKE_HD_OLD LOG_PROBE: matches under Xvfb with an arm
+# whose libHD.so is our fake. The match must be recorded and replay with the same forces, the hand must feel its own shots,
 # the match must survive a fault of the arm, and without an arm one line must say why.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 fake=$2 old=$3
+. "$(dirname "$0")/shots.sh"
+thaum=$1 fake=$2 old=$3 probe=$4
 need Xvfb
 open_screen 640x360
 few_pictures
@@ -114,13 +115,8 @@ wait $game || { cat "$folder/two.txt"; failed "two arms do not play"; }
 cat "$folder/two.txt"
 [ "$(grep -c '^arm Touch F000000[12]: .*; 0 forces differ' "$folder/two.txt")" -eq 2 ] || failed "two arms: the match computes other forces"
 "$thaum" replay "$folder/two.thaumlog" --verify --forces "$folder/two.csv" || failed "two arms: the replay differs"
-for player in 1 2; do
-    awk -F, -v name="p${player}_fz_n" -v player=$player '
-        NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
-        { if ($column > most) most = $column; if ($column > 1 && before <= 1) shots++; before = $column }
-        END { print "player", player, "feels", shots + 0, "shots of", most, "N"; exit !(shots >= 3 && most > 1.1 && most < 1.3) }' \
-        "$folder/two.csv" || failed "two arms: player $player feels no shots"
-done
+expect_shots two 1 0
+expect_shots two 2 0
 
 # The range and the start screen know an arm.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 3 >"$folder/range.txt" 2>&1 || failed "no range by arm"
