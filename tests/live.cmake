@@ -6,9 +6,10 @@ thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/control_names_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
+        unit/replay_threads_test.cpp unit/replay_view_test.cpp
         unit/settings_test.cpp unit/apprentice_course_test.cpp
     LINK thaum_live fake_arm
-    THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.*)
+    THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.*)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
@@ -37,6 +38,8 @@ endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
+thaum_driver_test(replay_window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/replay_window.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)

@@ -23,6 +23,11 @@ std::string hex(unsigned long long value) {
     return out;
 }
 
+std::string clock_text(unsigned long long seconds) {
+    const auto rest = seconds % 60;
+    return text(seconds / 60, rest < 10 ? ":0" : ":", rest);
+}
+
 std::string in_one_line(std::string_view message) {
     constexpr std::size_t most = 1000;
     auto line = message.size() > most ? text(message.substr(0, most), "...") : std::string(message);

@@ -33,6 +33,9 @@ std::string text(const Parts&... parts) {
 /// Formats `value` with `digits` (0 to 60) decimal places: fixed(1.25, 1) -> "1.2".
 std::string fixed(double value, int digits);
 
+/// Formats a time in minutes and seconds: clock_text(245) -> "4:05".
+std::string clock_text(unsigned long long seconds);
+
 /// Formats `value` as 16 lower-case hexadecimal digits.
 std::string hex(unsigned long long value);
 

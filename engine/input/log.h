@@ -185,8 +185,9 @@ public:
     /// Reads the next frame. Returns false after `ticks()` frames. If the file changed after `open`, returns
     /// false and the ending becomes damaged.
     bool next(InputFrame& frame);
-    /// Makes `next` start again at tick 0.
-    void rewind();
+    /// Makes `next` read the frame after `tick` frames, so that 0 starts again. The time does not depend on `tick`.
+    /// Beyond the end `next` returns false.
+    void seek(Tick tick);
 
 private:
     struct State;

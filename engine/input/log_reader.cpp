@@ -98,6 +98,12 @@ Expected<OpenedLog> open_log(const std::string& path) {
 
 }  // namespace
 
+/// Position of a block of ticks in the file.
+struct BlockPlace {
+    Tick first{};  ///< number of its first frame
+    std::size_t at{};
+};
+
 /// Smallest number of zeros that suggests a power cut. Fewer prove nothing, because a block may end with
 /// some.
 constexpr std::size_t least_zeros = 16;
@@ -119,7 +125,8 @@ struct LogReader::State {
     std::string result;
     std::string reason;
     LogEnding ending = LogEnding::cut_off;
-    Tick ticks = 0;  // ticks in whole blocks
+    Tick ticks = 0;                // ticks in whole blocks
+    std::vector<BlockPlace> kept;  // for `seek`; damaged logs may have many small blocks, so not every one
 
     // Position of the reader.
     std::size_t at;
@@ -204,14 +211,24 @@ struct LogReader::State {
     }
 
     void scan() {
-        while (decode_block() && collect()) ticks += block.ticks;
-        rewind();
+        for (auto begin = at; decode_block() && collect(); begin = at) {
+            if (kept.empty() || ticks >= kept.back().first + detail::block_ticks)
+                kept.push_back({ticks, begin});
+            ticks += block.ticks;
+        }
+        seek(0);
     }
 
-    void rewind() {
-        at = log.header_size;
+    void seek(Tick tick) {
+        const auto after = std::upper_bound(kept.begin(), kept.end(), tick,
+                                            [](Tick t, const BlockPlace& place) { return t < place.first; });
+        const auto place = after == kept.begin() ? BlockPlace{0, log.header_size} : *std::prev(after);
+        at = place.at;
         at_frame = 0;
-        block.first = block.ticks = 0;
+        block.first = place.first;
+        block.ticks = 0;
+        while (block.first + block.ticks <= tick && next_block()) {}
+        at_frame = std::min<std::size_t>(tick - std::min(tick, block.first), block.ticks);
     }
 
     bool next(InputFrame& frame) {
@@ -270,7 +287,7 @@ std::optional<HashRecord> LogReader::hash_at(Tick tick) const {
 }
 
 bool LogReader::next(InputFrame& frame) { return state_->next(frame); }
-void LogReader::rewind() { state_->rewind(); }
+void LogReader::seek(Tick tick) { state_->seek(tick); }
 
 bool log_in_use(const std::filesystem::path& path) {
     const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);

@@ -25,8 +25,10 @@ bool draws(const std::filesystem::path& task) {
 
 }  // namespace
 
+void work_behind_others() { step_back(static_cast<id_t>(gettid())); }
+
 void draw_behind_others() {
-    step_back(static_cast<id_t>(gettid()));
+    work_behind_others();
     std::error_code ignored;
     for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", ignored)) {
         const auto word = task.path().filename().string();

@@ -9,6 +9,7 @@
 #include "core/threads.h"
 #include "game/app/command.h"
 #include "game/app/end_watch.h"
+#include "game/app/live_replay.h"
 #include "game/app/live_window.h"
 #include "game/match/record.h"
 
@@ -59,7 +60,8 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
                         number, game::log_header(*session.next().data(), setup, std::move(names)));
 }
 
-/// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures itself.
+/// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures
+/// itself.
 int countdown_of(const Live& live) {
     const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
                       live.session.next().is_practice();
@@ -74,8 +76,13 @@ Expected<void> play_match(Live& live, MatchStart start) {
     shared.requests.pause = shared.requests.go_on = game::no_player;
     for (auto& lost : shared.pad_lost) lost = false;
     auto& window = live.window.window;
-    auto simulating =
-        start_thread([&] { run_simulation(live.plan, shared, std::move(start), [&] { window.wake(); }); });
+    auto simulating = start_thread([&] {
+        const auto wake = [&] { window.wake(); };
+        if (live.plan.replay != nullptr)
+            run_replay(live.plan, shared, wake);
+        else
+            run_simulation(live.plan, shared, std::move(start), wake);
+    });
     if (!simulating) return tl::unexpected(simulating.error());
     run_match(live.session, shared, live.window);
     return {};

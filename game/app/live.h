@@ -18,7 +18,7 @@
 
 #include "game/app/settings.h"
 #include "game/bots/dummy.h"
-#include "game/match/playback.h"
+#include "game/match/replay_index.h"
 #include "input/tick_times.h"
 
 namespace thaum::app {
@@ -78,6 +78,14 @@ struct LiveReport {
 /// One line on how well a real arm's servo thread kept time.
 std::string told(const input::TickReport& arm);
 
+/// A replay that a session shows instead of a match.
+struct ShownReplay {
+    game::Playback& playback;
+    const game::ReplayIndex& index;  ///< of the same log; another thread may still fill it
+    Tick start = 0;                  ///< first tick that is shown
+    double speed = 1;                ///< pace at first (multiple of real time)
+};
+
 struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
@@ -93,10 +101,8 @@ struct LivePlan {
     /// true: bots play one match after another, and each result is shown for some seconds. Only the first match is
     /// recorded, because the recordings of a night would displace those of the players.
     bool demo = false;
-    /// Replay to show instead of a match; null: a match. Nobody plays, nothing is recorded, and the window
-    /// closes soon after the replay's end.
-    game::Playback* replay = nullptr;
-    double speed = 1;             ///< pace of the replay (multiple of real time)
+    /// Replay to show instead of a match; null: a match. Nobody plays, and nothing is recorded.
+    const ShownReplay* replay = nullptr;
     std::filesystem::path log{};  ///< log of the first match; later logs lie beside it, with a number
     std::filesystem::path
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded

@@ -96,8 +96,9 @@ game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
     return menu;
 }
 
-const render::Frame& frame_of(RenderState& state, const Screen& screen, double speed, render::Size size) {
+const render::Frame& frame_of(RenderState& state, const Screen& screen, render::Size size) {
     auto hud = screen.hud;
+    const double speed = hud.replay ? hud.replay->speed : 1;
     hud.quality = state.quality.now(screen.quality, size);
     hud.prompt_uses = state.buffer.prompt_uses;
     if (screen.arena_scene)
@@ -109,10 +110,12 @@ const render::Frame& frame_of(RenderState& state, const Screen& screen, double s
     return state.memory.frame;
 }
 
-/// Tests whether a picture is due. A match that goes on always needs one.
+/// Tests whether a picture is due. A match or replay that goes on always needs one.
 bool due(RenderState& state, const Screen& screen, bool changed) {
     const auto now = monotonic_ns();
-    const bool still = screen.arena_scene || state.buffer.now.paused;
+    const auto& replay = screen.hud.replay;
+    const bool stopped = replay && (replay->paused || state.buffer.now.tick >= replay->length);
+    const bool still = screen.arena_scene || state.buffer.now.paused || stopped;
     if (still && !changed && now < state.next_still_ns) return false;
     state.next_still_ns = now + still_period_ns;
     return true;
@@ -188,7 +191,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
         }
         if (!due(state, screen, changed)) continue;
         const auto begun_ns = monotonic_ns();
-        renderer.draw(frame_of(state, screen, plan.speed, size));
+        renderer.draw(frame_of(state, screen, size));
         window.present();
         count_picture(begun_ns, shared, state, times);
     }

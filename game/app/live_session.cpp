@@ -34,6 +34,11 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
       menu_(make_menu(plan)),
       hands_(shared.seats) {
     shared.requests.dummy = plan.practice.value_or(game::DummyKind::still);
+    if (plan.replay != nullptr) {
+        shared.replay.speed = plan.replay->speed;
+        if (plan.replay->start > 0) shared.replay.target = plan.replay->start;
+        viewer_.emplace(plan.replay->index, plan.replay->playback.log().ticks(), shared.replay);
+    }
     publish_screen();
 }
 
@@ -50,6 +55,7 @@ void LiveSession::give_hands(std::int64_t now_ns, F&& f) {
 
 void LiveSession::key(int key, bool pressed, std::int64_t now_ns) {
     if (pressed && session_key(key)) return;
+    if (viewer_) return pressed ? replay_key(key) : void();
     if (pressed && !menu_.takes_all_keys()) {
         if (const auto news = hands_.take_half(key, menu_.settings())) return report(*news);
     }
@@ -63,6 +69,7 @@ void LiveSession::character(char32_t character) {
 }
 
 void LiveSession::mouse_button(int button, bool pressed, render::Size window, std::int64_t now_ns) {
+    if (viewer_) return viewer_->mouse_button(button, pressed, window, menu_.settings().text_scale);
     if (menu_.is_open()) return menu_.mouse_button(button, pressed, window);
     give_hands(now_ns, [&](auto& hands) { hands.mouse_button(button, pressed); });
 }
@@ -72,6 +79,7 @@ void LiveSession::mouse_move(double right, double down, std::int64_t now_ns) {
 }
 
 void LiveSession::cursor(fvec2 position, render::Size window) {
+    if (viewer_) return viewer_->cursor(position, window, menu_.settings().text_scale);
     if (menu_.is_open()) menu_.cursor(position, window);
 }
 
@@ -101,13 +109,19 @@ bool LiveSession::session_key(int key) {
     return split || fullscreen || mark || forces;
 }
 
+void LiveSession::replay_key(int key) {
+    const auto& settings = menu_.settings();
+    const bool leaves =
+        is_bound(settings.of(SessionKey::leave), key) || is_bound(settings.of(SessionKey::pause), key);
+    if (leaves)
+        shared_.stop = true;
+    else
+        viewer_->key(key);
+}
+
 void LiveSession::match_key(int key, std::int64_t now_ns) {
     const auto& settings = menu_.settings();
     const bool pause = is_bound(settings.of(SessionKey::pause), key);
-    if (plan_.replay != nullptr) {
-        if (pause || is_bound(settings.of(SessionKey::leave), key)) shared_.stop = true;
-        return;
-    }
     const auto state = shared_.progress.state.load();
     if (state == PlayState::over) key_after_round(key, now_ns);
     if (state == PlayState::playing && pause && !hands_.pauses(key, settings))
@@ -295,7 +309,7 @@ std::array<std::string, game::players> LiveSession::names() const {
 Screen LiveSession::screen() const {
     const auto& settings = menu_.settings();
     Screen screen{.hud = {.split = settings.split,
-                          .watch = watched(shared_.seats),
+                          .watch = viewer_ ? viewer_->watch() : watched(shared_.seats),
                           .fov = settings.fov,
                           .text_scale = settings.text_scale,
                           .bloom = settings.bloom,
@@ -304,7 +318,8 @@ Screen LiveSession::screen() const {
                           .menu = menu_.is_open(),
                           .names = names(),
                           .captions = {settings.players[0].captions, settings.players[1].captions},
-                          .prompts = {settings.players[0].prompts, settings.players[1].prompts}},
+                          .prompts = {settings.players[0].prompts, settings.players[1].prompts},
+                          .replay = viewer_ ? std::optional(viewer_->bar()) : std::nullopt},
                   .quality = settings.quality,
                   .menu = menu_.picture(),
                   .arena_scene = menu_.on_start_screen(),

@@ -6,6 +6,7 @@
 //     FocusLoss    the window's focus, whose loss pauses
 //     RoundEnd     the time since the round's end
 //     NextMatch    data of the next match
+//     ReplayViewer keys and mouse of a shown replay
 //
 // Events and times (ns, monotonic clock) are arguments (live_window.cpp passes those of the window), so that a
 // test can drive a whole session. Requests to the match and its state pass through LiveShared.
@@ -63,6 +64,7 @@ public:
 private:
     // Keys of the session.
     bool session_key(int key);
+    void replay_key(int key);
     void match_key(int key, std::int64_t now_ns);
     void key_after_round(int key, std::int64_t now_ns);
     void leave_match();
@@ -94,6 +96,7 @@ private:
     NextMatch next_;
     LiveMenu menu_;
     PlayerHands hands_;
+    std::optional<ReplayViewer> viewer_{};  ///< std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};
     bool restarts_ = false;                   ///< true: the match is ended to begin again

@@ -11,6 +11,7 @@
 #include "game/app/live_pause.h"
 #include "game/app/live_recording.h"
 #include "game/app/live_seats.h"
+#include "game/app/replay_view.h"
 #include "game/bots/apprentice.h"
 #include "game/hud/menu.h"
 #include "render/context.h"
@@ -94,6 +95,7 @@ struct LiveShared {
     std::atomic<bool> stop{false};   ///< true: all threads must end
     MatchRequests requests{};
     MatchProgress progress{};
+    ReplayRequests replay{};  ///< of a session that shows a replay
     /// true: the player's pad is unplugged and the player has no other device; set by the main thread
     std::array<std::atomic<bool>, game::players> pad_lost{};
 
@@ -122,7 +124,7 @@ struct MatchStart {
 
 /// Body of the simulation thread: plays one match until the session stops, or until the match's end or a
 /// rematch is requested. Then it sets shared.progress.ended. It also sets shared.stop when the plan's time is
-/// up or its replay has ended. Calls `wake` whenever shared.progress has changed, so that the main thread looks.
+/// up. Calls `wake` whenever shared.progress has changed, so that the main thread looks.
 void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
                     const std::function<void()>& wake);
 

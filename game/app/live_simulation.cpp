@@ -29,7 +29,6 @@ constexpr Tick rematch_not_before = 800;
 constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
 constexpr Tick mark_shown = 1500;               ///< time for which the screen shows a mark (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
-constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< time for which a replay's last picture stays (ns)
 /// Difference between the seeds of a match's bots. A person in the match makes the random numbers
 /// unpredictable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
@@ -37,7 +36,7 @@ constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 /// One match with its bots, and its log or the range's data.
 struct Round {
     std::unique_ptr<Simulation> own;
-    Simulation* match = nullptr;  ///< `own`, or the match of the practice or the replay
+    Simulation* match = nullptr;  ///< `own`, or the match of the practice
     game::Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
     std::string told_step{};               ///< words of the Apprentice's step that was named last
@@ -54,8 +53,6 @@ struct SimulationThread {
     const std::function<void()>& wake;  ///< called when shared.progress has changed
     Round round{};
     std::int64_t start_ns = 0;  ///< deadline of the match's tick 0 (ns)
-    std::int64_t tick_ns = ns_per_tick;
-    Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
     int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
@@ -104,10 +101,6 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.skips_seen = s.shared.requests.lesson_skips;
     s.repeats_seen = s.shared.requests.lesson_repeats;
     s.countdown = start.countdown;
-    if (s.plan.replay != nullptr) {
-        s.round.match = &s.plan.replay->match();
-        return true;
-    }
     if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
         start_practice(s, std::move(*files), start);
     } else {
@@ -202,7 +195,7 @@ void stamp_input(SimulationThread& s) {
     const auto came = s.shared.input_came_ns.exchange(0);
     const auto tick = static_cast<std::int64_t>(s.round.match->now() + 1);
     if (came != 0 && play_state_of(s.round.match->match()) == PlayState::playing)
-        s.shared.stamps.push({came, s.start_ns + tick * s.tick_ns});
+        s.shared.stamps.push({came, s.start_ns + tick * ns_per_tick});
 }
 
 input::InputFrame take_frame(SimulationThread& s) {
@@ -280,48 +273,22 @@ void tell_progress(SimulationThread& s) {
     if (s.shared.progress.state.exchange(state) != state) s.wake();
 }
 
-/// Number of a mark that was made within the last mark_shown ticks, in this match or in the replayed log; 0:
-/// none.
-std::uint32_t recent_mark(const SimulationThread& s) {
-    const auto now = s.round.match->now();
-    if (s.plan.replay == nullptr)
-        return s.round.marks > 0 && now < s.round.marked_at + mark_shown ? s.round.marks : 0;
-    const auto& marks = s.plan.replay->log().marks();
-    auto mark = std::upper_bound(marks.begin(), marks.end(), now,
-                                 [](Tick tick, const input::Mark& m) { return tick < m.tick; });
-    while (mark != marks.begin() && now < (--mark)->tick + mark_shown) {
-        if (mark->kind == input::MarkKind::user) return mark->number;
-    }
-    return 0;
+/// Number of a mark that was made within the last mark_shown ticks; 0: none.
+std::uint32_t recent_mark(const Round& round) {
+    return round.marks > 0 && round.match->now() < round.marked_at + mark_shown ? round.marks : 0;
 }
 
 void publish(SimulationThread& s) {
     auto& picture = s.shared.pictures.to_fill();
     game::take_picture(*s.round.match, picture);
-    picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
-    picture.mark = recent_mark(s);
+    picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * ns_per_tick;
+    picture.mark = recent_mark(s.round);
     picture.countdown = s.countdown;
     picture.practice = {};
     picture.caption = {};
     if (auto* practice = practice_of(s.round)) practice->show(picture);
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
     s.shared.pictures.publish();
-}
-
-/// Sets the pace. Pictures are published as often as in real time, so slow motion stays smooth and a fast
-/// replay costs no more.
-void play_at(SimulationThread& s, double speed) {
-    s.tick_ns = std::llround(static_cast<double>(ns_per_tick) / speed);
-    s.publish_every = static_cast<Tick>(std::max(1.0, std::round(publish_period * speed)));
-    s.patience = static_cast<Tick>(most_behind * std::max(1.0, speed));
-}
-
-/// Computes one tick of a replay. Returns false at the replay's end.
-bool replay_tick(SimulationThread& s) {
-    if (!s.plan.replay->step()) return false;
-    tell_progress(s);
-    if (s.round.match->now() % s.publish_every == 0) publish(s);
-    return true;
 }
 
 void run_tick(SimulationThread& s) {
@@ -336,13 +303,12 @@ void run_tick(SimulationThread& s) {
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_progress(s);
-    if (now % (is_idle(s) ? std::max(s.publish_every, idle_publish_period) : s.publish_every) == 0)
-        publish(s);
+    if (now % (is_idle(s) ? idle_publish_period : publish_period) == 0) publish(s);
 }
 
 /// Number of ticks whose deadline has passed and that have not been computed.
 Tick backlog(const SimulationThread& s) {
-    const auto due = (monotonic_ns() - s.start_ns) / s.tick_ns;
+    const auto due = (monotonic_ns() - s.start_ns) / ns_per_tick;
     const auto done = static_cast<std::int64_t>(s.round.match->now());
     return due > done ? static_cast<Tick>(due - done) : 0;
 }
@@ -350,8 +316,7 @@ Tick backlog(const SimulationThread& s) {
 /// Skips a backlog: the input of the skipped ticks goes into one sample, and the clock continues from now.
 void skip(SimulationThread& s, Tick behind) {
     const auto skipped = behind - 1;
-    s.start_ns += static_cast<std::int64_t>(skipped) * s.tick_ns;
-    if (s.plan.replay != nullptr) return;  // a replay loses no ticks: it is only shown later
+    s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;
     s.skips_to_log += skipped;
     s.shared.report.skipped += skipped;
     s.skipped_at_ns = monotonic_ns();
@@ -360,7 +325,7 @@ void skip(SimulationThread& s, Tick behind) {
 void wait_for_next(SimulationThread& s) {
     const bool idle = is_idle(s);
     const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
-    const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * s.tick_ns;
+    const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * ns_per_tick;
     sleep_until_ns(deadline);
     if (!idle) s.shared.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
 }
@@ -398,7 +363,7 @@ void count_down(SimulationThread& s) {
 void begin_match(SimulationThread& s) {
     if (s.countdown > 0) count_down(s);
     for (auto& arm : s.shared.arms) arm->servo.begin_match();
-    s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
+    s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * ns_per_tick;
 }
 
 void run_session(SimulationThread& s) {
@@ -411,16 +376,10 @@ void run_session(SimulationThread& s) {
             wait_for_next(s);
             continue;
         }
-        if (behind > s.patience) skip(s, behind);
+        if (behind > most_behind) skip(s, behind);
         const auto before = monotonic_ns();
-        if (s.plan.replay == nullptr) {
-            keep_pace_with_arms(s, behind);
-            run_tick(s);
-        } else if (!replay_tick(s)) {
-            publish(s);
-            sleep_until_ns(monotonic_ns() + last_look_ns);
-            s.shared.stop = true;
-        }
+        keep_pace_with_arms(s, behind);
+        run_tick(s);
         s.shared.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
         ++s.shared.report.ticks;
         if (s.shared.requests.rematch && s.round.over_at) break;
@@ -436,7 +395,6 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
                     const std::function<void()>& wake) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
     SimulationThread session{.plan = plan, .shared = shared, .wake = wake};
-    if (plan.replay != nullptr) play_at(session, plan.speed);
     if (start_round(session, std::move(start))) {
         begin_match(session);
         run_session(session);

@@ -14,14 +14,10 @@ namespace {
 constexpr std::size_t max_data_file = 1U << 20U;
 constexpr Tick longest_shown = ticks(24 * 3600.0);  ///< rules of a longer round mean no limit
 
-std::string clock_of(Tick length) {
-    const auto whole = static_cast<int>(seconds(length));
-    return text(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60);
-}
-
 MenuContext::Named told(const std::string& name, const game::RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
-    const auto clock = rules.length < longest_shown ? clock_of(rules.length) : std::string("no time limit");
+    const auto clock = rules.length < longest_shown ? clock_text(rules.length / ticks_per_second)
+                                                    : std::string("no time limit");
     return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock)};
 }
 

@@ -4,31 +4,59 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/app/command.h"
 #include "game/app/live.h"
 #include "game/app/still.h"
+#include "render/priority.h"
 
 namespace thaum::app {
 
 namespace {
 
 /// Exit code of a shown replay: does_not_hold, with a message, if the replay diverged from the record.
-int verdict(const game::Playback& playback) {
-    if (!playback.divergence()) return done;
-    std::printf("%s\n", game::described(*playback.divergence()).c_str());
+int verdict(const std::optional<game::Divergence>& divergence) {
+    if (!divergence) return done;
+    std::printf("%s\n", game::described(*divergence).c_str());
     return does_not_hold;
 }
 
-int watch_in_window(game::Playback playback, double speed) {
+/// Starts a thread that fills the index behind more urgent work.
+Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayIndex& index,
+                                   const std::atomic<bool>& stop) {
+    auto again = playback.open_again();
+    if (!again) return tl::unexpected(again.error());
+    return start_thread([&index, &stop, again = std::move(*again)]() mutable {
+        render::work_behind_others();
+        index.fill(std::move(again), stop);
+    });
+}
+
+/// Shows the replay while its index is filled. Without an index a jump ahead takes as long as computing all up to
+/// there.
+int run_with_index(const LivePlan& plan, const game::Playback& playback, game::ReplayIndex& index) {
+    std::atomic<bool> stop{false};
+    const auto filling = fill_beside(playback, index, stop);
+    if (!filling) {
+        std::fprintf(stderr, "thaum: jumps ahead will be slow: %s\n", filling.error().message.c_str());
+        index.give_up();
+    }
+    const int result = run_live(plan);
+    stop = true;
+    return result;
+}
+
+int watch_in_window(game::Playback playback, const WatchPlan& watched) {
     const auto assets = game::find_assets();
+    game::ReplayIndex index(playback);
+    const ShownReplay replay{playback, index, watched.start, watched.speed};
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(playback.match().data());
-    plan.replay = &playback;
-    plan.speed = speed;
+    plan.replay = &replay;
     plan.assets = assets;
     plan.settings = settings_to_play_with(settings_file(), assets);
-    const int result = run_live(plan);
-    return result == done ? verdict(playback) : result;
+    const int result = run_with_index(plan, playback, index);
+    return result == done ? verdict(game::earlier(playback.divergence(), index.divergence())) : result;
 }
 
 int leave_picture(game::Playback& playback, const WatchPlan& plan) {
@@ -48,15 +76,14 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
     if (const auto saved = write_file(stem.string() + ".dump", state); !saved) return refuse(saved.error());
     std::printf("no display: tick %llu, state %s, in %s.png and .dump\n",
                 static_cast<unsigned long long>(match.now()), hex(match.state_hash()).c_str(), stem.c_str());
-    return verdict(playback);
+    return verdict(playback.divergence());
 }
 
 }  // namespace
 
 int watch(game::Playback playback, const WatchPlan& plan) {
     if (!display_there()) return leave_picture(playback, plan);
-    playback.play_to(plan.start);
-    return watch_in_window(std::move(playback), plan.speed);
+    return watch_in_window(std::move(playback), plan);
 }
 
 }  // namespace thaum::app

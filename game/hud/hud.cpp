@@ -70,7 +70,13 @@ std::vector<std::string> words_over_views(const Simulation& match) {
     return words;
 }
 
+render::Size area_of_views(const HudSettings& settings, render::Size size) {
+    if (!settings.replay) return size;
+    return {size.width, static_cast<int>(lay_out_replay_bar(settings.text_scale, size).band.low.y)};
+}
+
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size) {
+    size = area_of_views(settings, size);
     const render::Rect whole{0, 0, size.width, size.height};
     switch (settings.watch) {
         case Watch::first: return {whole, {}};

@@ -4,6 +4,7 @@
 #include "game/hud/arena_scene.h"
 #include "game/hud/figures.h"
 #include "game/hud/prompts.h"
+#include "game/hud/replay_bar.h"
 #include "render/context.h"
 
 namespace thaum::game {
@@ -30,6 +31,7 @@ struct HudSettings {
     std::array<ControlNames, players> controls{};  ///< controls of each person
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
     PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says
+    std::optional<ReplayBar> replay{};             ///< the bar of a replay; std::nullopt: a match
     bool operator==(const HudSettings&) const = default;
 };
 
@@ -56,6 +58,9 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
 
 /// All words of the HUD over both players' views.
 std::vector<std::string> words_over_views(const Simulation& match);
+
+/// Size of the area for all views: the window above the bar of a replay.
+render::Size area_of_views(const HudSettings& settings, render::Size size);
 
 /// Rectangle of each player's view; of zero size if the view is not shown.
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size);

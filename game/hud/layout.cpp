@@ -231,6 +231,8 @@ bool fits(const FittedWords& words, fvec2 room) {
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands) {
     HudLayout out;
     const auto views = views_of(settings, window);
+    if (settings.replay) out.replay = lay_out_replay_bar(settings.text_scale, window);
+    window = area_of_views(settings, window);
     Arrangement how{.alone = settings.watch != Watch::both || settings.split == render::Split::none,
                     .stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom};
     for (how.player = 0; how.player < players; ++how.player) {

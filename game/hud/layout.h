@@ -8,18 +8,13 @@
 //     name, health           strip         the strip of wands
 //
 // A flat view (one of two stacked ones) has no room for messages above the corners, so they are between them.
+// The bar of a replay is below all of this, in a band that the views leave free (game/hud/replay_bar.h).
 #pragma once
 #include <optional>
 
 #include "game/hud/hud.h"
 
 namespace thaum::game {
-
-/// A rectangle: its top left and its bottom right (px).
-struct Panel {
-    fvec2 low{}, high{};
-    bool operator==(const Panel&) const = default;
-};
 
 /// The panels of one player's view.
 struct ViewLayout {
@@ -42,6 +37,7 @@ struct HudLayout {
     Panel score;
     Panel notices;                ///< lines for both players
     std::optional<Panel> lesson;  ///< words of the Apprentice's step; std::nullopt: there are two views
+    std::optional<ReplayBarLayout> replay{};
 };
 
 /// Sizes of the strip (units).

@@ -15,10 +15,8 @@ using render::Align;
 using render::Overlay;
 using render::Rect;
 
-std::string clock(double seconds_left) {
-    const int whole = static_cast<int>(std::ceil(std::max(seconds_left, 0.0)));
-    const int rest = whole % 60;
-    return text(whole / 60, rest < 10 ? ":0" : ":", rest);
+std::string clock_left(double seconds_left) {
+    return clock_text(static_cast<std::uint64_t>(std::ceil(std::max(seconds_left, 0.0))));
 }
 
 std::string goal_line(const Picture& picture) {
@@ -39,7 +37,8 @@ void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) 
         add_text(out, text(picture.wizards[player].kills), middle + u * fvec2(44 * side, -22), 25 * u,
                  opaque(team_colours(player).light), Align::centre);
     }
-    add_text(out, clock(picture.left_s), middle + u * fvec2(0, -25), 19 * u, paints.white, Align::centre);
+    add_text(out, clock_left(picture.left_s), middle + u * fvec2(0, -25), 19 * u, paints.white,
+             Align::centre);
     add_text_in(out, {{box.low.x, middle.y + 7 * u}, {box.high.x, box.high.y}}, goal_line(picture), 11 * u,
                 paints.soft, Align::centre);
 }
@@ -122,6 +121,7 @@ void add_lesson(Overlay& out, const Picture& picture, const ControlNames& contro
 
 void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     if (settings.watch != Watch::both || settings.split == render::Split::none) return;
+    size = area_of_views(settings, size);
     const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
     const bool stacked = settings.split == render::Split::top_bottom;
     const fvec2 from = stacked ? fvec2(0, h / 2) : fvec2(w / 2, 0),
@@ -153,9 +153,11 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     add_notices(out, picture, layout.notices, layout.unit);
     if (layout.lesson && !picture.practice.lesson.empty())
         add_lesson(out, picture, settings.controls[0], *layout.lesson, layout.unit);
+    if (layout.replay) add_replay_bar(out, *settings.replay, picture.tick, *layout.replay);
     gather(out, 0);
     const auto panel = out.items.size();
-    const Rect window{0, 0, size.width, size.height};
+    const auto area = area_of_views(settings, size);
+    const Rect window{0, 0, area.width, area.height};
     if (picture.phase != Phase::playing)
         add_result_panel(out, picture, settings, window, layout.unit);
     else if (picture.paused)

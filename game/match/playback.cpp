@@ -14,10 +14,21 @@ Expected<Playback> Playback::open(const std::filesystem::path& log, const std::f
     auto match = match_of_log(reader->header(), assets);
     if (!match) return fail(text(log.string(), ": ", in_one_line(match.error().message)));
     Playback playback;
+    playback.path_ = log;
+    playback.assets_ = assets;
     playback.log_ = std::make_unique<input::LogReader>(std::move(*reader));
     playback.match_ = std::move(*match);
     playback.divergence_ = playback.mismatch();
     return playback;
+}
+
+Expected<Playback> Playback::open_again() const {
+    auto again = open(path_, assets_);
+    if (!again) return again;
+    const bool same = again->log().header() == log_->header() && again->log().ticks() == log_->ticks() &&
+                      again->log().hashes() == log_->hashes();
+    if (!same) return fail(text(path_.string(), ": changed while it was shown"));
+    return again;
 }
 
 bool Playback::step() {
@@ -32,6 +43,12 @@ bool Playback::play_to(Tick tick) {
         if (!step()) return false;
     }
     return true;
+}
+
+Expected<void> Playback::restore(std::span<const std::byte> snapshot, Tick at) {
+    if (auto restored = match_->restore(snapshot, at); !restored) return restored;
+    log_->seek(at);
+    return {};
 }
 
 std::optional<Divergence> Playback::mismatch() const {

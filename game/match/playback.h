@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "game/match/record.h"
@@ -25,6 +26,8 @@ class Playback {
 public:
     /// Opens a log. The error is one line: no log, damaged header, other rules version or changed data.
     static Expected<Playback> open(const std::filesystem::path& log, const std::filesystem::path& assets);
+    /// Opens the same log once more, at its first tick. The error also says if the file holds another match by now.
+    Expected<Playback> open_again() const;
 
     const input::LogReader& log() const { return *log_; }
     const Simulation& match() const { return *match_; }
@@ -35,13 +38,14 @@ public:
     bool step();
     /// Plays until `tick` ticks are done in total. Returns false if the log is shorter.
     bool play_to(Tick tick);
+    /// Continues from a state that another Playback of the same log saved at tick `at`, a keyframe.
+    Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// The input frame that the last step played.
     const input::InputFrame& frame() const { return frame_; }
     /// The log's hash of this tick if it differs from the state. std::nullopt if they agree or the log has no
     /// hash here.
     std::optional<Divergence> mismatch() const;
-    /// The first divergence since the log's beginning. Whatever is played after it differs from the recorded
-    /// match.
+    /// The first divergence that was seen. Whatever follows it in the log differs from the recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
     /// One line that says why agreeing hashes do not prove the whole replay: the log has no hashes, or lacks
@@ -53,6 +57,7 @@ public:
 
 private:
     Playback() = default;
+    std::filesystem::path path_, assets_;
     std::unique_ptr<input::LogReader> log_;
     std::unique_ptr<Simulation> match_;
     input::InputFrame frame_;

@@ -150,6 +150,7 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     auto& journal = context_.output.journal.write();
     journal.restart(std::as_const(context_.world).single<EventLog>());
     brew_.write().bursts_seen = journal.count();
+    context_.output.forces.write() = {};
     rebuild_physics(context_);
     rebuild_brew(context_, brew_.write());
     now_ = at;

@@ -66,7 +66,8 @@ public:
     /// Writes the World's snapshot (ecs/snapshot.h). It can be restored only if now() is a multiple of
     /// keyframe_interval.
     void save(Bytes& out) const;
-    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
+    /// Restores a state that another Simulation of the same data and setup saved at tick `at`, a keyframe. What is
+    /// only shown begins anew: older events and forces are gone, and force_hash() is right after the next tick.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
     /// Returns a match that continues this one by other data (game/match/carry_over.h). Its state no longer
     /// follows from its own data, seed and input, so it must not be logged.

@@ -151,6 +151,14 @@ TEST(CoreText, FixedPlaces) {
     EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 2), "nan");
 }
 
+TEST(CoreText, Clock) {
+    EXPECT_EQ(clock_text(0), "0:00");
+    EXPECT_EQ(clock_text(59), "0:59");
+    EXPECT_EQ(clock_text(245), "4:05");
+    EXPECT_EQ(clock_text(6000), "100:00");
+    EXPECT_EQ(clock_text(~0ULL), "307445734561825860:15");
+}
+
 TEST(CoreText, Hex) {
     EXPECT_EQ(hex(0), "0000000000000000");
     EXPECT_EQ(hex(0xdeadbeefULL), "00000000deadbeef");

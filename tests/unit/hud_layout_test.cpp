@@ -12,12 +12,37 @@ struct Arranged {
     Watch watch{};
     render::Split split{};
     std::string_view name;
+    bool replay = false;
 };
-constexpr std::array<Arranged, 3> arrangements{{{Watch::both, render::Split::top_bottom, "stacked"},
-                                                {Watch::both, render::Split::side_by_side, "beside"},
-                                                {Watch::first, render::Split::top_bottom, "alone"}}};
+constexpr std::array<Arranged, 6> arrangements{
+    {{Watch::both, render::Split::top_bottom, "stacked"},
+     {Watch::both, render::Split::side_by_side, "beside"},
+     {Watch::first, render::Split::top_bottom, "alone"},
+     {Watch::both, render::Split::top_bottom, "replay, stacked", true},
+     {Watch::both, render::Split::side_by_side, "replay, beside", true},
+     {Watch::second, render::Split::top_bottom, "replay, alone", true}}};
 constexpr std::array<render::Size, 8> windows{
     {{640, 480}, {640, 360}, {800, 600}, {1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1080}, {3840, 2160}}};
+
+/// The bar of a replay with as many words as it can have.
+ReplayBar busy_bar() {
+    return {
+        .length = 600'000,
+        .indexed = 100'000,
+        .target = 590'000,
+        .speed = 0.25,
+        .paused = true,
+        .eyes = "Ember's eyes",
+        .keys =
+            "Space: pause   Left, Right: 5 s   Up, Down: speed   Home, End   Page Up, Down: kill   V: eyes",
+        .kills = {{50'000, 0, 1}, {50'100, 1, 1}}};
+}
+
+HudSettings settings_of(const Arranged& how, double text_scale) {
+    HudSettings settings{.split = how.split, .watch = how.watch, .text_scale = text_scale};
+    if (how.replay) settings.replay = busy_bar();
+    return settings;
+}
 
 /// Calls f(settings, window, name) for every size of text and window and every arrangement of views.
 template <class F>
@@ -25,8 +50,8 @@ void each_case(F f) {
     for (const auto& how : arrangements) {
         for (const auto& window : windows) {
             for (double scale = 1; scale <= 2.5; scale += 0.25) {
-                const HudSettings settings{.split = how.split, .watch = how.watch, .text_scale = scale};
-                f(settings, window, text(how.name, " ", window.width, " x ", window.height, " at ", scale));
+                f(settings_of(how, scale), window,
+                  text(how.name, " ", window.width, " x ", window.height, " at ", scale));
             }
         }
     }
@@ -40,6 +65,13 @@ struct NamedBox {
 std::vector<NamedBox> boxes_of(const HudLayout& layout) {
     std::vector<NamedBox> boxes{{"score", layout.score}, {"notices", layout.notices}};
     if (layout.lesson) boxes.push_back({"lesson", *layout.lesson});
+    if (layout.replay) {
+        const auto& bar = *layout.replay;
+        boxes.push_back({"clock", bar.clock});
+        boxes.push_back({"state", bar.state});
+        boxes.push_back({"track", bar.track});
+        boxes.push_back({"keys", bar.keys});
+    }
     for (std::uint32_t p = 0; p < players; ++p) {
         if (!layout.views[p]) continue;
         const auto& v = *layout.views[p];
@@ -96,12 +128,13 @@ TEST(HudLayout, LargerTextIsLargerUpToWhatTheViewHolds) {
         for (const auto& window : windows) {
             float before = 0;
             for (double scale = 1; scale <= 2.5; scale += 0.25) {
-                const auto layout =
-                    lay_out({.split = how.split, .watch = how.watch, .text_scale = scale}, window, 5);
+                const auto layout = lay_out(settings_of(how, scale), window, 5);
+                if (layout.replay) continue;  // its bar takes room from the views as the text grows
                 EXPECT_GE(layout.unit, before);
                 before = layout.unit;
             }
-            const auto usual = lay_out({.split = how.split, .watch = how.watch}, window, 5).unit;
+            const auto usual = lay_out(settings_of(how, 1), window, 5).unit;
+            if (how.replay) continue;
             EXPECT_GE(before, 1.3F * usual) << how.name << " " << window.width << " x " << window.height;
         }
     }
@@ -110,15 +143,60 @@ TEST(HudLayout, LargerTextIsLargerUpToWhatTheViewHolds) {
 TEST(HudLayout, WindowsOfAnyShapeHaveALayout) {
     for (const auto& window : {render::Size{1, 1}, {16384, 100}, {100, 16384}, {2, 4000}}) {
         for (const auto& how : arrangements) {
-            const auto layout =
-                lay_out({.split = how.split, .watch = how.watch, .text_scale = 2.5}, window, 5);
+            const auto layout = lay_out(settings_of(how, 2.5), window, 5);
             for (const auto& [what, box] : boxes_of(layout)) {
                 EXPECT_TRUE(std::isfinite(box.low.x) && std::isfinite(box.high.y)) << what;
             }
             render::Overlay overlay;
-            make_overlay(picture_of(*new_match()), {.split = how.split, .watch = how.watch}, window, overlay);
+            make_overlay(picture_of(*new_match()), settings_of(how, 1), window, overlay);
         }
     }
+}
+
+TEST(HudLayout, TheBarOfAReplayIsBelowTheViewsAndGrowsWithTheText) {
+    for (const auto& window : windows) {
+        float before = 0;
+        for (double scale = 1; scale <= 2.5; scale += 0.25) {
+            const auto bar = lay_out_replay_bar(scale, window);
+            EXPECT_GE(bar.unit, before);
+            before = bar.unit;
+            const HudSettings settings{.text_scale = scale, .replay = busy_bar()};
+            for (const auto& view : views_of(settings, window))
+                EXPECT_LE(static_cast<float>(view.y + view.height), bar.band.low.y);
+            EXPECT_LE(bar.keys.high.y, bar.band.high.y);
+            EXPECT_GE(bar.clock.low.y, bar.band.low.y);
+            EXPECT_LE(bar.band.high.y - bar.band.low.y, 0.23F * static_cast<float>(window.height));
+        }
+        EXPECT_GE(before, 1.3F * lay_out_replay_bar(1, window).unit)
+            << window.width << " x " << window.height;
+    }
+}
+
+TEST(HudLayout, APlaceOnTheTrackIsATick) {
+    const auto bar = lay_out_replay_bar(1, {1280, 720});
+    EXPECT_EQ(tick_at(bar, bar.track.low.x, 1000), 0U);
+    EXPECT_EQ(tick_at(bar, bar.track.high.x, 1000), 1000U);
+    EXPECT_EQ(tick_at(bar, (bar.track.low.x + bar.track.high.x) / 2, 1000), 500U);
+    EXPECT_EQ(tick_at(bar, -100, 1000), 0U);
+    EXPECT_EQ(tick_at(bar, 9999, 1000), 1000U);
+    EXPECT_EQ(tick_at(bar, 600, 0), 0U);
+}
+
+TEST(HudLayout, TheBarOfAReplayTellsTimeSpeedAndEyes) {
+    auto picture = picture_of(*new_match());
+    picture.tick = 65'432;
+    render::Overlay overlay;
+    make_overlay(picture, {.replay = busy_bar()}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "1:05.4 / 10:00"));
+    EXPECT_TRUE(has_text(overlay, "0.25 x"));
+    EXPECT_TRUE(has_text(overlay, "on the way to 9:50"));
+    auto at_end = busy_bar();
+    at_end.length = picture.tick;
+    at_end.speed = 2;
+    at_end.eyes = "both views";
+    at_end.target = {};
+    make_overlay(picture, {.replay = at_end}, {1280, 720}, overlay);
+    EXPECT_TRUE(has_text(overlay, "end, 2 x, both views"));
 }
 
 TEST(FittedWords, BreakAtSpacesAndShrinkOnlyIfTheyMust) {

@@ -326,16 +326,29 @@ TEST_F(LiveSessionTest, SomeKeysActAtAnyTime) {
     EXPECT_TRUE(session_->menu().settings().fullscreen);
 }
 
-TEST_F(LiveSessionTest, AReplayOnlyStops) {
+TEST_F(LiveSessionTest, AReplayHasItsOwnKeysAndMouse) {
     auto replay = short_replay();
     ASSERT_TRUE(replay) << replay.error().message;
-    plan_.replay = &*replay;
+    const game::ReplayIndex index(*replay);
+    const ShownReplay shown{*replay, index, 5, 0.5};
+    plan_.replay = &shown;
     begin();
+    EXPECT_EQ(shared_.replay.target, 5U);
+    EXPECT_EQ(shared_.replay.speed, 0.5);
     EXPECT_FALSE(shared_.seats[0].hands) << "a replay has no players at the devices";
     pause(0);
     step();
     EXPECT_FALSE(session_->menu().is_open()) << "a pause in the log opens no menu";
     EXPECT_FALSE(screen().hud.can_play_again);
+    EXPECT_EQ(screen().hud.replay->length, 8U);
+    press("v");
+    session_->publish_screen();
+    EXPECT_EQ(screen().hud.watch, game::Watch::first);
+    const auto track = game::lay_out_replay_bar(1, rig::window).track;
+    session_->cursor(track.high, rig::window);
+    session_->mouse_button(0, true, rig::window, now_);
+    EXPECT_EQ(shared_.replay.target, 8U);
+    EXPECT_FALSE(shared_.stop);
     press("escape");
     EXPECT_TRUE(shared_.stop);
 }

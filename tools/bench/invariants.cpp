@@ -27,6 +27,8 @@ constexpr double amount_drift = 1e-5;
 
 constexpr std::array invariants{
     Invariant{"replay", "verify", "mismatches", 0, 0},
+    Invariant{"replay", "seek", "mismatches", 0, 0},
+    Invariant{"replay", "seek", "compared", 1, any},
     Invariant{"replay", "verify", "compared", 1, any},
     Invariant{"tick", "alloc", "allocations", 0, 0},
     Invariant{"tick", "alloc", "shots", 1, any},

@@ -1,14 +1,12 @@
-// Benchmarks a match: cost and allocations of a tick, speed of verifying a log, and cost of idle features.
+// Benchmarks a match: cost and allocations of a tick, and cost of idle features.
 #include <algorithm>
 #include <functional>
 
 #include "core/text.h"
 #include "ecs/snapshot.h"
-#include "game/bots/duel.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
-#include "game/match/playback.h"
 #include "game/wands/belt.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
@@ -21,17 +19,8 @@ namespace {
 
 using game::Simulation;
 
-/// Level of the bots with the most work per tick.
-constexpr int heaviest = game::hardest_bot;
-
-Expected<game::BotDuel> duel() {
-    auto data = duel_data();
-    if (!data) return fail("the data files could not be loaded; see the message above");
-    return game::make_bot_duel(game::find_assets(), data, {heaviest, heaviest}, 1);
-}
-
 void tick_duel(const Options& options, Report& report) {
-    auto scene = duel();
+    auto scene = heaviest_duel();
     if (!there(scene, "tick")) return;
     auto& match = *scene->match;
     std::vector<double> samples(options.quick ? 20'000 : 120'000);
@@ -48,7 +37,7 @@ void tick_duel(const Options& options, Report& report) {
         {.area = "tick",
          .name = "duel",
          .setting = {{"bots", std::int64_t{2}},
-                     {"level", std::int64_t{heaviest}},
+                     {"level", std::int64_t{game::hardest_bot}},
                      {"physics_period", std::int64_t{game::physics_period}}},
          .time_us = times(samples),
          .is_default = true,
@@ -65,7 +54,7 @@ void tick_duel(const Options& options, Report& report) {
 }
 
 void tick_alloc(const Options& options, Report& report) {
-    auto scene = duel();
+    auto scene = heaviest_duel();
     if (!there(scene, "tick")) return;
     constexpr Tick warm_up = 10'000;
     const Tick counted = options.quick ? 20'000 : 60'000;
@@ -87,83 +76,6 @@ void tick_alloc(const Options& options, Report& report) {
                                        {"counted", allocations_are_counted() ? 1.0 : 0.0},
                                        {"ticks", static_cast<double>(counted)},
                                        {"shots", static_cast<double>(shots)}}});
-}
-
-struct Verified {
-    double took_us{};  ///< time of opening, replaying and comparing (us)
-    double real_time_factor{};
-    double ratio_to_tick{};  ///< time of the live ticks, bots included, divided by the time of verifying
-    std::size_t compared{}, mismatches{};  ///< hashes in the log, and hashes that differ
-    double log_bytes_per_minute{};
-    std::string hash;
-};
-
-/// Records a duel in a log, then verifies the log.
-Expected<Verified> record_and_verify(Tick length) {
-    auto scene = duel();
-    if (!scene) return tl::unexpected(scene.error());
-    auto& match = *scene->match;
-    const auto file = std::filesystem::temp_directory_path() /
-                      text("thaum-bench-", static_cast<long>(now_us()), ".thaumlog");
-    auto log = input::LogWriter::create(
-        file, game::log_header(match.data(), match.setup(), {text("bot ", heaviest), text("bot ", heaviest)}),
-        input::WhenBehind::wait);
-    if (!log) return tl::unexpected(log.error());
-    double ticking_us = 0;
-    for (Tick t = 0; t < length; ++t) {
-        const double start = now_us();
-        const auto frame = scene->next_frame();
-        match.tick(frame);
-        ticking_us += now_us() - start;
-        game::record_tick(match, frame, *log);
-    }
-    if (auto closed = game::close_log(*log, match); !closed) return tl::unexpected(closed.error());
-    Verified result;
-    std::error_code ignored;
-    result.log_bytes_per_minute =
-        static_cast<double>(std::filesystem::file_size(file, ignored)) / (seconds(length) / 60.0);
-    const double start = now_us();
-    auto playback = game::Playback::open(file, game::find_assets());
-    while (playback && playback->step()) {
-        if (!playback->log().hash_at(playback->match().now())) continue;
-        ++result.compared;
-        result.mismatches += playback->mismatch() ? 1U : 0U;
-    }
-    result.took_us = now_us() - start;
-    std::filesystem::remove(file, ignored);
-    if (!playback) return tl::unexpected(playback.error());
-    result.real_time_factor = seconds(length) * 1e6 / result.took_us;
-    result.ratio_to_tick = ticking_us / result.took_us;
-    result.hash = hex(playback->match().state_hash());
-    return result;
-}
-
-void replay_verify(const Options& options, Report& report) {
-    std::vector<double> took, factors, ratios;
-    Verified last;
-    std::size_t mismatches = 0;
-    for (int round = 0; round < 5;
-         // Recording and verifying alternate, so that both see the same load of the machine.
-         ++round) {
-        auto verified = record_and_verify(options.quick ? 10'000 : 40'000);
-        if (!there(verified, "replay")) return;
-        mismatches += verified->mismatches;
-        last = std::move(*verified);
-        took.push_back(last.took_us);
-        factors.push_back(last.real_time_factor);
-        ratios.push_back(last.ratio_to_tick);
-    }
-    report.rows.push_back({.area = "replay",
-                           .name = "verify",
-                           .setting = {{"scene", std::string("duel")}},
-                           .time_us = times(took),
-                           .is_default = true,
-                           .metrics = {{"real_time_factor", median(factors)},
-                                       {"ratio_to_tick", median(ratios)},
-                                       {"compared", static_cast<double>(last.compared)},
-                                       {"mismatches", static_cast<double>(mismatches)},
-                                       {"log_bytes_per_minute", last.log_bytes_per_minute}},
-                           .hash = last.hash});
 }
 
 // ---- hands that hold --------------------------------------------------------------------------------------
@@ -432,8 +344,6 @@ void tick(const Options& options, Report& report) {
     tick_duel_haptic(options, report);
     tick_duel_cauldron(options, report);
 }
-
-void replay(const Options& options, Report& report) { replay_verify(options, report); }
 
 void skip(const Options& options, Report& report) { skip_features(options, report); }
 

@@ -43,6 +43,12 @@ ecs::SystemCount SceneMatch::counted(std::string_view system) const {
     return {};
 }
 
+Expected<game::BotDuel> heaviest_duel() {
+    auto data = duel_data();
+    if (!data) return fail("the data files could not be loaded; see the message above");
+    return game::make_bot_duel(game::find_assets(), data, {game::hardest_bot, game::hardest_bot}, 1);
+}
+
 std::optional<SceneMatch> idle_match(std::vector<std::string> overrides) {
     auto data = duel_data(std::move(overrides));
     if (!data) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "game/bots/duel.h"
 #include "game/match/simulation.h"
 
 namespace thaum::bench {
@@ -25,6 +26,9 @@ bool there(const Expected<T>& value, std::string_view what) {
 /// Data of a match that cannot end while it is measured. Null if it could not be loaded; the reason has
 /// been printed.
 std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {});
+
+/// A duel of the bots with the most work per tick, with duel_data().
+Expected<game::BotDuel> heaviest_duel();
 
 /// A match with two scripted wizards, or with no input at all.
 struct SceneMatch {

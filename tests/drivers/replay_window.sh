@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# tests/drivers/replay_window.sh THAUM PRESS_KEYS: a replay in its window under Xvfb. Keys and mouse move the knob of the
+# bar to the end, the beginning and the middle; the end waits. Exits with 77 if a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1 press_keys=$2
+need Xvfb xdotool import
+open_screen 1280x720
+few_pictures
+at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
+# knob_at X: tests whether the bar's knob, which is higher than its line, is at this place.
+knob_at() { import -window root -crop "1x1+$1+678" -depth 8 txt: 2>/dev/null | grep -q '#F[0-9A-F]F[0-9A-F]F[0-9A-F]'; }
+left=13 middle=640 right=1267
+
+bar_is_drawn() { import -window root -crop 1x1+4+655 -depth 8 txt: 2>/dev/null | grep -q '#0A0614'; }
+
+"$thaum" --headless --seconds 10 --record "$folder/log" >/dev/null
+"$thaum" replay "$folder/log" >"$folder/said" 2>&1 &
+game=$!
+eventually "no bar" bar_is_drawn
+presses End
+eventually "End does not go to the end" knob_at $right
+presses Home space
+eventually "Home does not go to the beginning" knob_at $left
+sleep 0.5
+knob_at $left || failed "the replay does not pause"
+xdotool mousemove $middle 686 mousedown 1
+eventually "the mouse does not take the replay to its middle" knob_at $middle
+xdotool mouseup 1
+presses End
+eventually "End does not go to the end from the middle" knob_at $right
+presses comma
+presses Escape
+wait "$game" || failed "the exit code of the replay"
+[ ! -s "$folder/said" ] || failed "said: $(cat "$folder/said")"
+echo "a replay goes where keys and mouse say"
