@@ -28,6 +28,21 @@ constexpr double gift_seconds = 2;
 
 // Corners ---------------------------------------------------------------------------------------------------
 
+/// Adds a heart, white with a dark edge.
+void add_heart(Overlay& out, fvec2 centre, float size) {
+    const auto heart = [&](float s, fvec4 paint) {
+        for (const float side : {-0.5F, 0.5F})
+            out.items.emplace_back(
+                ArcItem{centre + size * fvec2(side, -0.25F), 0, 0.55F * s, 0, whole_turn, paint});
+        const float wide = 0.5F * size + 0.53F * s;
+        out.items.emplace_back(render::TriangleItem{centre + fvec2(-wide, -0.1F * size),
+                                                    centre + fvec2(wide, -0.1F * size),
+                                                    centre + fvec2(0, 0.2F * size + 0.8F * s), paint});
+    };
+    heart(1.5F * size, paints.dark);
+    heart(size, paints.white);
+}
+
 void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const ViewLayout& l) {
     const float u = l.unit;
     const fvec2 centre = (l.health.low + l.health.high) / 2.0F;
@@ -36,12 +51,18 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
         std::clamp((p.health - p.health_full) / std::max(p.health_cap - p.health_full, 1.0), 0.0, 1.0);
     out.items.emplace_back(ArcItem{centre, 0, 37 * u, 0, whole_turn, paints.panel});
     out.items.emplace_back(ArcItem{centre, 27 * u, 35 * u, arc_start, arc_sweep, paints.track});
-    const auto paint = p.health < low_health ? paints.red : opaque(team_colours(team).glow);
+    const bool low = p.health > 0 && p.health < low_health;
+    const auto paint = low ? paints.red : opaque(team_colours(team).glow);
     const auto arc = [&](float inner, float outer, double part, fvec4 of) {
         if (part > 0)
             out.items.emplace_back(
                 ArcItem{centre, inner * u, outer * u, arc_start, arc_sweep * static_cast<float>(part), of});
     };
+    if (low) {  // edges and a heart, so that nobody needs to see the red
+        arc(24, 38, share, paints.dark);
+        arc(25.5F, 36.5F, share, paints.white);
+        add_heart(out, centre - fvec2(0, 19 * u), 5 * u);
+    }
     arc(27, 35, share, paint);
     arc(22, 25, extra, paints.white);
     if (p.shielded)

@@ -1,0 +1,203 @@
+// Measures whether the marks of danger stand out from what is behind them, for usual eyes and for eyes that lack one kind
+// of cones. Each mark is drawn over ten scenes, from the dark corner to the glowing brew. At every place along it some part
+// must have a contrast of 3 : 1 to the same pixel of the picture without the HUD (WCAG 2.1, 1.4.11).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "game/bots/bot.h"
+#include "game/hud/figures.h"
+#include "game/hud/hud.h"
+#include "game/hud/layout.h"
+#include "render/colour.h"
+#include "render/context.h"
+#include "unit/hud_rig.h"
+
+namespace thaum::game::contrast_tests {
+namespace {
+
+using hud_tests::match_data;
+
+constexpr render::Size window{1280, 720};
+constexpr double least_contrast = 3;
+
+/// How a kind of eyes sees a colour in linear light: Machado, Oliveira and Fernandes, A Physiologically-based Model for
+/// Simulation of Color Vision Deficiency (2009), severity 1. Rows give red, green and blue.
+struct Eyes {
+    std::string_view name;
+    std::array<fvec3, 3> rows;
+};
+const Eyes kinds_of_eyes[] = {
+    {"usual", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},
+    {"protanopia",
+     {{{0.152286F, 1.052583F, -0.204868F},
+       {0.114503F, 0.786281F, 0.099216F},
+       {-0.003882F, -0.048116F, 1.051998F}}}},
+    {"deuteranopia",
+     {{{0.367322F, 0.860646F, -0.227968F},
+       {0.280085F, 0.672501F, 0.047413F},
+       {-0.011820F, 0.042940F, 0.968881F}}}},
+    {"tritanopia",
+     {{{1.255528F, -0.076749F, -0.178779F},
+       {-0.078411F, 0.930809F, 0.147602F},
+       {0.004733F, 0.691367F, 0.303900F}}}},
+};
+
+/// Relative luminance of a colour in linear light, as these eyes see it (ITU-R BT.709).
+double luminance(fvec3 linear, const Eyes& eyes) {
+    const auto seen = [&](std::size_t row) {
+        return std::clamp(static_cast<double>(glm::dot(eyes.rows[row], linear)), 0.0, 1.0);
+    };
+    return 0.2126 * seen(0) + 0.7152 * seen(1) + 0.0722 * seen(2);
+}
+
+double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
+
+fvec3 linear_at(const render::Image& image, fvec2 place) {
+    const int x = std::clamp(static_cast<int>(place.x), 0, image.width - 1),
+              y = std::clamp(static_cast<int>(place.y), 0, image.height - 1);
+    const auto at = 3 * static_cast<std::size_t>(y * image.width + x);
+    const auto channel = [&](std::size_t c) {
+        return render::linear_from_srgb(static_cast<float>(image.rgb[at + c]) / 255);
+    };
+    return {channel(0), channel(1), channel(2)};
+}
+
+/// One scene with and without the HUD.
+struct Drawn {
+    render::Image with, without;
+};
+
+/// Places across a mark, one behind the other.
+using Across = std::vector<fvec2>;
+
+/// Places from `inner` to `outer` (px) at a clock's angle (rad).
+Across along_ray(fvec2 centre, float angle, float inner, float outer) {
+    Across places;
+    for (float r = inner; r <= outer; r += 0.5F)
+        places.push_back(centre + r * fvec2(std::sin(angle), -std::cos(angle)));
+    return places;
+}
+
+double best_contrast(const Drawn& drawn, const Across& places, const Eyes& eyes) {
+    double best = 1;
+    for (const auto& place : places)
+        best = std::max(best, contrast(luminance(linear_at(drawn.with, place), eyes),
+                                       luminance(linear_at(drawn.without, place), eyes)));
+    return best;
+}
+
+struct Standing {
+    const char* where;
+    vec3 feet, at;
+};
+constexpr Standing ten_scenes[] = {
+    {"the sunny wall", {-9, 0, 1.3}, {-20, 2, 3}},
+    {"the dark corner", {13.5, 0, -12.5}, {20, 1.2, -19}},
+    {"the sky", {-9, 0, 6}, {-4, 14, -2}},
+    {"the brew from near", {-2.2, 0, 1.4}, {0, 0.9, 0}},
+    {"the bowl from afar", {-8, 0, 6}, {0, 0.9, 0}},
+    {"the ground in the sun", {-6, 0, 5}, {-7.5, 0, 3.5}},
+    {"the pit", {6, 0, 2}, {9, -2, 3}},
+    {"the shady wall", {15, 0, 10}, {20, 1.5, 12}},
+    {"the whole court", {-17, 0, 15}, {10, 1, -8}},
+    {"crates", {11, 0, 1.5}, {13, 0.5, 1.5}},
+};
+
+class Contrast : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = render::Offscreen::create(window.width, window.height);
+        if (!made) GTEST_SKIP() << made.error().message;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = render::Renderer::create(hud_tests::assets);
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+        scene = make_arena_scene(*renderer, *match_data());
+        layout = *lay_out(settings, window, match_data()->wands.size()).views[0];
+    }
+
+    Picture standing(const Standing& place) const {
+        auto picture = hud_tests::picture_of(*hud_tests::new_match());
+        const auto& wizard = match_data()->wizard;
+        auto& w = picture.wizards[0];
+        w.centre = place.feet + vec3(0, wizard.height / 2, 0);
+        w.eye = eye_of(wizard, w.centre);
+        const vec3 d = place.at - w.eye;
+        w.yaw = std::atan2(-d.x, -d.z);
+        w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
+        return picture;
+    }
+
+    Drawn drawn(const Picture& picture) {
+        auto frame = make_frame(scene, picture, settings, window, memory);
+        renderer->draw(frame);
+        auto with = renderer->read_pixels();
+        frame.overlay = {};
+        renderer->draw(frame);
+        return {std::move(with), renderer->read_pixels()};
+    }
+
+    /// Expects that each of these rows of places has the least contrast for all eyes.
+    static void expect_seen(const Drawn& drawn, const std::vector<Across>& mark, const char* where) {
+        for (const auto& eyes : kinds_of_eyes)
+            for (std::size_t i = 0; i < mark.size(); ++i)
+                EXPECT_GE(best_contrast(drawn, mark[i], eyes), least_contrast)
+                    << where << ", " << eyes.name << ", place " << i << " of " << mark.size();
+    }
+
+    HudSettings settings{.watch = Watch::first};
+    std::optional<render::Offscreen> context;
+    std::optional<render::Renderer> renderer;
+    ArenaScene scene;
+    ViewLayout layout;
+    FrameMemory memory;
+};
+
+TEST_F(Contrast, OfTheArcThatShowsWhereAHurtCameFrom) {
+    for (const auto& place : ten_scenes) {
+        auto picture = standing(place);
+        auto& w = picture.wizards[0];
+        w.hurts = 1;
+        w.marks[0] = {.age_s = 0.2, .towards = rotation({0, 1, 0}, w.yaw) * vec3(1, 0, 0)};  // to the right
+        std::vector<Across> arc;
+        for (float aside = -0.33F; aside <= 0.33F; aside += 0.03F)
+            arc.push_back(along_ray(layout.centre, static_cast<float>(pi / 2) + aside,
+                                    layout.ring * (1 - 14.0F / 66), layout.ring));
+        expect_seen(drawn(picture), arc, place.where);
+    }
+}
+
+TEST_F(Contrast, OfLowHealth) {
+    const fvec2 centre = (layout.health.low + layout.health.high) / 2.0F;
+    const float u = layout.unit;
+    for (const auto& place : ten_scenes) {
+        auto picture = standing(place);
+        picture.wizards[0].health = 20;
+        const auto images = drawn(picture);
+        std::vector<Across> arc, heart;
+        for (float angle = -2.3F; angle < -1.5F; angle += 0.05F)
+            arc.push_back(along_ray(centre, angle, 24 * u, 38 * u));
+        for (float x = -4; x <= 4; x += 1)
+            heart.push_back(along_ray(centre + u * fvec2(x, -14), 0, 0, 12 * u));
+        expect_seen(images, arc, place.where);
+        expect_seen(images, heart, place.where);
+    }
+}
+
+/// The measure itself: what has no edges is lost to some eyes somewhere.
+TEST(ContrastMeasure, RedOnBrickIsLostToSomeEyes) {
+    const auto red = fvec3(render::colour(0xFF4A3A, 1.0F)), brick = fvec3(render::colour(0xA4686C, 1.0F));
+    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[0]), luminance(brick, kinds_of_eyes[0])), least_contrast);
+    EXPECT_LT(contrast(luminance(red, kinds_of_eyes[1]), luminance(brick, kinds_of_eyes[1])), least_contrast);
+    for (const auto& eyes : kinds_of_eyes) {
+        EXPECT_NEAR(luminance({1, 1, 1}, eyes), 1, 1e-5) << eyes.name << " sees white as white";
+        EXPECT_NEAR(contrast(luminance({1, 1, 1}, eyes), luminance({0, 0, 0}, eyes)), 21, 1e-3);
+    }
+}
+
+}  // namespace
+}  // namespace thaum::game::contrast_tests
