@@ -358,6 +358,13 @@ void take_picture(const Simulation& match, Picture& out) {
     take_events(match, out);
 }
 
+int seconds_to_start(const Picture& picture) {
+    constexpr double counted = 3;
+    if (picture.countdown > 0) return picture.countdown;
+    if (picture.phase != Phase::between || picture.next_round_in_s > counted) return 0;
+    return std::max(1, static_cast<int>(std::ceil(picture.next_round_in_s)));
+}
+
 void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out) {
     out = to;
     if (from.tick >= to.tick) return;

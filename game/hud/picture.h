@@ -198,6 +198,9 @@ Picture make_picture();
 
 void take_picture(const Simulation& match, Picture& out);
 
+/// Seconds to the start of the match or of the next round, to be counted in every view; 0: nothing starts soon.
+int seconds_to_start(const Picture& picture);
+
 /// Interpolates between two pictures, `alpha` in [0, 1]. Anything that is not in both, or that moved farther
 /// than anything can (a respawn), has its place from `to`. All values that are not interpolated come from
 /// `to`.

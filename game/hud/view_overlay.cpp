@@ -445,8 +445,9 @@ void add_countdown(Overlay& out, int seconds, const ViewLayout& l) {
 void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                       const ViewLayout& l) {
     const auto& p = picture.wizards[player];
-    const bool plays = picture.phase == Phase::playing && !picture.paused && picture.countdown == 0;
-    if (picture.countdown > 0) add_countdown(out, picture.countdown, l);
+    const int count = seconds_to_start(picture);
+    const bool plays = picture.phase == Phase::playing && !picture.paused && count == 0;
+    if (count > 0) add_countdown(out, count, l);
     if (plays && p.dead) add_death(out, p, l);
     if (plays && !p.dead) {
         add_crosshair(out, picture, player, l);

@@ -158,7 +158,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     const auto panel = out.items.size();
     const auto area = area_of_views(settings, size);
     const Rect window{0, 0, area.width, area.height};
-    if (picture.phase != Phase::playing)
+    if (picture.phase != Phase::playing && seconds_to_start(picture) == 0)
         add_result_panel(out, picture, settings, window, layout.unit);
     else if (picture.paused)
         add_pause_panel(out, picture, settings, window, layout.unit);

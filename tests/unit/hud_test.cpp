@@ -337,6 +337,15 @@ TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     EXPECT_LT(renderer->statistics().draws, 120U);
 }
 
+/// Number of texts that are exactly these words.
+std::size_t texts_of(const render::Overlay& overlay, std::string_view words) {
+    return static_cast<std::size_t>(
+        std::count_if(overlay.items.begin(), overlay.items.end(), [&](const render::OverlayItem& item) {
+            const auto* text = std::get_if<render::TextItem>(&item);
+            return text != nullptr && text->text == words;
+        }));
+}
+
 TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     auto p = picture_of(*new_match());
     p.phase = Phase::between;
@@ -354,6 +363,11 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     EXPECT_TRUE(has_text(overlay, "rounds 1 : 1"));
     EXPECT_TRUE(has_text(overlay, "Enter, A: next round (in 5 s)    Esc, B: quit to menu"));
     EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
+    const auto other_threes = texts_of(overlay, "3");
+    p.next_round_in_s = 2.4;
+    make_overlay(p, {}, size, overlay);
+    EXPECT_FALSE(has_text(overlay, "wins")) << "the last seconds are counted in the views";
+    EXPECT_EQ(texts_of(overlay, "3"), other_threes + 4) << "in two views, each with its dark copy";
     p.phase = Phase::over;
     p.match_winner = 0;
     p.rounds_won = {2, 1};
