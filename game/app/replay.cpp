@@ -24,8 +24,7 @@ constexpr std::string_view replay_help =
 Replays a recorded match. The log holds the input of the devices; everything else
 is computed again, without bots and devices.
 
-  (no option)         watch the match in a window, with a bar of its time and kills;
-                      the bar names the keys
+  (no option)         watch the match in a window, whose bar names the keys
   --at S --speed X    start at second S; 0.25 to 16 times as fast. Without a display:
                       one picture of second S and its state in --out DIR (out)
   --header            print the header: players, devices, settings, data files, kinds

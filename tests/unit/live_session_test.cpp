@@ -7,22 +7,13 @@
 #include "core/file.h"
 #include "game/bots/bot.h"
 #include "game/match/record.h"
-#include "unit/live_rig.h"
+#include "unit/live_session_rig.h"
 
 namespace thaum::app {
 namespace {
 
 using input::Button;
 using input::PadButton;
-
-std::shared_ptr<const game::MatchData> shipped_data() {
-    static const auto data = [] {
-        auto loaded = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
-        EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
-        return std::make_shared<const game::MatchData>(std::move(*loaded));
-    }();
-    return data;
-}
 
 /// Replay of a match of eight ticks.
 Expected<game::Playback> short_replay() {
@@ -36,56 +27,6 @@ Expected<game::Playback> short_replay() {
     if (const auto closed = game::close_log(*log, match); !closed) return tl::unexpected(closed.error());
     return game::Playback::open(file.path, THAUM_SOURCE_DIR "/assets");
 }
-
-class LiveSessionTest : public testing::Test {
-protected:
-    LiveSessionTest() {
-        plan_.data = shipped_data();
-        plan_.assets = THAUM_SOURCE_DIR "/assets";
-        plan_.seats = {rig::mouse_seat, rig::first_pad_seat};
-        shared_.ready = true;
-    }
-
-    /// Begins a match of the plan's seats, or of the start screen's.
-    void begin(const Pads& pads = {}) {
-        session_.emplace(shared_, plan_);
-        session_->take_seats(pads);
-        session_->begin_match(pads);
-        pads_ = pads;
-    }
-    void step(std::int64_t after_ms = 4) {
-        now_ += after_ms * rig::ms;
-        session_->step_match(pads_, now_);
-        session_->publish_screen();
-    }
-    void press(int key) {
-        session_->key(key, true, now_);
-        session_->key(key, false, now_);
-    }
-    void press(std::string_view name) { press(rig::key(name)); }
-    /// Chooses a row of the menu.
-    void choose(std::string_view label) {
-        const auto& menu = session_->menu();
-        while (menu.picture().rows.at(menu.picture().cursor).label != label) press("down");
-    }
-    void pause(std::uint32_t player) {
-        shared_.progress.paused_by = player;
-        shared_.progress.state = PlayState::paused;
-    }
-    const Screen& screen() {
-        shared_.screen.take();
-        return shared_.screen.newest();
-    }
-    auto& requests() { return shared_.requests; }
-    input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
-
-    LivePlan plan_;
-    LiveShared shared_;
-    std::optional<LiveSession> session_;
-    Pads pads_{};
-    std::int64_t now_ = 1000 * rig::ms;
-    const Settings defaults_{};
-};
 
 // ---- pads -------------------------------------------------------------------------------------------------
 
@@ -531,82 +472,6 @@ TEST_F(LiveSessionTest, WaitsForEventsAsLongAsNothingMustBePolled) {
     session_->step_match(std::nullopt, now_);
     EXPECT_DOUBLE_EQ(session_->patience_s(), 0.016);
     EXPECT_TRUE(session_->needs_pads());
-}
-
-// ---- the start screen -------------------------------------------------------------------------------------
-
-class LiveStartScreenTest : public LiveSessionTest {
-protected:
-    LiveStartScreenTest() {
-        plan_.start_screen = true;
-        plan_.seconds = 10;
-        session_.emplace(shared_, plan_);
-        session_->open_start_screen(now_);
-    }
-    bool step_start(const Pads& pads = {}) {
-        const bool starts = session_->step_start_screen(pads, now_ += 16 * rig::ms);
-        session_->publish_screen();
-        return starts;
-    }
-};
-
-TEST_F(LiveStartScreenTest, TwoPressesStartAMatchOfThatDevice) {
-    EXPECT_FALSE(step_start());
-    EXPECT_TRUE(screen().arena_scene);
-    EXPECT_TRUE(shared_.scene.take()) << "the arena is shown";
-    press("x");
-    EXPECT_FALSE(step_start());
-    press("x");
-    press("x");
-    EXPECT_TRUE(step_start()) << "a third press of the same moment is ignored";
-    session_->take_seats({});
-    EXPECT_EQ(shared_.seats[0].seat.kind, SeatKind::keyboard_mouse);
-    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::bot);
-    session_->begin_match({});
-    EXPECT_FALSE(session_->menu().is_open());
-}
-
-TEST_F(LiveStartScreenTest, TheRangeStartsWithADummy) {
-    choose("Range: practise on a dummy");
-    press("enter");
-    EXPECT_TRUE(step_start());
-    session_->take_seats({});
-    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::dummy);
-    EXPECT_TRUE(session_->menu().context().practice);
-    EXPECT_TRUE(session_->next().take_range());
-}
-
-TEST_F(LiveStartScreenTest, AnotherArenaIsShownAtOnce) {
-    shared_.scene.take();
-    choose("Arena");
-    press("right");
-    step_start();
-    ASSERT_TRUE(shared_.scene.take());
-    EXPECT_EQ(shared_.scene.newest()->choice.arena, "the_well");
-    step_start();
-    EXPECT_FALSE(shared_.scene.take());
-}
-
-TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
-    step_start({rig::pad_with()});
-    step_start({rig::pad_with({PadButton::a})});
-    EXPECT_TRUE(screen().menu.seats[0].taken);
-    step_start({});
-    EXPECT_FALSE(screen().menu.seats[0].taken);
-}
-
-TEST_F(LiveStartScreenTest, EndsByQuitOrWhenItsTimeIsUp) {
-    press("escape");
-    press("enter");
-    EXPECT_FALSE(step_start());
-    EXPECT_TRUE(shared_.stop) << "Quit";
-    shared_.stop = false;
-    now_ += 9'900 * rig::ms;
-    EXPECT_FALSE(step_start());
-    EXPECT_FALSE(shared_.stop);
-    now_ += 100 * rig::ms;
-    EXPECT_FALSE(step_start());
-    EXPECT_TRUE(shared_.stop);
 }
 
 }  // namespace

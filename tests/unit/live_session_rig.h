@@ -1,0 +1,70 @@
+// unit/live_session_rig.h: a session of the main thread, without window, threads and clock. The test acts as the simulation
+// thread: it sets the match's state and reads the requests to the match.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "game/app/live_session.h"
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+
+inline std::shared_ptr<const game::MatchData> shipped_data() {
+    static const auto data = [] {
+        auto loaded = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
+        EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
+        return std::make_shared<const game::MatchData>(std::move(*loaded));
+    }();
+    return data;
+}
+
+class LiveSessionTest : public testing::Test {
+protected:
+    LiveSessionTest() {
+        plan_.data = shipped_data();
+        plan_.assets = THAUM_SOURCE_DIR "/assets";
+        plan_.seats = {rig::mouse_seat, rig::first_pad_seat};
+        shared_.ready = true;
+    }
+
+    /// Begins a match of the plan's seats, or of the start screen's.
+    void begin(const Pads& pads = {}) {
+        session_.emplace(shared_, plan_);
+        session_->take_seats(pads);
+        session_->begin_match(pads);
+        pads_ = pads;
+    }
+    void step(std::int64_t after_ms = 4) {
+        now_ += after_ms * rig::ms;
+        session_->step_match(pads_, now_);
+        session_->publish_screen();
+    }
+    void press(int key) {
+        session_->key(key, true, now_);
+        session_->key(key, false, now_);
+    }
+    void press(std::string_view name) { press(rig::key(name)); }
+    /// Chooses a row of the menu.
+    void choose(std::string_view label) {
+        const auto& menu = session_->menu();
+        while (menu.picture().rows.at(menu.picture().cursor).label != label) press("down");
+    }
+    void pause(std::uint32_t player) {
+        shared_.progress.paused_by = player;
+        shared_.progress.state = PlayState::paused;
+    }
+    const Screen& screen() {
+        shared_.screen.take();
+        return shared_.screen.newest();
+    }
+    auto& requests() { return shared_.requests; }
+    input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
+
+    LivePlan plan_;
+    LiveShared shared_;
+    std::optional<LiveSession> session_;
+    Pads pads_{};
+    std::int64_t now_ = 1000 * rig::ms;
+    const Settings defaults_{};
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,84 @@
+// Tests of the start screen of a session.
+#include "unit/live_session_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::PadButton;
+
+class LiveStartScreenTest : public LiveSessionTest {
+protected:
+    LiveStartScreenTest() {
+        plan_.start_screen = true;
+        plan_.seconds = 10;
+        session_.emplace(shared_, plan_);
+        session_->open_start_screen(now_);
+    }
+    bool step_start(const Pads& pads = {}) {
+        const bool starts = session_->step_start_screen(pads, now_ += 16 * rig::ms);
+        session_->publish_screen();
+        return starts;
+    }
+};
+
+TEST_F(LiveStartScreenTest, TwoPressesStartAMatchOfThatDevice) {
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(screen().arena_scene);
+    EXPECT_TRUE(shared_.scene.take()) << "the arena is shown";
+    press("x");
+    EXPECT_FALSE(step_start());
+    press("x");
+    press("x");
+    EXPECT_TRUE(step_start()) << "a third press of the same moment is ignored";
+    session_->take_seats({});
+    EXPECT_EQ(shared_.seats[0].seat.kind, SeatKind::keyboard_mouse);
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::bot);
+    session_->begin_match({});
+    EXPECT_FALSE(session_->menu().is_open());
+}
+
+TEST_F(LiveStartScreenTest, TheRangeStartsWithADummy) {
+    choose("Range: practise on a dummy");
+    press("enter");
+    EXPECT_TRUE(step_start());
+    session_->take_seats({});
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::dummy);
+    EXPECT_TRUE(session_->menu().context().practice);
+    EXPECT_TRUE(session_->next().take_range());
+}
+
+TEST_F(LiveStartScreenTest, AnotherArenaIsShownAtOnce) {
+    shared_.scene.take();
+    choose("Arena");
+    press("right");
+    step_start();
+    ASSERT_TRUE(shared_.scene.take());
+    EXPECT_EQ(shared_.scene.newest()->choice.arena, "the_well");
+    step_start();
+    EXPECT_FALSE(shared_.scene.take());
+}
+
+TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
+    step_start({rig::pad_with()});
+    step_start({rig::pad_with({PadButton::a})});
+    EXPECT_TRUE(screen().menu.seats[0].taken);
+    step_start({});
+    EXPECT_FALSE(screen().menu.seats[0].taken);
+}
+
+TEST_F(LiveStartScreenTest, EndsByQuitOrWhenItsTimeIsUp) {
+    press("escape");
+    press("enter");
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(shared_.stop) << "Quit";
+    shared_.stop = false;
+    now_ += 9'900 * rig::ms;
+    EXPECT_FALSE(step_start());
+    EXPECT_FALSE(shared_.stop);
+    now_ += 100 * rig::ms;
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(shared_.stop);
+}
+
+}  // namespace
+}  // namespace thaum::app
