@@ -81,7 +81,7 @@ std::string told(const input::TickReport& arm);
 /// A replay that a session shows instead of a match.
 struct ShownReplay {
     game::Playback& playback;
-    const game::ReplayIndex& index;  ///< of the same log; another thread may still fill it
+    const game::ReplayIndex& index;  ///< index of the same log; another thread may still fill it
     Tick start = 0;                  ///< first tick that is shown
     double speed = 1;                ///< pace at first (multiple of real time)
 };

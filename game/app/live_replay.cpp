@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/text.h"
 
@@ -11,12 +10,10 @@ namespace {
 
 using game::Playback;
 
-constexpr double usual_tick_ns = 1e6;
 constexpr std::int64_t idle_ns = 8'000'000;  ///< sleep between two looks at the requests (ns)
 constexpr double publish_period_ns = 4e6;    ///< period of published pictures, at any speed
 constexpr std::int64_t most_behind_ns =
-    250'000'000;                       ///< backlog that is left out; no tick is lost, only shown later
-constexpr Tick bookmark_shown = 1500;  ///< time for which the screen shows a bookmark (ticks)
+    250'000'000;  ///< backlog that is left out; no tick is lost, only shown later
 
 struct ReplayThread {
     const ShownReplay& replay;
@@ -27,7 +24,7 @@ struct ReplayThread {
 
     Playback& playback() { return replay.playback; }
     Tick now() const { return replay.playback.match().now(); }
-    double tick_ns() const { return usual_tick_ns / speed; }
+    double tick_ns() const { return static_cast<double>(ns_per_tick) / speed; }
     std::int64_t due_ns(Tick tick) const {
         return start_ns + std::llround(static_cast<double>(tick) * tick_ns());
     }
@@ -39,13 +36,13 @@ void begin_clock(ReplayThread& r) {
     r.start_ns = monotonic_ns() - r.due_ns(r.now());
 }
 
-/// Number of a bookmark of the last bookmark_shown ticks; 0: none.
+/// Number of a bookmark of the last mark_shown ticks; 0: none.
 std::uint32_t recent_mark(const Playback& playback) {
     const auto now = playback.match().now();
     const auto& marks = playback.log().marks();
     auto mark = std::upper_bound(marks.begin(), marks.end(), now,
                                  [](Tick tick, const input::Mark& m) { return tick < m.tick; });
-    while (mark != marks.begin() && now < (--mark)->tick + bookmark_shown) {
+    while (mark != marks.begin() && now < (--mark)->tick + mark_shown) {
         if (mark->kind == input::MarkKind::user) return mark->number;
     }
     return 0;

@@ -18,6 +18,9 @@
 
 namespace thaum::app {
 
+inline constexpr std::int64_t ns_per_tick = 1'000'000;
+inline constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a bookmark (ticks)
+
 /// Times of one event that a tick has taken (ns, monotonic clock).
 struct InputStamp {
     std::int64_t came_ns{};  ///< arrival of the event
@@ -95,7 +98,7 @@ struct LiveShared {
     std::atomic<bool> stop{false};   ///< true: all threads must end
     MatchRequests requests{};
     MatchProgress progress{};
-    ReplayRequests replay{};  ///< of a session that shows a replay
+    ReplayRequests replay{};  ///< requests of the viewer of a replay
     /// true: the player's pad is unplugged and the player has no other device; set by the main thread
     std::array<std::atomic<bool>, game::players> pad_lost{};
 

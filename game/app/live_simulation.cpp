@@ -17,7 +17,6 @@ using input::Button;
 
 namespace {
 
-constexpr std::int64_t ns_per_tick = 1'000'000;
 constexpr Tick most_behind = 250;
 constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
 // Periods for a pause and the time after the end, when little moves:
@@ -27,7 +26,6 @@ constexpr Tick log_after_end = 500;       ///< ticks of the result screen that a
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
 constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
-constexpr Tick mark_shown = 1500;               ///< time for which the screen shows a mark (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
 /// Difference between the seeds of a match's bots. A person in the match makes the random numbers
 /// unpredictable anyway.

@@ -27,10 +27,10 @@ enum class ReplayDeed : std::uint8_t {
 
 /// The deed of a key; std::nullopt: none. These keys cannot be bound: they act in replays only.
 std::optional<ReplayDeed> replay_deed_of(int key);
-/// What the keys do, for the screen.
+/// Words for the screen on what the keys do.
 std::string replay_keys();
 
-/// What the viewer has chosen.
+/// Choices of the viewer.
 struct ReplayView {
     Tick at{};  ///< place of the replay, or the place that it is on its way to
     double speed = 1;
@@ -48,7 +48,7 @@ inline constexpr Tick same_kill = 1000;  ///< a jump back from so close behind g
 /// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);
 
-/// What the main thread asks of the simulation thread.
+/// Requests of the main thread to the simulation thread.
 struct ReplayRequests {
     static constexpr Tick nowhere = ~Tick{0};
     /// Tick to go to. The simulation thread sets it to `nowhere` once it is there.

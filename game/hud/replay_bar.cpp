@@ -19,7 +19,7 @@ constexpr float side_room = 10, row_high = 17, track_high = 18, keys_high = 15, 
 constexpr float band_high = 3 * row_gap + row_high + track_high + keys_high + row_gap;
 constexpr float line_high = 6, knob_wide = 5, mark_radius = 5.5F;
 constexpr float least_wide = 260;       // width that every window has at least
-constexpr float largest_share = 0.22F;  // of the window's height
+constexpr float largest_share = 0.22F;  // largest share of the window's height
 constexpr float usual_high = 600, usual_wide = 900;
 
 float share_of(Tick tick, Tick length) {

@@ -15,15 +15,15 @@
 
 namespace thaum::game {
 
-/// What the bar shows beside the time of the picture.
+/// Contents of the bar, apart from the time of the picture.
 struct ReplayBar {
     Tick length{};                 ///< ticks of the log
     Tick indexed{};                ///< up to here every place is quick to reach
     std::optional<Tick> target{};  ///< place that the replay is on its way to
     double speed = 1;
     bool paused = false;
-    std::string eyes;  ///< whose views are shown
-    std::string keys;  ///< what the keys do
+    std::string eyes;  ///< words on whose views are shown
+    std::string keys;  ///< words on what the keys do
     std::vector<Kill> kills;
     bool operator==(const ReplayBar&) const = default;
 };

@@ -14,7 +14,7 @@ left=13 middle=640 right=1267
 
 bar_is_drawn() { import -window root -crop 1x1+4+655 -depth 8 txt: 2>/dev/null | grep -q '#0A0614'; }
 
-"$thaum" --headless --seconds 10 --record "$folder/log" >/dev/null
+"$thaum" --headless --seconds 10 --record "$folder/log" --out "$folder/out" >/dev/null
 "$thaum" replay "$folder/log" >"$folder/said" 2>&1 &
 game=$!
 eventually "no bar" bar_is_drawn

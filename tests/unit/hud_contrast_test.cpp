@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "game/bots/bot.h"
-#include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "game/hud/layout.h"
 #include "render/colour.h"
@@ -106,29 +105,19 @@ constexpr Standing ten_scenes[] = {
     {"crates", {11, 0, 1.5}, {13, 0.5, 1.5}},
 };
 
-class Contrast : public testing::Test {
+class Contrast : public hud_tests::DrawingTest {
 protected:
+    Contrast() : DrawingTest(window) {}
     void SetUp() override {
-        auto made = render::Offscreen::create(window.width, window.height);
-        if (!made) GTEST_SKIP() << made.error().message;
-        context.emplace(std::move(*made));
-        context->make_current();
-        auto created = render::Renderer::create(hud_tests::assets);
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        DrawingTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         scene = make_arena_scene(*renderer, *match_data());
         layout = *lay_out(settings, window, match_data()->wands.size()).views[0];
     }
 
     Picture standing(const Standing& place) const {
         auto picture = hud_tests::picture_of(*hud_tests::new_match());
-        const auto& wizard = match_data()->wizard;
-        auto& w = picture.wizards[0];
-        w.centre = place.feet + vec3(0, wizard.height / 2, 0);
-        w.eye = eye_of(wizard, w.centre);
-        const vec3 d = place.at - w.eye;
-        w.yaw = std::atan2(-d.x, -d.z);
-        w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
+        hud_tests::stand(picture, match_data()->wizard, 0, place.feet, place.at);
         return picture;
     }
 
@@ -150,8 +139,6 @@ protected:
     }
 
     HudSettings settings{.watch = Watch::first};
-    std::optional<render::Offscreen> context;
-    std::optional<render::Renderer> renderer;
     ArenaScene scene;
     ViewLayout layout;
     FrameMemory memory;

@@ -15,6 +15,7 @@
 #include "game/hud/hud.h"
 #include "render/context.h"
 #include "render/perceptual.h"
+#include "unit/hud_rig.h"
 #include "unit/picture_part.h"
 #include "unit/read_png.h"
 
@@ -64,16 +65,12 @@ struct Scene {
     HudSettings settings;
 };
 
-class StoredPictures : public testing::Test {
+class StoredPictures : public hud_tests::DrawingTest {
 protected:
+    StoredPictures() : DrawingTest(window) {}
     void SetUp() override {
-        auto made = render::Offscreen::create(window.width, window.height);
-        if (!made) GTEST_SKIP() << made.error().message;
-        context.emplace(std::move(*made));
-        context->make_current();
-        auto created = render::Renderer::create(source / "assets");
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        DrawingTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         show("boiling_court");
     }
 
@@ -88,14 +85,8 @@ protected:
         take_picture(match, start);
     }
 
-    /// Places a wizard with the feet at a position, looking at a point.
     void stand(Picture& p, std::uint32_t player, vec3 feet, vec3 at) const {
-        auto& w = p.wizards[player];
-        w.centre = feet + vec3(0, data->wizard.height / 2, 0);
-        w.eye = eye_of(data->wizard, w.centre);
-        const vec3 d = at - w.eye;
-        w.yaw = std::atan2(-d.x, -d.z);
-        w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
+        hud_tests::stand(p, data->wizard, player, feet, at);
     }
 
     Image drawn(const Scene& scene) {
@@ -157,8 +148,6 @@ protected:
         return scene;
     }
 
-    std::optional<render::Offscreen> context;
-    std::optional<render::Renderer> renderer;
     std::shared_ptr<const MatchData> data;
     ArenaScene arena_scene;
     Picture start;

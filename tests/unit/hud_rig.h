@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "game/bots/bot.h"
+#include "game/hud/figures.h"
 #include "game/hud/hud.h"
+#include "render/context.h"
 
 namespace thaum::game::hud_tests {
 
@@ -38,6 +41,35 @@ inline bool has_text(const render::Overlay& overlay, std::string_view part) {
         const auto* words = std::get_if<render::TextItem>(&item);
         return words != nullptr && words->text.find(part) != std::string::npos;
     });
+}
+
+/// Draws in memory with the shipped shaders. Skips the test where there is no OpenGL.
+class DrawingTest : public testing::Test {
+protected:
+    explicit DrawingTest(render::Size window) : window_(window) {}
+    void SetUp() override {
+        auto made = render::Offscreen::create(window_.width, window_.height);
+        if (!made) GTEST_SKIP() << made.error().message;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = render::Renderer::create(assets);
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+    }
+
+    const render::Size window_;
+    std::optional<render::Offscreen> context;
+    std::optional<render::Renderer> renderer;
+};
+
+/// Places a wizard with the feet at a position, looking at a point.
+inline void stand(Picture& p, const WizardRules& rules, std::uint32_t player, vec3 feet, vec3 at) {
+    auto& w = p.wizards[player];
+    w.centre = feet + vec3(0, rules.height / 2, 0);
+    w.eye = eye_of(rules, w.centre);
+    const vec3 d = at - w.eye;
+    w.yaw = std::atan2(-d.x, -d.z);
+    w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
 }
 
 }  // namespace thaum::game::hud_tests

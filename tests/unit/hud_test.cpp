@@ -18,16 +18,12 @@ namespace {
 
 // ---- drawn ------------------------------------------------------------------------------------------------
 
-class Drawn : public testing::Test {
+class Drawn : public DrawingTest {
 protected:
+    Drawn() : DrawingTest(size) {}
     void SetUp() override {
-        auto made = render::Offscreen::create(size.width, size.height);
-        if (!made) GTEST_SKIP() << made.error().message;
-        context.emplace(std::move(*made));
-        context->make_current();
-        auto created = render::Renderer::create(assets);
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        DrawingTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         arena_scene = make_arena_scene(*renderer, *match_data());
         picture = picture_of(*new_match());
     }
@@ -65,8 +61,6 @@ protected:
 
     static HudSettings split(render::Split s) { return {.split = s}; }
 
-    std::optional<render::Offscreen> context;
-    std::optional<render::Renderer> renderer;
     ArenaScene arena_scene;
     Picture picture;
     FrameMemory memory;
