@@ -10,19 +10,26 @@ few_pictures
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
 # knob_at X: tests whether the bar's knob, which is higher than its line, is at this place.
 knob_at() { import -window root -crop "1x1+$1+678" -depth 8 txt: 2>/dev/null | grep -q '#F[0-9A-F]F[0-9A-F]F[0-9A-F]'; }
+knob_has_left() { ! knob_at "$left"; }
 left=13 middle=640 right=1267
 
 bar_is_drawn() { import -window root -crop 1x1+4+655 -depth 8 txt: 2>/dev/null | grep -q '#0A0614'; }
 
 "$thaum" --headless --seconds 10 --record "$folder/log" --out "$folder/out" >/dev/null
-"$thaum" replay "$folder/log" >"$folder/said" 2>&1 &
+# A quarter of the speed: on a busy machine the replay may go on for a while between two keys.
+"$thaum" replay "$folder/log" --speed 0.25 >"$folder/said" 2>&1 &
 game=$!
 eventually "no bar" bar_is_drawn
 presses End
 eventually "End does not go to the end" knob_at $right
-presses Home space
+# A step back pauses, so the knob stays where Home takes it. Only states that stay can be waited for.
+presses comma Home
 eventually "Home does not go to the beginning" knob_at $left
-sleep 0.5
+presses space
+eventually "Space does not go on" knob_has_left
+presses space Home
+eventually "Home does not go to the beginning of a paused replay" knob_at $left
+sleep 1
 knob_at $left || failed "the replay does not pause"
 xdotool mousemove $middle 686 mousedown 1
 eventually "the mouse does not take the replay to its middle" knob_at $middle
