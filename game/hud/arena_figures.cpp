@@ -15,9 +15,24 @@ constexpr double least_share = 0.02;    ///< share of the strongest force; small
 constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
 /// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
 constexpr double most_reach = 0.22;
+constexpr double most_lower = 0.06;  ///< likewise downwards (m)
+/// Growth of the glow at a wand's tip to full charge, in the other player's view, and in the player's own, where it is
+/// near and must not hide the aim.
+constexpr double foe_growth = 3.5, own_growth = 1.2;
+
+/// Displacement at which a player's own wand is drawn, of a displacement by its hand (m, eye frame). The hand rests near
+/// the lower edge of the picture. So a lowered hand is drawn only a little lower, and what is drawn back comes nearer
+/// along the ray from the eye through the hand.
+vec3 drawn_reach(vec3 reach) {
+    const double lower = std::max(0.0, -reach.y);
+    if (lower > 0) reach.y = -most_lower * lower / (most_lower + lower);
+    const vec3 shown = limited(reach, most_reach);
+    const vec3 hand(own_hand);
+    return shown - std::max(0.0, shown.z) * vec3(hand.x, hand.y, 0) / -hand.z;
+}
 
 /// Place of a player's own wand's tip as it is drawn (m, eye frame).
-vec3 own_tip(const PlayerPicture& p) { return wand_tip + limited(p.wand_reach, most_reach); }
+vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand_reach); }
 
 }  // namespace
 
@@ -56,10 +71,10 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
 
 namespace {
 
-/// The glow at a wand's tip. It grows with the wand's charge.
+/// The glow at a wand's tip. It grows by `growth` with the wand's charge.
 Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
-                  const fmat4& tip) {
-    const auto size = static_cast<float>(1 + 3.5 * p.readiness);
+                  const fmat4& tip, double growth) {
+    const auto size = static_cast<float>(1 + growth * p.readiness);
     return {.mesh = arena_scene.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
 }
 
@@ -72,7 +87,8 @@ void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerP
     const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
                      looking(0, p.pitch);
     if (!p.wand.empty())
-        out.push_back(spark_at(arena_scene, number, p, arm * render::translated(fvec3(wand_tip) - shoulder)));
+        out.push_back(spark_at(arena_scene, number, p, arm * render::translated(fvec3(wand_tip) - shoulder),
+                               foe_growth));
     if (p.shielded) {
         const auto slowly = looking(0.8 * time, 0);
         out.push_back(
@@ -84,12 +100,13 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
                  std::vector<Instance>& out) {
     const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
-                     render::translated(fvec3(limited(p.wand_reach, most_reach))) * stylus_turned(p);
+                     render::translated(fvec3(drawn_reach(p.wand_reach))) * stylus_turned(p);
     if (p.stirs) return;  // the view of a player who stirs shows only the ladle
     out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});
-        out.push_back(spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip))));
+        out.push_back(
+            spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip)), own_growth));
     }
     set_sun(arena_scene, p.eye, std::span(out).subspan(first));
 }
@@ -144,7 +161,7 @@ void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const P
     }
     if (!p.spring) return;
     const auto view = look_rotation(p.yaw, p.pitch);
-    const vec3 from = wand_tip + limited(*p.spring, most_reach), way = own_tip(p) - from;
+    const vec3 from = wand_tip + drawn_reach(*p.spring), way = own_tip(p) - from;
     add_coil(arena_scene, p.eye + view * from, view * way, tint_of(p.force), out);
 }
 

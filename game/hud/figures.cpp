@@ -115,10 +115,8 @@ void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) 
            translated({0.006F, 0.026F, 0}));
 }
 
-/// Positions of the hands (eye frame). The player's own hand is close to the middle, so that a wide, flat
-/// view shows it as well. The other player's hand is drawn back, so that more of the wand is visible.
+/// The hand as the other player sees it (eye frame). It is drawn back, so that more of the wand is visible.
 const fvec3 foe_hand = fvec3(wand_tip) + fvec3(0.04F, -0.10F, 0.44F);
-const fvec3 own_hand{0.37F, -0.25F, -0.57F};
 
 /// Turns and stretches a mesh along -z so that it reaches from the hand to wand_tip.
 fmat4 held(fvec3 hand) {

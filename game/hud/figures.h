@@ -34,6 +34,8 @@ render::MeshData fallen_wizard(std::uint32_t team);
 render::MeshData wizard_arm(std::uint32_t team);
 /// Position of the shoulder (m, eye frame).
 inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
+/// The hand in the wizard's own view (eye frame). It is close to the middle, so that a wide, flat view shows it as well.
+inline constexpr fvec3 own_hand{0.37F, -0.25F, -0.57F};
 /// Sleeve and hand in the wizard's own view (eye frame).
 render::MeshData own_arm(std::uint32_t team);
 

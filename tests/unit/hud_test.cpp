@@ -195,6 +195,43 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
     EXPECT_LE(arena_scene.lights.size(), render::max_lights);
 }
 
+/// Places of a point of the first player's own wand as it is drawn (eye frame), for a displacement by the hand.
+vec3 own_wand_point(const ArenaScene& arena_scene, Picture& picture, vec3 reach, float along) {
+    auto& wizard = picture.wizards[0];
+    wizard.wand_reach = reach;
+    std::vector<render::Instance> instances;
+    add_instances(arena_scene, picture, 0, instances);
+    const auto mesh = arena_scene.wands[wizard.wand_number];
+    const auto wand = std::find_if(instances.begin(), instances.end(),
+                                   [&](const render::Instance& one) { return one.mesh == mesh; });
+    EXPECT_NE(wand, instances.end());
+    const vec3 place(wand->model * fvec4(0, 0, -along * wand_length, 1));
+    return glm::inverse(look_rotation(wizard.yaw, wizard.pitch)) * (place - wizard.eye);
+}
+
+void expect_in_view(vec3 point, double aspect, vec3 reach) {
+    const double tall = std::tan(field_of_view(HudSettings{}.fov, aspect) / 2);
+    EXPECT_LT(point.z, -0.1) << reach.x << ' ' << reach.y << ' ' << reach.z;
+    EXPECT_LT(std::abs(point.y / point.z), tall)
+        << reach.x << ' ' << reach.y << ' ' << reach.z << " in " << aspect;
+    EXPECT_LT(std::abs(point.x / point.z), tall * aspect)
+        << reach.x << ' ' << reach.y << ' ' << reach.z << " in " << aspect;
+}
+
+TEST_F(Drawn, TheOwnWandStaysInThePictureWhereverTheHandGoes) {
+    stand(picture, match_data()->wizard, 0, {0, 0, 12}, {0, 1.5, 0});
+    for (const double aspect : {640.0 / 720, 1280.0 / 720, 1280.0 / 360}) {
+        for (int i = 0; i < 27; ++i) {
+            const vec3 reach = 0.6 * vec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            expect_in_view(own_wand_point(arena_scene, picture, reach, 1), aspect, reach);
+        }
+        // The whole wand, at the full draw of the mouse's hand.
+        const vec3 draw(0, -0.51, 0.3);
+        for (const float along : {0.5F, 1.0F})
+            expect_in_view(own_wand_point(arena_scene, picture, draw, along), aspect, draw);
+    }
+}
+
 TEST_F(Drawn, SteamRisesFromTheBrewByItsHeat) {
     ASSERT_TRUE(arena_scene.bowl.has_value());
     const auto steam = [&](double heat, double seconds) {
