@@ -1,6 +1,8 @@
 #include "game/app/bindings.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "core/text.h"
 
@@ -101,9 +103,17 @@ constexpr std::array<std::string_view, 12> pad_axis_labels{"Left stick left",
                                                            "RT",
                                                            "RT"};
 
+/// Keys of the keypad that people know by their sign.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> keypad_signs{
+    {{"add", "+"}, {"subtract", "-"}, {"multiply", "*"}, {"divide", "/"}, {"decimal", "."}, {"equal", "="}}};
+
 std::string label_of_key(int code) {
     const auto words = capitalised_words(key_name_of(code));
-    return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
+    if (!words.starts_with("Kp ")) return words;
+    const auto key = std::string_view(words).substr(3);
+    const auto sign =
+        std::find_if(keypad_signs.begin(), keypad_signs.end(), [&](const auto& s) { return s.first == key; });
+    return text("Keypad ", sign == keypad_signs.end() ? key : sign->second);
 }
 
 }  // namespace

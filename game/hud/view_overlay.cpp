@@ -84,6 +84,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
                    {.wands = picture.shown->wands,
                     .charges = p.charges,
                     .controls = controls.wands,
+                    .next_control = controls.next_wand,
                     .in_hand = p.wand_number,
                     .columns = static_cast<std::size_t>(l.strip_columns),
                     .refilled = p.refilled,

@@ -83,6 +83,28 @@ void add_charge(render::Overlay& out, const Panel& bar, double share, bool refil
     out.items.emplace_back(render::RectItem{bar.low, end, share < low ? paints.amber : full, corner});
 }
 
+/// Index of the wand in the next slot after that of `in_hand`; after the last one it is the first.
+std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_t in_hand) {
+    if (in_hand >= wands.size()) return wands.size();
+    const auto ahead = [&](const WandPresentation& w) {
+        return w.slot - wands[in_hand].slot - 1;
+    };  // wraps round
+    const auto next = std::min_element(wands.begin(), wands.end(),
+                                       [&](const auto& a, const auto& b) { return ahead(a) < ahead(b); });
+    return static_cast<std::size_t>(next - wands.begin());
+}
+
+/// Words on the cell of a wand: the control that takes it; the number of its slot if neither it nor the next wand has
+/// a control.
+std::string control_of(const WandStrip& strip, std::size_t wand, std::size_t next) {
+    const auto slot = strip.wands[wand].slot;
+    if (slot < strip.controls.size() && !strip.controls[slot].empty()) return strip.controls[slot];
+    if (strip.next_control.empty()) return text(slot + 1);
+    if (wand != next) return {};
+    // The key alone, "+" of "Keypad +": there is room for three letters.
+    return std::string(strip.next_control.substr(strip.next_control.rfind(' ') + 1));
+}
+
 }  // namespace
 
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint) {
@@ -114,11 +136,10 @@ void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_le
         add_charge(out, {cell.low + unit * fvec2(4, 32), cell.low + unit * fvec2(strip_cell_width - 4, 38)},
                    charge < wands[i].energy_cost ? 0 : charge / cap, strip.refilled, strip.full);
     }
+    const auto next = next_in_slots(wands, strip.in_hand);
     for (std::size_t i = 0; i < wands.size(); ++i) {
         const auto cell = cell_of(i);
-        const auto slot = wands[i].slot;
-        const auto& control = slot < strip.controls.size() ? strip.controls[slot] : std::string();
-        const auto words = control.empty() ? text(slot + 1) : control;
+        const auto words = control_of(strip, i, next);
         const Panel box{cell.low + unit * fvec2(2, 1), cell.low + unit * fvec2(strip_cell_width / 2, 14)};
         add_text_in(out, box, words, 10 * unit, paint_of(i), render::Align::left);
     }

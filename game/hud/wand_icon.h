@@ -1,6 +1,7 @@
 // game/hud/wand_icon.h: flat pictures of wands, drawn from the same parts as their meshes.
 #pragma once
 #include <span>
+#include <string_view>
 
 #include "game/data/presentation.h"
 #include "render/scene.h"
@@ -15,14 +16,16 @@ struct WandStrip {
     const std::vector<WandPresentation>& wands;
     std::span<const double> charges;        ///< energy of each wand
     std::span<const std::string> controls;  ///< names of the controls that take a wand in hand, by slot
+    std::string_view next_control{};        ///< name of the control that takes the next wand
     std::uint32_t in_hand{};                ///< index of the wand in hand
     std::size_t columns{};                  ///< wands in one row
     bool refilled{};                        ///< stirring refills all wands now
     fvec4 full{};                           ///< colour of a wand's energy
 };
 
-/// Adds the icons of all wands in the order of their slots, with the names of their keys and their energy. The bar of
-/// a wand with less than a fifth of its energy is amber, and that of an empty one is a red line.
+/// Adds the icons of all wands in the order of their slots, with the names of their keys and their energy. Where wands
+/// have no keys of their own, as on a pad, the next wand shows the control that takes it. The bar of a wand with less
+/// than a fifth of its energy is amber, and that of an empty one is a red line.
 void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_left, float unit);
 
 }  // namespace thaum::game

@@ -42,6 +42,27 @@ TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     EXPECT_FALSE(has_text(overlay, "[E] Stir"));
 }
 
+TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
+    auto picture = picture_of(*new_match());
+    HudSettings settings;
+    settings.watch = Watch::first;
+    EXPECT_NE(text_item(overlay_of(picture, settings), "2"), nullptr);
+    settings.controls[0].next_wand = "RB";
+    const auto overlay = overlay_of(picture, settings);
+    const auto* label = text_item(overlay, "RB");
+    ASSERT_NE(label, nullptr);
+    for (const auto* digit : {"1", "2", "3", "4", "5"})
+        EXPECT_EQ(text_item(overlay, digit), nullptr) << digit;
+    auto& in_hand = picture.wizards[0].wand_number;
+    const float first = label->position.x;
+    in_hand = static_cast<std::uint32_t>((in_hand + 1) % picture.shown->wands.size());
+    const auto later = overlay_of(picture, settings);
+    ASSERT_NE(text_item(later, "RB"), nullptr);
+    EXPECT_NE(text_item(later, "RB")->position.x, first) << "it moves on with the wand in hand";
+    settings.controls[0].wands[1] = "2";
+    EXPECT_NE(text_item(overlay_of(picture, settings), "2"), nullptr);
+}
+
 // ---- what killed --------------------------------------------------------------------------------------------
 
 Event death_by_thing(std::uint32_t killer) {

@@ -356,6 +356,7 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
     EXPECT_TRUE(all_differ(keys));
     EXPECT_TRUE(all_differ(pads));
     EXPECT_EQ(label_of(key("kp_8")), "Keypad 8");
+    EXPECT_EQ(label_of(key("kp_add")), "Keypad +");
     EXPECT_EQ(label_of(key("left_alt")), "Left alt");
 }
 
