@@ -7,8 +7,10 @@ thaum_test(test_live
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_start_screen_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/replay_threads_test.cpp unit/replay_view_test.cpp
-        unit/settings_test.cpp unit/apprentice_course_test.cpp
+        unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
+        unit/screen_reader.cpp
     LINK thaum_live fake_arm
+    NOT_SANITIZED ScreenPlayer.Wins* ScreenPlayer.Reads*
     THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.*)
 
 add_executable(live_shot drivers/shot.cpp)
