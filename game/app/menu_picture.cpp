@@ -57,14 +57,18 @@ std::string hint_of(const MenuState& s, const Row& row) {
     if (s.typing) return "type the name    Enter: take it    Esc: leave it as it was";
     switch (s.pages.back().page) {
         case Page::start:
-            return "join: Enter, a click, any pad button, keypad 0    give up a seat: Esc, B, keypad *";
-        case Page::pause: return "choose: arrows, W and S, mouse or pad    go on: Esc, Start";
+            return "choose: arrows, W and S    join: Enter, click, any pad button, keypad 0    "
+                   "give up a seat: Esc, B, keypad *";
+        case Page::pause:
+            return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    go on: Esc, Start";
         case Page::cauldron:
             return "less, more: arrows    off, on: Enter, A, click on its name    applies from the next "
                    "match";
         default:
-            return row.next_match ? "applies from the next match"
-                                  : "choose: arrows, W and S, mouse or pad    back: Esc, B, right button";
+            return row.next_match
+                       ? "applies from the next match"
+                       : "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: "
+                         "Esc, B, right button";
     }
 }
 

@@ -81,7 +81,7 @@ private:
 
     MenuHand menu_hand_;
     Learnt learnt_;
-    std::string confirm_{};      ///< key that takes the chosen row of a menu
+    std::string confirm_{};      ///< key that confirms the chosen row, as the page of the menu says
     std::string words_{};        ///< words of the menu or lesson that were read last
     std::string wand_{};         ///< wand that the lesson is about
     int looks_ = 0;              ///< looks since those words came
