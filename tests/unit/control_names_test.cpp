@@ -30,7 +30,7 @@ TEST(ControlNames, NameDirectionsAsOneControl) {
     const auto keys = control_names(settings, DeviceKind::keyboard_mouse);
     EXPECT_EQ(keys.move, "W A S D");
     EXPECT_EQ(keys.look, "Mouse");
-    EXPECT_EQ(keys.pause, "Escape");
+    EXPECT_EQ(keys.pause, "Esc");
     const auto pad = control_names(settings, DeviceKind::pad);
     EXPECT_EQ(pad.move, "Left stick");
     EXPECT_EQ(pad.look, "Right stick");

@@ -183,7 +183,7 @@ void Player::follow_lesson(const Screen& seen, Hands& hands) {
     if (--pause_ > 0) return;
     if (has(words, "Well done")) {
         done_lessons_ = true;
-        if (tap(4)) hold(matched(words, "\\[([^\\]]+)\\] leaves"), hands);
+        if (tap(4)) hold(matched(words, "\\[([^\\]]+)\\], then leave"), hands);
         return;
     }
     do_lesson(seen, hands);
