@@ -264,7 +264,6 @@ Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCod
         else
             table.report(key, text("'", key, "': ", controls.error().message));
     }
-    bindings.stick_dead_zone = table.number("stick_dead_zone", {0, 0.9}, bindings.stick_dead_zone);
     bindings.trigger_press = table.number("trigger_press", {0.15, 1}, bindings.trigger_press);
     read_toggles(table, bindings);
     return bindings;

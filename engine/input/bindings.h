@@ -107,8 +107,6 @@ struct Bindings {
     DeviceKind kind{};
     std::array<std::vector<Control>, actions> controls;
     bool mouse_look = false;  ///< mouse motion and wheel act for this player
-    /// Dead zone of a stick, 0..0.9 of its radius; the rest is stretched to 0..1.
-    double stick_dead_zone = 0.15;
     /// Position at which an axis presses a button; the release is 0.1 below.
     double trigger_press = 0.3;
     /// For toggle_actions: one press turns the action on, the next one off.
@@ -137,7 +135,6 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 ///     jump = "key space, mouse fourth"
 ///     next_wand = "wheel down, pad right_bumper"
 ///     move_left = "key a, pad left_x -"
-///     stick_dead_zone = 0.15
 ///     trigger_press = 0.3
 ///     toggle = "trace, stir"                  # the toggle_actions that stay on until the next press
 ///

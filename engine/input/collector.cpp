@@ -35,22 +35,6 @@ std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& take
     return static_cast<std::int32_t>(amount);
 }
 
-double finite_or_zero(double v) { return std::isfinite(v) ? std::clamp(v, -1.0, 1.0) : 0.0; }
-
-struct Stick {
-    double x, y;
-};
-
-/// The dead zone is radial, so that a diagonal keeps its direction and slow circles stay round.
-Stick without_dead_zone(double x, double y, double dead) {
-    x = finite_or_zero(x);
-    y = finite_or_zero(y);
-    const double length = std::hypot(x, y);
-    if (length <= dead) return {0, 0};
-    const double scale = std::min((length - dead) / (1 - dead), 1.0) / length;
-    return {x * scale, y * scale};
-}
-
 int level(double strength) { return static_cast<int>(std::lround(strength * 127)); }
 
 std::uint64_t packed(int value, unsigned place) {
@@ -104,6 +88,11 @@ void HandsCollector::set_turn_ramp(double seconds) {
     ramp_ticks_.store(static_cast<std::uint32_t>(thaum::ticks(length)), std::memory_order_relaxed);
 }
 
+void HandsCollector::set_sticks(const StickResponse& sticks) {
+    sticks_ = sticks.checked();
+    publish();
+}
+
 void HandsCollector::focus_lost() {
     for (auto& bound : bound_) update(bound, 0);
     controls_before_ = on_ = 0;
@@ -141,15 +130,15 @@ void HandsCollector::wheel(double steps) {
 
 void HandsCollector::pad(const PadState& state) {
     const auto axis = [&](PadAxis a) { return state.axes[static_cast<std::size_t>(a)]; };
-    const double dead = bindings_.stick_dead_zone;
-    const auto left = without_dead_zone(axis(PadAxis::left_x), axis(PadAxis::left_y), dead);
-    const auto right = without_dead_zone(axis(PadAxis::right_x), axis(PadAxis::right_y), dead);
+    const double dead = sticks_.dead_zone;
+    const auto left = without_dead_zone({axis(PadAxis::left_x), axis(PadAxis::left_y)}, dead);
+    const auto right = without_dead_zone({axis(PadAxis::right_x), axis(PadAxis::right_y)}, dead);
     set_axis(PadAxis::left_x, left.x);
     set_axis(PadAxis::left_y, left.y);
     set_axis(PadAxis::right_x, right.x);
     set_axis(PadAxis::right_y, right.y);
-    set_axis(PadAxis::left_trigger, finite_or_zero(axis(PadAxis::left_trigger)));
-    set_axis(PadAxis::right_trigger, finite_or_zero(axis(PadAxis::right_trigger)));
+    set_axis(PadAxis::left_trigger, checked_push(axis(PadAxis::left_trigger)));
+    set_axis(PadAxis::right_trigger, checked_push(axis(PadAxis::right_trigger)));
     for (auto& bound : bound_) {
         if (bound.control.source != Control::Source::pad_button) continue;
         update(bound, (state.buttons >> static_cast<unsigned>(bound.control.code) & 1U) != 0 ? 1 : 0);
@@ -212,18 +201,20 @@ void HandsCollector::publish() {
     buttons_.fetch_or(pressed | pressed << latch_shift, std::memory_order_relaxed);
     buttons_.fetch_and(~released, std::memory_order_relaxed);
 
-    const auto axis = [&](Action plus, Action minus) {
-        return level(strength_of(plus) - strength_of(minus));
+    const auto push = [&](Action plus, Action minus) { return strength_of(plus) - strength_of(minus); };
+    const auto walk = [&](Action plus, Action minus) { return level(push(plus, minus)); };
+    const auto turn = [&](Action plus, Action minus) {
+        return level(deflection_for(push(plus, minus), sticks_.curve));
     };
     const int wheel_way = wheel_direction();
     if (wheel_way != 0 && wheel_way != wheel_way_before_)
         wheel_.fetch_add(wheel_way, std::memory_order_relaxed);
     wheel_way_before_ = wheel_way;
     const auto trigger = static_cast<int>(std::lround(strength_of(Action::fire) * 255));
-    levels_.store(packed(axis(Action::move_right, Action::move_left), 0) |
-                      packed(axis(Action::move_forward, Action::move_back), 1) |
-                      packed(axis(Action::turn_right, Action::turn_left), 2) |
-                      packed(static_cast<int>(up_sign_) * axis(Action::turn_up, Action::turn_down), 3) |
+    levels_.store(packed(walk(Action::move_right, Action::move_left), 0) |
+                      packed(walk(Action::move_forward, Action::move_back), 1) |
+                      packed(turn(Action::turn_right, Action::turn_left), 2) |
+                      packed(static_cast<int>(up_sign_) * turn(Action::turn_up, Action::turn_down), 3) |
                       packed(trigger, 4) | packed(wheel_way, 5),
                   std::memory_order_relaxed);
 }

@@ -8,6 +8,7 @@
 
 #include "input/bindings.h"
 #include "input/frame.h"
+#include "input/stick.h"
 
 namespace thaum::input {
 
@@ -44,6 +45,9 @@ public:
     /// that a short press turns only a little. 0: at once.
     void set_turn_ramp(double seconds);
 
+    /// Sets how sticks respond from their next position on.
+    void set_sticks(const StickResponse& sticks);
+
     /// For the simulation thread: the input since the last call. A press between two calls shows in one
     /// sample. Counts beyond int32 wait for the next sample.
     DeviceSample take();
@@ -72,6 +76,7 @@ private:
     std::vector<Bound> bound_;
     double right_rest_ = 0, up_rest_ = 0, wheel_rest_ = 0;
     double gain_ = 1, up_sign_ = 1;
+    StickResponse sticks_;
     std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, before toggles apply
     std::uint32_t on_ = 0;               ///< buttons that a toggle holds
     std::uint32_t wands_before_ = 0;     ///< bits of the wands whose keys were down at the last take

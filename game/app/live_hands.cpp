@@ -50,6 +50,7 @@ void PlayerHands::rebind(const Settings& settings) const {
         hands->rebind(settings.bindings_of(device_of(p)));
         const auto &now = settings.players[p], &then = seated_.players[p];
         hands->set_turn_ramp(now.turn_ramp_s);
+        hands->set_sticks({now.stick_dead_zone, now.stick_curve});
         hands->set_look(now.sensitivity / then.sensitivity, now.invert_y != then.invert_y);
     }
 }

@@ -113,9 +113,22 @@ void read_former_forces(const ConfigTable& root, Settings& s) {
         player->force = root.choice(key, names, player->force);
 }
 
+/// Reads the dead zone of both players' sticks from its place in files of earlier versions, which had one with each
+/// device's controls. Only a pad has sticks.
+void read_former_dead_zone(const ConfigTable& root, Settings& s) {
+    for (const auto kind : settings_hands) {
+        const auto name = input::name_of(kind);
+        if (!root.has(name)) continue;
+        const auto read = root.table(name).number("stick_dead_zone", {0, 0.9}, s.players[0].stick_dead_zone);
+        if (kind != input::DeviceKind::pad) continue;
+        for (auto& player : s.players) player.stick_dead_zone = read;
+    }
+}
+
 /// Reads the players' own settings. In files of earlier versions they are at the top and count for both players.
 void read_players(const ConfigTable& root, Settings& s) {
     read_former_forces(root, s);
+    read_former_dead_zone(root, s);
     for (std::size_t p = 0; p < s.players.size(); ++p) {
         auto& player = s.players[p];
         const bool own = root.has(player_tables[p]);
@@ -296,6 +309,10 @@ std::span<const PlayerSetting> player_settings() {
         {"turn_ramp_s", "Slow start of stick and arrows",
          "Begins a turn by stick or arrows slowly, so that a short press turns a little.",
          Number{&PlayerSettings::turn_ramp_s, 0, 0.5, 0.05, 1, " s"}},
+        {"stick_dead_zone", "Stick dead zone", "Ignores small pushes of a pad's sticks.",
+         Number{&PlayerSettings::stick_dead_zone, 0, 0.9, 0.05, 100, " %"}},
+        {"stick_curve", "Stick curve", "Turns finer near the stick's middle, or evenly at 0 %.",
+         Number{&PlayerSettings::stick_curve, 0, 1, 0.1, 100, " %"}},
         {"aim_assist_pad", "Aim assist with a pad",
          "Slows turns at the foe, and turns near misses into hits.",
          Number{&PlayerSettings::aim_assist_pad, 0, 1, 0.1, 100, " %"}, true},

@@ -14,6 +14,7 @@
 #include "game/app/faders.h"
 #include "game/hud/prompts.h"
 #include "input/bindings.h"
+#include "input/stick.h"
 #include "render/scene.h"
 
 namespace thaum::app {
@@ -41,6 +42,8 @@ struct PlayerSettings {
     double turn_deg_per_s = 200;
     /// time over which a turn by stick or keys grows to its full speed (s)
     double turn_ramp_s = 0.15;
+    /// dead zone and response curve of the sticks of a pad (input/stick.h)
+    double stick_dead_zone = input::StickResponse{}.dead_zone, stick_curve = input::StickResponse{}.curve;
     bool invert_y = false;
     /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
     double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;

@@ -35,7 +35,6 @@ void add_hand(const input::Bindings& bindings, std::vector<SettingEdit>& values)
                           in_quotes(input::words_of(bindings.controls[i], key_name_of))});
     }
     values.push_back({table, "toggle", in_quotes(input::toggles_of(bindings))});
-    values.push_back({table, "stick_dead_zone", text(bindings.stick_dead_zone)});
     values.push_back({table, "trigger_press", text(bindings.trigger_press)});
 }
 

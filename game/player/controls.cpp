@@ -6,6 +6,7 @@
 #include "game/components/cauldron.h"
 #include "game/context/aim_assist.h"
 #include "game/context/arms.h"
+#include "input/stick.h"
 
 namespace thaum::game {
 namespace {
@@ -106,7 +107,7 @@ void take(const input::DeviceSample& sample, Controls& controls) {
 
 double stick_curve(std::int32_t deflection) {
     const double x = std::clamp(static_cast<double>(deflection) / 127.0, -1.0, 1.0);
-    return x * (0.3 + 0.7 * x * x);
+    return input::turn_share(x);
 }
 
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {

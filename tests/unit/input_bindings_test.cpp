@@ -91,11 +91,11 @@ Expected<Bindings> read(std::string_view toml) {
 
 TEST(InputBindings, SettingsOverrideDefaults) {
     const auto b =
-        read("version = 1\n[pad]\nfire = \"pad a, key f\"\nmark = \"\"\nstick_dead_zone = 0.3\n").value();
+        read("version = 1\n[pad]\nfire = \"pad a, key f\"\nmark = \"\"\ntrigger_press = 0.4\n").value();
     ASSERT_EQ(controls(b, Action::fire).size(), 2U);
     EXPECT_EQ(controls(b, Action::fire)[1].code, *code_of("f"));
     EXPECT_TRUE(controls(b, Action::mark).empty());
-    EXPECT_EQ(b.stick_dead_zone, 0.3);
+    EXPECT_EQ(b.trigger_press, 0.4);
     EXPECT_EQ(controls(b, Action::jump), controls(default_bindings(DeviceKind::pad, code_of), Action::jump));
     EXPECT_TRUE(read("version = 1\n"));
 }

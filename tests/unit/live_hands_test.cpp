@@ -212,6 +212,28 @@ TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
     EXPECT_EQ(sample(0).counts[input::hand::look_up], 0);
 }
 
+TEST_F(PlayerHandsTest, EachPlayersSticksRespondAsThatPlayerChose) {
+    auto settings = settings_;
+    settings.players[0].stick_dead_zone = 0.6;
+    settings.players[1].stick_dead_zone = 0;
+    settings.players[1].stick_curve = 0;
+    for (auto& player : settings.players) player.turn_ramp_s = 0;
+    seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
+    hands_.begin_match(settings, {idle_, idle_});
+    const auto half = rig::pad_at(PadAxis::right_x, 0.5);
+    const auto turn = [&](std::uint32_t player) { return sample(player).counts[input::hand::turn_right]; };
+    look(half, half);
+    EXPECT_EQ(turn(0), 0);
+    EXPECT_NEAR(input::turn_share(turn(1) / 127.0), 0.5, 0.01);
+    // Changed in the pause, it holds from the next position on.
+    settings.players[0].stick_dead_zone = 0;
+    settings.players[1].stick_dead_zone = 0.6;
+    hands_.rebind(settings);
+    look(half, half);
+    EXPECT_EQ(turn(0), 64);
+    EXPECT_EQ(turn(1), 0);
+}
+
 TEST_F(PlayerHandsTest, KnowsWhichKeysOfItsPlayersPause) {
     auto settings = settings_;
     settings.bindings_of(input::DeviceKind::keyboard_mouse).of(input::Action::pause) = {

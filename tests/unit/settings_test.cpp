@@ -157,6 +157,45 @@ TEST(Settings, EachPlayerHasATableAndOldFilesHaveTheValuesAtTheTop) {
     EXPECT_EQ(parse_settings(*edited, "s")->players[0].sensitivity, 2);
 }
 
+TEST(Settings, EachPlayerHasSticksAndOldFilesHaveOneDeadZoneForBoth) {
+    const auto own = parse_settings(
+        "version = 1\n[player_1]\nstick_dead_zone = 0.05\nstick_curve = 0\n"
+        "[player_2]\nstick_dead_zone = 0.9\nstick_curve = 1\n",
+        "s");
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_EQ(own->players[0], (PlayerSettings{.stick_dead_zone = 0.05, .stick_curve = 0}));
+    EXPECT_EQ(own->players[1], (PlayerSettings{.stick_dead_zone = 0.9, .stick_curve = 1}));
+    const std::string old = "version = 1\n[pad]\nfire = \"pad b\"\nstick_dead_zone = 0.3 # worn\n";
+    const auto former = parse_settings(old, "s");
+    ASSERT_TRUE(former) << former.error().message;
+    for (const auto& player : former->players) EXPECT_EQ(player, PlayerSettings{.stick_dead_zone = 0.3});
+    // A player's own value goes before the one of all pads, and a change of it leaves the other player's.
+    auto wanted = *former;
+    wanted.players[1].stick_dead_zone = PlayerSettings{}.stick_dead_zone;
+    const auto edited = edit_settings(old, "s", changes(*former, wanted));
+    ASSERT_TRUE(edited) << edited.error().message;
+    EXPECT_EQ(*edited, old + "\n[player_2]\nstick_dead_zone = 0.15\n");
+    EXPECT_EQ(parse_settings(*edited, "s").value(), wanted);
+    EXPECT_EQ(parse_settings("version = 1\n[keyboard_half]\nstick_dead_zone = 0.3\n", "s").value(),
+              Settings{})
+        << "a line that old files may have, and that means nothing: keys have no dead zone";
+}
+
+TEST(Settings, SticksOutOfRangeAreRefused) {
+    for (const auto* table : {"player_1", "player_2"}) {
+        for (const auto* line : {"stick_dead_zone = 0.91", "stick_dead_zone = -0.01", "stick_dead_zone = nan",
+                                 "stick_dead_zone = \"none\"", "stick_curve = 1.01", "stick_curve = -0.1",
+                                 "stick_curve = inf", "stick_curve = \"linear\""}) {
+            const auto message = refusal(text("[", table, "]\n", line));
+            const std::string key(line, std::string_view(line).find(' '));
+            EXPECT_TRUE(message.starts_with("settings.toml:3:")) << line << ": " << message;
+            EXPECT_NE(message.find(key), std::string::npos) << message;
+        }
+    }
+    EXPECT_TRUE(refusal("[pad]\nstick_dead_zone = 0.91").starts_with("settings.toml:3:"));
+    EXPECT_NE(refusal("[pad]\nstick_curve = 0.5").find("stick_curve"), std::string::npos);
+}
+
 std::string name_line(std::string_view name) { return text("[player_1]\nname = \"", name, '"'); }
 
 TEST(Settings, ANameHasUpToSixteenCharactersThatCanBeShown) {
@@ -237,7 +276,6 @@ Settings all_different() {
         std::rotate(b.controls.begin(), b.controls.begin() + 1, b.controls.end());
         b.controls[3].push_back({input::Control::Source::key, *render::key_code("F9"), 0});
         for (const auto action : input::toggle_actions) b.toggled[static_cast<std::size_t>(action)] = true;
-        b.stick_dead_zone = 0.25;
         b.trigger_press = 0.5;
     }
     std::rotate(s.session.begin(), s.session.begin() + 1, s.session.end());
