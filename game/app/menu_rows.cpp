@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "game/bots/dummy.h"
+#include "game/hud/layout.h"
 
 namespace thaum::app {
 
@@ -37,6 +38,20 @@ void add_page_rows(Rows& rows) {
                     {.label = "Settings", .help = "Changes picture, words, look, forces and recordings."}});
 }
 
+template <class Words>
+std::string longest(const Words& words) {
+    const auto found = std::max_element(words.begin(), words.end(), [](const auto& a, const auto& b) {
+        return game::width_of(a, 1) < game::width_of(b, 1);
+    });
+    return found == words.end() ? std::string() : std::string(*found);
+}
+
+std::string longest_label(const std::vector<MenuContext::Named>& list) {
+    std::vector<std::string_view> labels;
+    for (const auto& one : list) labels.emplace_back(one.label);
+    return longest(labels);
+}
+
 // Start and pause -------------------------------------------------------------------------------------------
 
 std::string duel_label(const MenuState& s) {
@@ -61,6 +76,7 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
                         {.label = "Match",
                          .help = "Sets how many kills win, and how long a round lasts.",
                          .value = context.rules[s.rules].label,
+                         .longest_value = longest_label(context.rules),
                          .adjustable = true}});
     }
     if (context.arenas.size() > 1) {
@@ -69,6 +85,7 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
                         {.label = "Arena",
                          .help = "Sets the place of the duel, which is shown behind this menu.",
                          .value = context.arenas[s.arena].label,
+                         .longest_value = longest_label(context.arenas),
                          .adjustable = true}});
     }
 }
@@ -102,18 +119,21 @@ void add_range_rows(const MenuState& s, Rows& rows) {
                     {.label = "Dummy",
                      .help = "Lets the dummy stand still, walk to and fro, or shoot back.",
                      .value = std::string(game::dummy_names[s.dummy]),
+                     .longest_value = longest(game::dummy_names),
                      .adjustable = true}});
     rows.push_back({RowKind::energy,
                     0,
                     {.label = "Energy of the wands",
                      .help = "Keeps every wand full, or lets shots use it up as in a match.",
                      .value = s.range.endless_energy ? "endless" : "as in a match",
+                     .longest_value = "as in a match",
                      .adjustable = true}});
     rows.push_back({RowKind::brew,
                     0,
                     {.label = "Effects of the brew",
                      .help = "Lets the brew slow, lift and scald wizards, or leave them alone.",
                      .value = s.range.harmless_brew ? "off" : "as in a match",
+                     .longest_value = "as in a match",
                      .adjustable = true}});
 }
 
@@ -213,11 +233,13 @@ void add_binding_rows(const MenuState& s, const MenuContext& context, Rows& rows
 
 template <class Of>
 Row row_of(RowKind kind, std::size_t index, const SettingOf<Of>& setting, const Of& values) {
+    const auto* choice = std::get_if<ChoiceOf<Of>>(&setting.kind);
     return {kind,
             index,
             {.label = std::string(setting.label),
              .help = std::string(setting.help),
              .value = shown(setting, values),
+             .longest_value = choice != nullptr ? longest(choice->names) : std::string(),
              .adjustable = true},
             setting.next_match};
 }

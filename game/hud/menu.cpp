@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/hud/figures.h"
+#include "game/hud/layout.h"
 #include "game/hud/overlay.h"
 
 namespace thaum::game {
@@ -21,12 +22,10 @@ const fvec4 quiet = colour(0xCABEDC, 0.9F);
 const fvec4 faint = colour(0x8F84A6, 0.9F);
 const fvec4 bright_gold = colour(0xFFD98A, 1.0F);
 
-/// Widths of most characters and of the widest ones, rounded up (em).
-constexpr float wide = 0.66F, widest = 1.0F;
 constexpr std::size_t fewest_rows = 4;
 
 /// Positions and sizes of a menu (px). The rows shown are `visible` rows from `first` on.
-struct Layout {
+struct MenuLayout {
     float unit{};  ///< length of a HUD unit; 1 px in a window of 720 lines at a text size of 100 %
     float title_top{}, line_top{}, seats_top{}, seats_height{};
     fvec2 rows_low{0};
@@ -49,11 +48,11 @@ std::size_t rows_that_fit(const MenuPicture& menu, float height, float unit) {
     return left <= 0 ? 0 : static_cast<std::size_t>(left / row_units);
 }
 
-Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
+MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
     const float least = std::min(height / 720, width / 900);
     const auto rows = menu.rows.size();
-    Layout l;
+    MenuLayout l;
     l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
     // Large words leave few rows. If fewer than four rows fit, the words shrink.
     while (l.unit > least && rows_that_fit(menu, height, l.unit) < std::min(rows, fewest_rows))
@@ -66,7 +65,8 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     l.seats_height = seat_units * u;
     l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, height, u), 1));
     l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
-    l.row_width = std::min(l.width, 700 * u);
+    // The marks for more rows stand beside the rows, inside the window.
+    l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
     // The rows are low in the window, so that the scene behind them stays visible.
     const float head = head_units(menu) * u, foot = height - foot_units * u;
@@ -78,16 +78,19 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     return l;
 }
 
-/// The largest text size up to `size` with which the words fit in `room` (px). Each character's advance is
-/// rounded to whole pixels.
+/// Width of words: a part that grows with the text size, and a part for rounding each advance to whole pixels.
+struct Width {
+    float ems{}, rounding{};  ///< (em), (px)
+
+    explicit Width(std::string_view words)
+        : ems(width_of(words, 1)), rounding(0.25F * static_cast<float>(render::decode_utf8(words).size())) {}
+    float at(float size) const { return ems * size + rounding; }
+};
+
+/// The largest text size up to `size` with which the words fit in `room` (px).
 float fitted(std::string_view words, float size, float room) {
-    constexpr float rounding = 0.5F;
-    float width = wide, rounded = 0;
-    for (const char32_t c : render::decode_utf8(words)) {
-        width += std::u32string_view(U"MW@%mw").find(c) != std::u32string_view::npos ? widest : wide;
-        rounded += rounding;
-    }
-    return std::max(std::min(size, (room - rounded) / width), 4.0F);
+    const Width width(words);
+    return std::max(std::min(size, (room - width.rounding) / std::max(width.ems, 0.1F)), 4.0F);
 }
 
 void add_fitted(Overlay& out, const std::string& words, fvec2 position, float size, float room, fvec4 paint,
@@ -114,7 +117,7 @@ void add_seat(Overlay& out, const MenuSeat& seat, std::uint32_t team, fvec2 low,
                Align::left);
 }
 
-void add_seats(Overlay& out, const MenuPicture& menu, const Layout& l, float window_width) {
+void add_seats(Overlay& out, const MenuPicture& menu, const MenuLayout& l, float window_width) {
     const auto count = static_cast<float>(menu.seats.size());
     const float u = l.unit, gap = 14 * u;
     const float width = std::min(l.width, 860 * u);
@@ -127,9 +130,32 @@ void add_seats(Overlay& out, const MenuPicture& menu, const Layout& l, float win
 }
 
 /// Width of each arrow's area at the right of a row (px).
-float arrow_width(const Layout& l) { return 30 * l.unit; }
+float arrow_width(const MenuLayout& l) { return 30 * l.unit; }
 
-float value_width(const Layout& l) { return 0.5F * l.row_width; }
+/// Sizes of a row's words and of the gap on both sides of its label (units).
+constexpr float row_words = 18, label_gap = 12;
+/// Largest share of a row that a short label has.
+constexpr float short_label = 0.25F;
+
+/// Width of what stands beside a value: its arrows, or a gap (px).
+float beside_value(const MenuRow& row, const MenuLayout& l) {
+    return row.adjustable ? 2 * arrow_width(l) : 16 * l.unit;
+}
+
+/// Width of the value and its arrows, at the right of the row (px). That is half of the row. If label or value need
+/// more, the other gives way. If both need more than the row has, a short label stays as it is, and otherwise both
+/// shrink to the same text size.
+float value_width(const MenuRow& row, const MenuLayout& l) {
+    if (row.value.empty()) return 0;
+    const float size = row_words * l.unit, beside = beside_value(row, l);
+    const Width label(row.label), value(row.value), longest(row.longest_value);
+    const float room = l.row_width - 2 * label_gap * l.unit, most = room - label.at(size);
+    const float needed = beside + value.at(size), wanted = std::max(needed, beside + longest.at(size));
+    if (wanted <= most) return std::clamp(0.5F * l.row_width, wanted, most);
+    if (needed <= most || label.at(size) <= short_label * l.row_width) return most;
+    const float ems = label.ems + value.ems, rest = room - beside - label.rounding - value.rounding;
+    return beside + value.at(std::max(rest, 0.0F) / ems);
+}
 
 void add_arrow(Overlay& out, fvec2 centre, float radius, float way) {
     out.items.emplace_back(render::TriangleItem{centre + fvec2(way * radius, 0),
@@ -137,30 +163,29 @@ void add_arrow(Overlay& out, fvec2 centre, float radius, float way) {
                                                 centre + fvec2(-way * radius, radius), bright_gold});
 }
 
-void add_row(Overlay& out, const MenuRow& row, bool chosen, const Layout& l, std::size_t place) {
+void add_row(Overlay& out, const MenuRow& row, bool chosen, const MenuLayout& l, std::size_t place) {
     const float u = l.unit;
     const fvec2 low = l.rows_low + fvec2(0, static_cast<float>(place) * l.row_height);
     const fvec2 high = low + fvec2(l.row_width, l.row_height);
     if (chosen) add_panel(out, low, high, chosen_row, 7 * u);
     const auto paint = row.dim ? faint : chosen ? bright : quiet;
-    const float top = low.y + 2 * u, size = 18 * u;
-    const float value_room = row.value.empty() ? 0 : value_width(l);
-    add_fitted(out, row.label, {low.x + 12 * u, top}, size, l.row_width - value_room - 24 * u, paint,
+    const float top = low.y + 2 * u, size = row_words * u, gap = label_gap * u;
+    const float value_space = value_width(row, l), value_room = value_space - beside_value(row, l);
+    add_fitted(out, row.label, {low.x + gap, top}, size, l.row_width - value_space - 2 * gap, paint,
                Align::left);
-    const float arrows = row.adjustable ? arrow_width(l) : 0;
     if (!row.adjustable) {
-        add_fitted(out, row.value, {high.x - 12 * u, top}, size, value_room - 16 * u, paint, Align::right);
+        add_fitted(out, row.value, {high.x - gap, top}, size, value_room, paint, Align::right);
         return;
     }
-    const float middle = high.x - value_room / 2;
-    add_fitted(out, row.value, {middle, top}, size, value_room - 2 * arrows, paint, Align::centre);
+    const float middle = high.x - value_space / 2, arrows = arrow_width(l);
+    add_fitted(out, row.value, {middle, top}, size, value_room, paint, Align::centre);
     const float y = (low.y + high.y) / 2;
-    add_arrow(out, {high.x - value_room + arrows / 2, y}, 5 * u, -1);
+    add_arrow(out, {high.x - value_space + arrows / 2, y}, 5 * u, -1);
     add_arrow(out, {high.x - arrows / 2, y}, 5 * u, 1);
 }
 
 /// Adds marks if more rows follow above or below.
-void add_scroll_marks(Overlay& out, const MenuPicture& menu, const Layout& l) {
+void add_scroll_marks(Overlay& out, const MenuPicture& menu, const MenuLayout& l) {
     const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
     const float bottom = l.rows_low.y + static_cast<float>(l.visible) * l.row_height;
     const auto mark = [&](float y, float way) {
@@ -181,9 +206,11 @@ std::optional<MenuPlace> place_at(const MenuPicture& menu, render::Size size, do
     const auto place = static_cast<std::size_t>(in.y / l.row_height);
     if (place >= l.visible) return {};
     MenuPlace found{l.first + place, MenuPart::row};
-    if (menu.rows[found.row].adjustable && in.x >= l.row_width - value_width(l)) {
+    const auto& row = menu.rows[found.row];
+    const float in_value = in.x - (l.row_width - value_width(row, l));
+    if (row.adjustable && in_value >= 0) {
         if (in.x >= l.row_width - arrow_width(l)) found.part = MenuPart::more;
-        if (in.x < l.row_width - value_width(l) + arrow_width(l)) found.part = MenuPart::less;
+        if (in_value < arrow_width(l)) found.part = MenuPart::less;
     }
     return found;
 }

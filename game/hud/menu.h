@@ -1,5 +1,6 @@
-// game/hud/menu.h: menus as plain data, and how they are drawn: a title, two seats and a column of rows.
-// Words shrink to stay in their place, and rows scroll, so every text size fits every window.
+// game/hud/menu.h: menus as plain data, and how they are drawn: a title, two seats and a column of rows. Label and
+// value share a row by their need, words shrink to stay in their place, and rows scroll. So every text size fits every
+// window.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,8 +14,9 @@ struct MenuRow {
     std::string label{};
     std::string help{};  ///< what the row does, in one sentence; shown while the row is chosen
     std::string value{};
-    bool adjustable = false;  ///< arrows beside the value decrease and increase it
-    bool dim = false;         ///< the row has no effect at present
+    std::string longest_value{};  ///< longest value the row can have: its arrows stay while the value changes
+    bool adjustable = false;      ///< arrows beside the value decrease and increase it
+    bool dim = false;             ///< the row has no effect at present
     bool operator==(const MenuRow&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/random.h"
+#include "game/app/menu_rows.h"
 #include "render/font.h"
 #include "unit/menu_rig.h"
 
@@ -244,10 +245,15 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
             for (const double scale : {1.0, 1.75, 2.5}) {
                 render::Overlay overlay;
                 add_menu(overlay, picture_of(state, context()), size, scale);
-                const auto boxes = boxes_of_text(overlay, *font);
+                auto boxes = boxes_of_text(overlay, *font);
                 for (std::size_t a = 0; a < boxes.size(); ++a) {
                     for (std::size_t b = a + 1; b < boxes.size(); ++b)
                         EXPECT_FALSE(overlap(boxes[a], boxes[b])) << size.width << ' ' << scale;
+                }
+                for (const auto& item : overlay.items) {
+                    if (const auto* mark = std::get_if<render::TriangleItem>(&item))
+                        boxes.push_back({glm::min(mark->a, glm::min(mark->b, mark->c)),
+                                         glm::max(mark->a, glm::max(mark->b, mark->c))});
                 }
                 for (const auto& box : boxes) {
                     EXPECT_GE(box.low.x, 0) << size.width << ' ' << scale;
@@ -258,6 +264,74 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
             }
         }
     }
+}
+
+/// Size of the text that has these words, in a menu at 640 x 480 and 250 % (px).
+float size_of(const game::MenuPicture& picture, std::string_view words) {
+    render::Overlay overlay;
+    add_menu(overlay, picture, {640, 480}, 2.5);
+    for (const auto& item : overlay.items) {
+        const auto* one = std::get_if<render::TextItem>(&item);
+        if (one != nullptr && one->text == words) return one->size;
+    }
+    ADD_FAILURE() << words << " is not shown";
+    return 0;
+}
+
+TEST(MenuDrawing, AMatchStaysReadableInASmallWindow) {
+    auto choices = context();
+    choices.rules = {{"quick", "quick: first to 3, 4:00"},
+                     {"standard", "standard: best of 3, first to 5, 6:00"}};
+    for (const auto& [rules, share] : {std::pair(0UL, 1.0F), {1UL, 0.75F}}) {
+        auto s = start_page();
+        s.rules = rules;
+        const auto picture = picture_of(s, choices);
+        const float usual = size_of(picture, "Bot");
+        EXPECT_NEAR(size_of(picture, "Match"), usual, 0.01);
+        EXPECT_GE(size_of(picture, choices.rules[rules].label) + 0.01F, share * usual) << rules;
+    }
+}
+
+/// Every row of every page: its label and value are at least 0.6 of the size of a short row.
+TEST(MenuDrawing, LabelsAndValuesStayReadableInASmallWindow) {
+    int rows = 0;
+    for (auto s : all_pages()) {
+        for (std::size_t row = 0; row < rows_of(s, context()).size(); ++row) {
+            s.pages.back().cursor = row;
+            auto picture = picture_of(s, context());
+            const auto [label, value] = std::pair(picture.rows[row].label, picture.rows[row].value);
+            const float of_label = size_of(picture, label);
+            const float of_value = value.empty() ? of_label : size_of(picture, value);
+            picture.rows[row] = {.label = "Bot"};
+            const float usual = size_of(picture, "Bot");
+            EXPECT_GE(std::min(of_label, of_value), 0.6F * usual) << label << ": " << value;
+            ++rows;
+        }
+    }
+    EXPECT_GT(rows, 150);
+}
+
+TEST(MenuDrawing, ArrowsStayWhileAValueChanges) {
+    auto choices = context();
+    choices.rules = {{"quick", "quick: first to 3"}, {"standard", "standard: best of 3, first to 5, 6:00"}};
+    std::vector<float> less;
+    for (auto s : {start_page(), choose(start_page(), "Match", Kind::right)}) {
+        s.pages.back().cursor = 2;
+        const auto picture = picture_of(s, choices);
+        for (float y = 0; y < 480; ++y) {
+            for (float x = 0; x < 640; ++x) {
+                const auto place = game::place_at(picture, {640, 480}, 2.5, {x, y});
+                if (!place || place->row != row_named(s, "Match") || place->part != game::MenuPart::less)
+                    continue;
+                less.push_back(x);
+                x = 640;
+                y = 480;
+            }
+        }
+    }
+    ASSERT_EQ(less.size(), 2U);
+    EXPECT_EQ(less[0], less[1]);
+    EXPECT_LT(less[0], 320) << "the value needs more than half of the row";
 }
 
 /// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
