@@ -298,4 +298,16 @@ double mixing(const Fluid& fluid, std::size_t substance) {
     return std::max(0.0, 1 - std::sqrt(square / count) / mean);
 }
 
+double filled_share(const Fluid& fluid, const Samples& density) {
+    double count = 0, sum = 0, square = 0;
+    each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {
+        if (!holds_fluid(fluid, at)) return;
+        const double value = density[at];
+        sum += value;
+        square += value * value;
+        ++count;
+    });
+    return sum > 0 ? sum * sum / (count * square) : 0;
+}
+
 }  // namespace thaum::fluid

@@ -171,5 +171,9 @@ double amount(const Fluid& fluid, std::size_t substance);
 /// Evenness of a substance over the cells that hold fluid, 0 to 1: one minus the standard deviation of
 /// its density divided by the mean. 0 if there is none of it.
 double mixing(const Fluid& fluid, std::size_t substance);
+/// Share of the cells that hold fluid which a substance of these densities fills, 0 to 1: the square of the mean over the
+/// mean of the squares. Unlike `mixing` it tells a small blob from a larger one; where mixing is above 0, it is
+/// 1 / (1 + (1 - mixing)^2). 0 if there is none of the substance.
+double filled_share(const Fluid& fluid, const Samples& density);
 
 }  // namespace thaum::fluid

@@ -79,10 +79,19 @@ void take_ladles(const Simulation& match, CauldronPicture& out) {
         });
 }
 
+void take_mixed(const Simulation& match, const Cauldron& cauldron, CauldronPicture& out) {
+    const auto newest = std::find_if(out.brew.densities.rbegin(), out.brew.densities.rend(),
+                                     [](const fluid::Samples& one) { return !one.empty(); });
+    const bool some = match.brew() != nullptr && newest != out.brew.densities.rend();
+    if (some && out.mixed > 0 && out.mixed_at == cauldron.stepped) return;  // the same fluid as before
+    out.mixed = some ? fluid::filled_share(match.brew()->brew.fluid, *newest) : 0;
+    out.mixed_at = cauldron.stepped;
+}
+
 void take_boon(const BoonRules& rules, const Cauldron& cauldron, Tick played, CauldronPicture& out) {
     const bool waits = cauldron.mixed_since != 0 && cauldron.boon_given == 0;
     const auto due = cauldron.mixed_since + rules.after;
-    out.well_mixed = rules.mixed;
+    out.well_mixed = 1 / (1 + (1 - rules.mixed) * (1 - rules.mixed));
     out.boon_in_s = waits && due > played ? seconds(due - played) : 0;
     out.boon_for = played < cauldron.boon_until ? cauldron.boon_for : no_player;
 }
@@ -102,7 +111,7 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
             some ? std::string_view(rules.ingredients[cauldron.contents[s]].name) : std::string_view();
     }
     out.owner = cauldron.owner;
-    out.mixing = cauldron.mixing;
+    take_mixed(match, cauldron, out);
     out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
     const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;

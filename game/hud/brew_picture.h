@@ -49,13 +49,14 @@ struct CauldronPicture {
     /// Names of the ingredients; empty: free substance.
     std::array<std::string_view, fluid::substances_most> contents{};
     std::uint32_t owner{no_player};
-    double mixing{};       ///< mixing of the newest ingredient, 0 to 1
-    double heat{};         ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
+    double mixed{};  ///< share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share)
+    double heat{};   ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
     double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
     double fresh{};        ///< spoils_in_s as a share of the whole time, 0 to 1
-    double well_mixed{};   ///< mixing from which the owner is rewarded, 0 to 1
+    double well_mixed{};   ///< value of `mixed` from which the owner is rewarded
     double boon_in_s{};    ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
+    Tick mixed_at{};                    ///< fluid step of which `mixed` tells (ticks of play)
     bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);

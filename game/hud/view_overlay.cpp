@@ -281,7 +281,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
         if (!name.empty()) words += text(words.empty() ? "" : " and ", name);
     }
     if (words.empty()) return "Pure brew";
-    words = text(capitalised(words), ", mixed ", std::lround(100 * cauldron.mixing), " %");
+    words = text(capitalised(words), ", mixed ", static_cast<int>(100 * cauldron.mixed), " %");
     if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
     if (cauldron.slows) words += ", slows";
     if (cauldron.lifts) words += ", lifts";
@@ -296,7 +296,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
 /// Bars below a message about the brew: how well it is mixed, and the time until it spoils (shares).
 struct BrewGauge {
     float mixed{}, fresh{};
-    float goal{};   ///< mixing from which the brew is well mixed
+    float goal{};   ///< share from which the brew is well mixed
     fvec4 paint{};  ///< colour of the owner
 };
 
@@ -308,7 +308,7 @@ struct Message {
 
 BrewGauge gauge_of(const CauldronPicture& cauldron) {
     const bool owned = cauldron.owner < players;
-    return {.mixed = static_cast<float>(std::clamp(cauldron.mixing, 0.0, 1.0)),
+    return {.mixed = static_cast<float>(std::clamp(cauldron.mixed, 0.0, 1.0)),
             .fresh = static_cast<float>(std::clamp(cauldron.fresh, 0.0, 1.0)),
             .goal = static_cast<float>(std::clamp(cauldron.well_mixed, 0.0, 1.0)),
             .paint = owned ? opaque(team_colours(cauldron.owner).glow) : paints.white};

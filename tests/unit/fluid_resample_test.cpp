@@ -102,5 +102,24 @@ TEST(FluidMixing, IsOneMinusDeviationDividedByMean) {
     }
 }
 
+TEST(FluidMixing, FilledShareTellsHowFarABlobHasSpread) {
+    for (const bool bowl : {false, true}) {
+        Fluid fluid = *make_fluid(settings_of(16, Solver::thaum, bowl));
+        const auto filled = [&](auto&& density) {
+            set_substance(fluid, 0, density);
+            return filled_share(fluid, fluid.now.substances[0]);
+        };
+        EXPECT_EQ(filled_share(fluid, fluid.now.substances[0]), 0);  // none is there
+        EXPECT_NEAR(filled([](vec3) { return 0.3; }), 1, 1e-6);
+        EXPECT_NEAR(filled([](vec3 p) { return p.x < 0.5 ? 0.7 : 0.0; }), 0.5, 1e-6);
+        const double small = filled([](vec3 p) { return p.x < 0.5 && p.z < 0.5 && p.y < 0.5 ? 4.0 : 0.0; });
+        EXPECT_NEAR(small, 0.125, 0.03);  // a bowl's lower half is smaller
+        EXPECT_EQ(mixing(fluid, 0), 0);
+        const double even = filled([](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
+        const double unmixed = 1 - mixing(fluid, 0);
+        EXPECT_NEAR(even, 1 / (1 + unmixed * unmixed), 1e-6);
+    }
+}
+
 }  // namespace
 }  // namespace thaum::fluid
