@@ -6,6 +6,11 @@ thaum_test(test_game_threads
     SOURCES unit/game_threads_test.cpp
     LINK thaum_duel
     THREADS *)
+thaum_test(test_easiest_bot
+    SOURCES unit/easiest_bot_test.cpp
+    LINK thaum_duel
+    NOT_SANITIZED EasiestBot.*
+    SLOW EasiestBot.*)
 thaum_test(test_lab
     SOURCES unit/lab_test.cpp
     LINK thaum_lab)
