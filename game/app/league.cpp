@@ -24,6 +24,7 @@ constexpr std::string_view league_help =
     R"(usage: thaum league [OPTIONS]
 
 Plays matches between every two levels; each seed twice, with the sides swapped.
+A single level plays against itself, each seed once.
 
   --levels A,B,..  levels of the bots (1,2,3)
   --matches N      matches of each two levels (20)
@@ -36,11 +37,12 @@ Plays matches between every two levels; each seed twice, with the sides swapped.
 
 The same options give the same table with any number of processes. The JSON:
 {"league": {rules, match, arena, seed}, "pairs": [{low, high, matches, low_wins,
-high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths,
+high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths, falls,
 dry_share}], "seats": {player_1_wins, player_2_wins}, "rounds": {count, median_s,
 p10_s, p90_s, time_out_share}, "kills": {bolt, blast, lob, blow, fall, own}}. Shares
 are 0 to 1; a draw is half a win for each. dry: alive without energy for a shot; own:
-a death that is nobody's kill. In a fair arena both seats win equally often.
+a death that is nobody's kill; falls: deaths by a fall. In a fair arena both seats
+win equally often.
 )";
 
 constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
@@ -68,7 +70,7 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
     }
     std::sort(levels.begin(), levels.end());
     const bool twice = std::adjacent_find(levels.begin(), levels.end()) != levels.end();
-    if (twice || levels.size() < 2) return fail("--levels needs two or more different levels, such as 1,2,3");
+    if (twice) return fail("--levels needs different levels, such as 1,2,3, or a single one");
     return levels;
 }
 
@@ -107,6 +109,10 @@ struct Fixture {
 
 std::vector<Fixture> fixtures_of(const Plan& plan) {
     std::vector<Fixture> fixtures;
+    if (plan.levels.size() == 1) {
+        for (std::uint64_t i = 0; i < plan.matches; ++i)
+            fixtures.push_back({{plan.levels[0], plan.levels[0]}, plan.seed + i});
+    }
     for (std::size_t low = 0; low < plan.levels.size(); ++low) {
         for (std::size_t high = low + 1; high < plan.levels.size(); ++high) {
             for (std::uint64_t i = 0; i < plan.matches; ++i) {
@@ -224,7 +230,8 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
     }
     for (const auto& l : s.levels) {
         lines += text("level ", l.level, "   ", l.kills, " kills, ", l.deaths, " deaths, ",
-                      percent(ratio(l.hits, l.shots)), " of ", l.shots, " shots hit, dry for ",
+                      percent(ratio(l.falls, l.deaths)), " of them falls, ", percent(ratio(l.hits, l.shots)),
+                      " of ", l.shots, " shots hit, dry for ",
                       percent(ratio(seconds(l.dry), seconds(l.alive))), " of its life\n");
     }
     lines += text("seats    player 1 won ", s.seat_wins[0], ", player 2 won ", s.seat_wins[1], "\n");
@@ -260,6 +267,7 @@ nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
                                   {"hits", l.hits},
                                   {"kills", l.kills},
                                   {"deaths", l.deaths},
+                                  {"falls", l.falls},
                                   {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}});
     }
     json["seats"] = {{"player_1_wins", s.seat_wins[0]}, {"player_2_wins", s.seat_wins[1]}};

@@ -53,7 +53,9 @@ void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary&
         row.shots += own.shots;
         row.hits += own.shots > 0 ? own.hits : 0;
         row.kills += own.kills;
-        row.deaths += own.own_deaths + match.match_stats[1 - player][cause].kills;
+        const auto deaths = own.own_deaths + match.match_stats[1 - player][cause].kills;
+        row.deaths += deaths;
+        if (cause == cause_of(EventKind::fall)) row.falls += deaths;
         summary.kills[cause] += own.kills;
         summary.own_deaths += own.own_deaths;
     }

@@ -42,6 +42,7 @@ struct LeaguePair {
 struct LeagueLevel {
     std::int32_t level{};
     std::uint32_t shots{}, hits{}, kills{}, deaths{};
+    std::uint32_t falls{};  ///< part of `deaths` by a fall
     Tick alive{}, dry{};
 };
 

@@ -75,8 +75,7 @@ rm -r "$folder/alone"
 expect 2 "--bots needs two levels" --headless --bots 2
 expect 2 "must be a number from 0 to 3" --headless --bots 2,x
 expect 2 "is for --demo" --vs --bots 1,2
-expect 2 "two or more different levels" league --levels 2
-expect 2 "two or more different levels" league --levels 2,2
+expect 2 "needs different levels" league --levels 2,2
 expect 2 "must be a number from 0 to 3" league --levels 1,4
 expect 2 "must be a number" league --matches 0
 expect 2 "no rule set" league --rules none
