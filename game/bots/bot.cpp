@@ -30,6 +30,9 @@ constexpr Range distances{0, 100};   ///< distances in a level's file (m)
 /// Time in a cell that leads nowhere after which a bot walks out of it. Passing through such a cell takes less.
 constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
+/// Time after a hit by the foe for which a bot is under fire.
+constexpr Tick under_fire_for = ticks(1.5);
+constexpr double side_step = 1.2;  ///< distance in which a step must be safe (m)
 
 /// A random walkable place in the arena.
 vec3 random_place(const WalkGrid& grid, Random& random) {
@@ -67,11 +70,20 @@ void unstick(const Self& self, Mind& mind, Tick tick) {
     mind.buttons |= static_cast<std::uint32_t>(Button::jump);
 }
 
+/// Whether the next side step heeds no edge. A bot that is badly hurt and under fire may panic.
+bool forgets_edges(const Self& self, const Seat& seat, Mind& mind, Tick tick) {
+    const bool under_fire = self.hit_at != 0 && tick < self.hit_at + under_fire_for;
+    const double share = seat.skill.edge.heedless;
+    const bool panics = under_fire && share > 0 && self.health < seat.skill.edge.panic;
+    return panics && mind.random.uniform() < share;
+}
+
 void choose_step(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
     if (tick >= mind.strafe_until) {
         const bool steps = mind.random.uniform() < seat.skill.strafe;
         mind.strafe = !steps ? 0 : mind.random.below(2) == 0 ? -1 : 1;
         mind.strafe_until = tick + ticks(seconds(seat.skill.strafe_step) * mind.random.uniform(0.6, 1.4));
+        mind.heedless = forgets_edges(self, seat, mind, tick) ? 1 : 0;
     }
     const auto aside = seat.skill.dodges != 0 ? step_aside(match, self, seat, mind) : 0;
     if (aside == 0) return;
@@ -116,9 +128,13 @@ vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mi
     if (distance < 0.6 * keep) way = -to_foe / distance;
     const vec3 right = glm::cross(to_foe / distance, vec3(0, 1, 0)) * static_cast<double>(mind.strafe);
     const auto safe = [&](vec3 by) {
-        return glm::length(by) > 1e-6 && grid.straight(self.centre, self.centre + unit_or_zero(by) * 1.2);
+        return glm::length(by) > 1e-6 &&
+               grid.straight(self.centre, self.centre + unit_or_zero(by) * side_step);
     };
     if (safe(way + right)) return way + right;
+    if (mind.heedless != 0 && mind.strafe != 0 &&
+        grid.over_edge(self.centre, self.centre + unit_or_zero(way + right) * side_step))
+        return way + right;
     if (safe(way - right)) {
         mind.strafe = -mind.strafe;
         return way - right;
@@ -292,6 +308,10 @@ StirSkill read_stirring(const ConfigTable& table) {
             .rest = ticks(table.number("rest_s", {0, 600}))};
 }
 
+EdgeSkill read_edge(const ConfigTable& table) {
+    return {.panic = table.number("panic_below_hp", {0, 1000}), .heedless = table.number("heedless", {0, 1})};
+}
+
 }  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
@@ -324,6 +344,7 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     }
     if (root.has("lift")) skill.lift = read_lifting(root.table("lift"));
     if (root.has("stir")) skill.stir = read_stirring(root.table("stir"));
+    if (root.has("edge")) skill.edge = read_edge(root.table("edge"));
     if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;

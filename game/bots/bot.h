@@ -50,6 +50,16 @@ struct StirSkill {
     }
 };
 
+/// Behaviour at an edge from which a fall hurts.
+struct EdgeSkill {
+    double panic{};     ///< health below which the bot panics under fire (HP); 0: never
+    double heedless{};  ///< share of side steps in a panic that heed no edge
+    static constexpr auto fields() {
+        return std::tuple(ecs::field("panic", &EdgeSkill::panic),
+                          ecs::field("heedless", &EdgeSkill::heedless));
+    }
+};
+
 /// Skill of a bot, from assets/bots/level_N.toml, which describes each number.
 struct BotSkill {
     std::uint32_t level{};
@@ -75,6 +85,7 @@ struct BotSkill {
     double over_cover{};     ///< chance in each gameplay tick to throw over what hides the foe
     LiftSkill lift{};
     StirSkill stir{};
+    EdgeSkill edge{};
     double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: never swings
     static constexpr auto fields() {
         using S = BotSkill;
@@ -90,7 +101,8 @@ struct BotSkill {
             ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
             ecs::field("charge", &S::charge), ecs::field("throws", &S::throws),
             ecs::field("over_cover", &S::over_cover), ecs::field("lift", &S::lift),
-            ecs::field("stir", &S::stir), ecs::field("swing_gain", &S::swing_gain));
+            ecs::field("stir", &S::stir), ecs::field("edge", &S::edge),
+            ecs::field("swing_gain", &S::swing_gain));
     }
 };
 

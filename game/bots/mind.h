@@ -82,6 +82,8 @@ struct Mind {
     std::uint32_t wand{};                        ///< slot of the chosen wand
     std::int32_t trigger{255};                   ///< control of the trigger while fire is down, 0 to 255
     std::uint32_t wand_key{};                    ///< wand whose key is down, 1 to wand_slots; 0: none
+    std::uint32_t heedless{};                    ///< 1: the present side step heeds no edge
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Mind";
     static constexpr auto fields() {
         using M = Mind;
@@ -99,7 +101,8 @@ struct Mind {
             ecs::field("right_left", &M::right_left), ecs::field("up_left", &M::up_left),
             ecs::field("move_strafe", &M::move_strafe), ecs::field("move_forward", &M::move_forward),
             ecs::field("buttons", &M::buttons), ecs::field("round", &M::round), ecs::field("wand", &M::wand),
-            ecs::field("trigger", &M::trigger), ecs::field("wand_key", &M::wand_key));
+            ecs::field("trigger", &M::trigger), ecs::field("wand_key", &M::wand_key),
+            ecs::field("heedless", &M::heedless), ecs::field("spare", &M::spare));
     }
 };
 
@@ -171,6 +174,7 @@ struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
     double health{};             ///< health left (HP)
+    Tick hit_at{};               ///< tick at which the foe last hurt the bot; 0: never
     vec3 tip{};                  ///< position of the wand's tip (m, world)
     double energy_share{};       ///< energy of the wand in hand as a share of its cap
     double readiness{};          ///< readiness of the wand in hand, 0 to 1

@@ -147,6 +147,19 @@ int WalkGrid::nearest_way(int cell, vec3 feet) const {
     return best;
 }
 
+bool WalkGrid::over_edge(vec3 from, vec3 to) const {
+    const int samples = 1 + static_cast<int>(4 * glm::distance(from, to));
+    int cell = cell_at(from);
+    for (int i = 1; i <= samples; ++i) {
+        const int next = cell_at(from + (to - from) * (static_cast<double>(i) / samples));
+        if (!walkable(cell) || !walkable(next)) return false;
+        if (height(cell) - height(next) > hurtful_drop) return true;
+        if (next != cell && !passable(cell, next)) return false;
+        cell = next;
+    }
+    return false;
+}
+
 bool WalkGrid::straight(vec3 from, vec3 to) const {
     const int samples = 1 + static_cast<int>(4 * glm::distance(from, to));
     int cell = cell_at(from);

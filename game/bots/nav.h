@@ -9,6 +9,9 @@
 
 namespace thaum::game {
 
+/// Height of a fall that costs a wizard more than a few points of health (m).
+inline constexpr double hurtful_drop = 3.5;
+
 /// Grid of walkable cells with a search for ways.
 class WalkGrid {
 public:
@@ -45,6 +48,9 @@ public:
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;
+    /// Whether the straight line between two places, a few metres at most, leads over walkable ground and over
+    /// an edge below which the ground lies deeper by more than hurtful_drop.
+    bool over_edge(vec3 from, vec3 to) const;
 
 private:
     static constexpr double blocked = -1e9;

@@ -84,6 +84,7 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
               .yaw = gaze.yaw,
               .pitch = gaze.pitch,
               .health = world.get<Health>(wizard).points,
+              .hit_at = world.get<Health>(wizard).foe_did_at,
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
     const vec3 tip = wand_tip_of(match.haptic_setup().wand_per_hand[player], world.get<HandState>(wizard));

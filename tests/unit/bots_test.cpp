@@ -326,6 +326,40 @@ TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
     }
 }
 
+/// Lowest height of the wizard's feet in that time (m).
+template <class Foe>
+double lowest_feet(Scene& scene, std::uint32_t player, double duration, Foe&& foe) {
+    double lowest = 100;
+    for (Tick t = 0; t < ticks(duration); t += gameplay_period) {
+        scene.run(gameplay_dt, foe);
+        const auto& world = scene.match.world();
+        const double middle = world.get<Motion>(wizard_of(world, player)).position.y;
+        lowest = std::min(lowest, middle - scene.match.data().wizard.height / 2);
+    }
+    return lowest;
+}
+
+TEST(Bot, InAPanicItStepsOverAnEdge) {
+    for (const double heedless : {0.0, 1.0}) {
+        for (const double panic : {0.0, 40.0}) {
+            auto skill = skill_of(3);
+            skill.strafe = 1;
+            skill.variety = skill.lift.share = skill.stir.share = skill.over_cover = 0;
+            skill.vial_below = skill.spark_below = skill.cover_below = 0;
+            skill.edge.heedless = heedless;
+            skill.edge.panic = panic;
+            Scene scene(skill, {"wizard.health.start=39", "wizard.health.cap=39", "bolt.shot.damage=0.01",
+                                "bolt.energy.regain_per_s=100"});
+            scene.put(0, {-4, 0, 5.3}, -90);
+            scene.put(1, {4, 0, 5.3}, 90);
+            const double lowest = lowest_feet(
+                scene, 0, 8, [](Tick, input::DeviceSample& foe) { foe.press(input::Button::fire); });
+            const bool fell = lowest<-1, may_fall = heedless> 0 && panic > 0;
+            EXPECT_EQ(fell, may_fall) << heedless << " " << panic << " " << lowest;
+        }
+    }
+}
+
 struct Trip {
     double seconds{};  ///< time until the spark was picked up (s)
     double lowest{};   ///< lowest height of the feet (m)
@@ -414,6 +448,9 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     matches[0].match_stats[1][0] = {.shots = 10, .hits = 5, .kills = 3};
     matches[1].match_stats[0][0] = {.shots = 10, .hits = 1, .kills = 1};
     matches[1].match_stats[1][2] = {.own_deaths = 2};
+    const auto fall = cause_of(EventKind::fall);
+    matches[2].match_stats[0][fall] = {.kills = 1};
+    matches[2].match_stats[1][fall] = {.own_deaths = 1};
     matches[0].alive = {ticks(100.0), ticks(80.0)};
     matches[0].dry = {ticks(10.0), ticks(20.0)};
     const auto s = summarise(matches);
@@ -425,11 +462,13 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     EXPECT_EQ(s.median_round_s(), 100);
     EXPECT_EQ(s.timed_out, 1U);
     EXPECT_EQ(s.kills[0], 4U);
-    EXPECT_EQ(s.own_deaths, 2U);
+    EXPECT_EQ(s.own_deaths, 3U);
     ASSERT_EQ(s.levels.size(), 2U);
     EXPECT_EQ(s.levels[1].shots, 20U);
     EXPECT_EQ(s.levels[1].hits, 6U);
     EXPECT_EQ(s.levels[0].deaths, 6U);
+    EXPECT_EQ(s.levels[0].falls, 0U);
+    EXPECT_EQ(s.levels[1].falls, 2U) << "with those that are nobody's kill";
     EXPECT_EQ(s.levels[0].dry, ticks(10.0));
     EXPECT_EQ(s.levels[1].dry, ticks(20.0));
 }
