@@ -80,11 +80,28 @@ void Practice::adopt(const game::Reload& reload) {
     scorer_.reset(match());
 }
 
-/// Puts a wizard to its place of the present step.
+/// Puts a wizard to its place of the present step, or refreshes it where it stands.
 void Practice::place(std::uint32_t player) {
     const auto& step = apprentice_->lessons().steps[apprentice_->at()];
     const auto& place = player == game::practising ? step.player : step.dummy;
-    if (place) place_wizard(match(), player, *place);
+    if (player == game::practising) fire_anew_ = true;
+    if (place)
+        place_wizard(match(), player, *place);
+    else
+        refresh_wizard(match(), player);
+}
+
+void Practice::hold_fire_back(input::InputFrame& frame) {
+    if (!fire_anew_) return;
+    fire_anew_ = false;
+    const auto& devices = match().setup().devices;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto& sample = frame.devices[i];
+        if (devices[i].player != game::practising || !sample.down(input::Button::fire)) continue;
+        fire_anew_ = true;
+        sample.buttons &= ~input::bit(input::Button::fire);
+        sample.counts[input::hand::trigger] = 0;
+    }
 }
 
 void Practice::follow_lessons() {

@@ -44,6 +44,8 @@ public:
              std::uint64_t seed, std::optional<game::Lessons> lessons = {});
 
     game::Simulation& match() { return *range_.match; }
+    /// Takes fire out of the practising player's samples until it is released, where a step has just begun.
+    void hold_fire_back(input::InputFrame& frame);
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
     /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
@@ -70,6 +72,7 @@ private:
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
     std::optional<game::Apprentice> apprentice_;
+    bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
 };

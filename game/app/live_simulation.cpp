@@ -209,6 +209,7 @@ input::InputFrame take_frame(SimulationThread& s) {
         frame.devices[device] = arm.servo.take();
         frame.devices[device].away = arm.keeper->is_lost();
     });
+    if (auto* practice = practice_of(s.round)) practice->hold_fire_back(frame);
     if (s.round.match->now() % 2 == 0)
         press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {

@@ -1,10 +1,12 @@
 #include "game/bots/range.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/file.h"
 #include "core/text.h"
 #include "game/player/walk.h"
+#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {
@@ -72,10 +74,22 @@ input::DeviceSpec dummy_device() {
     return device;
 }
 
+void refresh_wizard(Simulation& match, std::uint32_t player) {
+    auto& world = match.world_to_change();
+    const auto wizard = wizard_of(world, player);
+    if (world.has<Dead>(wizard)) return;
+    put_away_wand(match.context_to_change(), wizard, match.match().played);
+    auto& health = world.get<Health>(wizard);
+    health.points = std::max(health.points, match.data().wizard.health);
+}
+
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place) {
     auto& world = match.world_to_change();
     const auto wizard = wizard_of(world, player);
     if (world.has<Dead>(wizard)) return;
+    refresh_wizard(match, player);
+    if (world.has<Ladle>(wizard)) world.remove<Ladle>(wizard);
+    if (world.has<Pouch>(wizard)) world.remove<Pouch>(wizard);
     world.get<Motion>(wizard) = standing_at(match.data().wizard, place.feet);
     world.get<Gaze>(wizard) = {place.yaw, 0};
     world.get<Stance>(wizard) = {};

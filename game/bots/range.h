@@ -42,7 +42,11 @@ struct RangeMatch {
     void adopt(const RangeData& data);
 };
 
-/// Puts a living wizard to a place and direction of view, at rest. Only the range may do so, as it is not recorded.
+/// Puts away what a living wizard's wand holds, and gives the wizard full health. Only the range may do so, as it is
+/// not recorded.
+void refresh_wizard(Simulation& match, std::uint32_t player);
+
+/// Refreshes a living wizard, and puts it to a place and direction of view: at rest, not stirring, with empty hands.
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,

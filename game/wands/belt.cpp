@@ -57,6 +57,11 @@ void use_wands(MatchContext& context, ecs::Entity wizard, const Controls& contro
 
 }  // namespace
 
+void put_away_wand(MatchContext& context, ecs::Entity wizard, Tick tick) {
+    const auto& belt = std::as_const(context.world).get<WandBelt>(wizard);
+    put_away(context, wizard, wand_in_hand(context.data, belt), tick);
+}
+
 const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt) {
     return wand_in_slot(data, belt.selected);
 }
@@ -91,8 +96,8 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
                  [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
                      use_wands(context, e, controls, belt, tick);
                  });
-             const auto put_down = [&](ecs::Entity e, const WandBelt& belt, const auto&) {
-                 put_away(context, e, wand_in_hand(context.data, belt), tick);
+             const auto put_down = [&](ecs::Entity e, const WandBelt&, const auto&) {
+                 put_away_wand(context, e, tick);
              };
              w.view<const WandBelt, const Dead>().each(put_down);
              w.view<const WandBelt, const Ladle>().each(put_down);

@@ -143,6 +143,7 @@ protected:
         input::InputFrame frame;
         frame.devices[practising] = sample;
         frame.devices[game::dummys] = practice_.dummy_sample();
+        practice_.hold_fire_back(frame);
         practice_.match().tick(frame);
         practice_.follow_lessons();
     }
@@ -150,6 +151,32 @@ protected:
     std::string step_name() { return course().is_over() ? "" : course().lessons().steps[course().at()].name; }
     void wait(Tick duration) {
         for (Tick t = 0; t < duration; ++t) tick({});
+    }
+    /// Skips to a step, and lets it begin.
+    void begin_step(std::string_view name) {
+        while (step_name() != name) course().skip();
+        wait(16);
+    }
+    void hold_fire(Tick duration) {
+        for (Tick t = 0; t < duration; ++t) {
+            Player player{practice_, t};
+            player.hold_fire();
+            tick(player.sample);
+        }
+    }
+    ecs::Entity wizard() { return game::wizard_of(practice_.match().world(), practising); }
+    double health() { return practice_.match().world().get<game::Health>(wizard()).points; }
+    /// Distance of the player from the step's place along the ground (m).
+    double feet_off() {
+        const auto place = course().lessons().steps[course().at()].player->feet;
+        const auto centre = Player{practice_, 0}.self().centre;
+        return std::hypot(centre.x - place.x, centre.z - place.z);
+    }
+    double wand_readiness(std::string_view name) {
+        for (const auto& wand : practice_.match().data().wands)
+            if (wand.kind->name == name)
+                return wand.rules->readiness(practice_.match().world(), wizard()).value_or(0);
+        return 0;
     }
     /// Plays until the step is done. Returns the ticks that it took; at most `limit`.
     Tick do_step(void (*way)(Player&), Tick limit) {
@@ -185,7 +212,7 @@ TEST_F(ApprenticeCourse, AScriptedPlayerDoesItAll) {
 }
 
 TEST_F(ApprenticeCourse, AnotherDeedThanTheStepsIsNotEnough) {
-    while (step_name() != "Blast") course().skip();
+    begin_step("Blast");
     const auto uncharged = [](Player& p) {
         if (p.take("blast") && p.look_at(p.place_of(game::dummys)) && p.tick % 800 < 500) p.hold_fire();
     };
@@ -199,7 +226,7 @@ TEST_F(ApprenticeCourse, AnotherDeedThanTheStepsIsNotEnough) {
 }
 
 TEST_F(ApprenticeCourse, ADeedThatComesTooLateBeginsTheStepAgain) {
-    while (step_name() != "Blast") course().skip();
+    begin_step("Blast");
     const auto charge = [](Player& p) {
         if (p.take("blast")) p.hold_fire();
         p.look({p.self().yaw, 1.2});
@@ -211,14 +238,7 @@ TEST_F(ApprenticeCourse, ADeedThatComesTooLateBeginsTheStepAgain) {
 }
 
 TEST_F(ApprenticeCourse, PutsThePlayerToTheStepsPlaceAgainAfterADeath) {
-    while (step_name() != "Swing") course().skip();
-    wait(16);
-    const auto place = course().lessons().steps[course().at()].player->feet;
-    const auto feet_off = [&] {
-        const auto& world = practice_.match().world();
-        const auto centre = world.get<game::Motion>(game::wizard_of(world, practising)).position;
-        return std::hypot(centre.x - place.x, centre.z - place.z);
-    };
+    begin_step("Swing");
     EXPECT_LT(feet_off(), 0.1);
     auto& world = practice_.match().world_to_change();
     world.get<game::Health>(game::wizard_of(world, practising)).points = 0;
@@ -227,6 +247,52 @@ TEST_F(ApprenticeCourse, PutsThePlayerToTheStepsPlaceAgainAfterADeath) {
     wait(ticks(6.0));
     EXPECT_FALSE(world.has<game::Dead>(game::wizard_of(world, practising)));
     EXPECT_LT(feet_off(), 0.1);
+}
+
+TEST_F(ApprenticeCourse, TheNextStepBeginsWithoutTheRopeAndWithoutFire) {
+    begin_step("Swing");
+    const auto hangs = [&] { return Player{practice_, 0}.self().held.has_value(); };
+    for (Tick t = 0; t < ticks(20.0) && !hangs(); ++t) {
+        Player player{practice_, t};
+        swing_over(player);
+        tick(player.sample);
+    }
+    ASSERT_TRUE(hangs());
+    course().skip();
+    hold_fire(ticks(2.0));
+    EXPECT_EQ(step_name(), "Ingredient");
+    EXPECT_FALSE(hangs()) << "fire was held through the change of steps";
+    EXPECT_LT(feet_off(), 0.1) << "the rope drags the player away";
+}
+
+TEST_F(ApprenticeCourse, TheNextStepStopsAChargeAndWantsANewPressOfFire) {
+    begin_step("Blast");
+    const auto readiness = [&] { return wand_readiness("blast"); };
+    const auto charge = [](Player& p) {
+        if (p.take("blast")) p.hold_fire();
+    };
+    do_step(charge, ticks(2.0));
+    EXPECT_GT(readiness(), 0.5);
+    course().repeat();
+    hold_fire(ticks(2.0));
+    EXPECT_EQ(readiness(), 0) << "fire was held through the begin of the step";
+    wait(16);
+    hold_fire(ticks(2.0));
+    EXPECT_GT(readiness(), 0.5) << "fire was pressed anew";
+}
+
+TEST_F(ApprenticeCourse, AStepWithAPlaceBeginsWithEmptyHands) {
+    begin_step("Ingredient");
+    do_step(fetch_ingredient, ticks(20.0));
+    ASSERT_TRUE(course().is_done());
+    course().repeat();
+    wait(ticks(1.0));
+    EXPECT_FALSE(course().is_done()) << "the ingredient of the try before is still in the hand";
+    do_step(fetch_ingredient, ticks(20.0));
+    wait(ticks(1.6));
+    ASSERT_EQ(step_name(), "Brew");
+    const auto& world = practice_.match().world();
+    EXPECT_TRUE(world.has<game::Pouch>(game::wizard_of(world, practising))) << "the brew needs it";
 }
 
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {

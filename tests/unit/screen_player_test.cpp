@@ -146,6 +146,7 @@ void ScreenPlayer::tick(Play& play) {
     play.bots.sample(match, frame);
     if (play.practice) frame.devices[game::dummys] = play.practice->dummy_sample();
     frame.devices[practising] = shared_.seats[practising].hands->take();
+    if (play.practice) play.practice->hold_fire_back(frame);
     const auto paused = shared_.progress.state == PlayState::paused;
     for (auto* request : {&requests().pause, &requests().go_on}) {
         if (*request >= game::players) continue;
