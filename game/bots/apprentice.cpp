@@ -13,6 +13,7 @@ namespace {
 constexpr Tick praise = ticks(1.5);     ///< time between a step that is done and the next one
 constexpr double one_floor = 1.5;       ///< largest height difference of a place on the same floor (m)
 constexpr double pushing_force = 1e-3;  ///< force of a ladle above which it pushes the brew (N)
+constexpr double drift = 0.05;          ///< speed below which a ladle does not count as stirring (m/s)
 constexpr double jump = 1;              ///< way within a look that is no walk but a placing (m)
 
 double along_ground(vec3 way) { return std::hypot(way.x, way.z); }
@@ -48,9 +49,12 @@ bool guards(const Simulation& match, ecs::Entity wizard, const Hand& hand) {
            stands_between(match, *hand.held, eye_of(match.data().wizard, body));
 }
 
-bool pushes_brew(const Simulation& match, ecs::Entity wizard) {
+/// Way of the ladle through the brew since the last look, parallel to the surface (m).
+double way_stirred(const Simulation& match, ecs::Entity wizard) {
     const auto* ladle = match.world().find<Ladle>(wizard);
-    return ladle != nullptr && glm::length(ladle->force) > pushing_force;
+    if (ladle == nullptr || glm::length(ladle->force) < pushing_force) return 0;
+    const double speed = along_ground(ladle->velocity);
+    return speed < drift ? 0 : speed * gameplay_dt;
 }
 
 bool is_near(vec3 feet, vec3 place, double within) {
@@ -84,7 +88,7 @@ double measured(const Simulation& match, const Condition& condition, const Steps
         case ConditionKind::guarded: return timed(guards(match, wizard, hand));
         case ConditionKind::hung: return timed(hand.held && hand.wand->rules->rope());
         case ConditionKind::carried: return timed(match.world().has<Pouch>(wizard));
-        case ConditionKind::stirred: return timed(pushes_brew(match, wizard));
+        case ConditionKind::stirred: return before + way_stirred(match, wizard);
         case ConditionKind::event: return before;
     }
     return before;

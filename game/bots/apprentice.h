@@ -27,7 +27,7 @@ enum class ConditionKind : std::uint8_t {
     guarded,    ///< time for which a held thing has stood between the dummy and the player (s)
     hung,       ///< time on a rope (s)
     carried,    ///< time with an ingredient in the hand (s)
-    stirred,    ///< time for which the ladle has pushed the brew (s)
+    stirred,    ///< way of the ladle through the brew, without the drift of a ladle at rest (m)
 };
 
 struct Condition {

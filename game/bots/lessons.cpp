@@ -29,7 +29,7 @@ constexpr NumberCondition number_conditions[] = {
     {"guarded_s", ConditionKind::guarded, 0.01, longest, 1},
     {"hung_s", ConditionKind::hung, 0.01, longest, 1},
     {"carried_s", ConditionKind::carried, 0.01, longest, 1},
-    {"stirred_s", ConditionKind::stirred, 0.01, longest, 1},
+    {"stirred_m", ConditionKind::stirred, 0.01, farthest, 1},
 };
 
 /// A key that belongs to a condition, and the key of that condition.

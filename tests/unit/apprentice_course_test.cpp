@@ -295,6 +295,28 @@ TEST_F(ApprenticeCourse, AStepWithAPlaceBeginsWithEmptyHands) {
     EXPECT_TRUE(world.has<game::Pouch>(game::wizard_of(world, practising))) << "the brew needs it";
 }
 
+TEST_F(ApprenticeCourse, ALadleAtRestDoesNotStir) {
+    begin_step("Ingredient");
+    do_step(fetch_ingredient, ticks(20.0));
+    wait(ticks(1.6));
+    ASSERT_EQ(step_name(), "Brew");
+    const auto rest = [](Player& p) {
+        const auto& world = p.match().world();
+        if (!world.has<game::Ladle>(game::wizard_of(world, practising)) && p.self().centre.x > 2.3)
+            return p.walk_to({0, 0, 0});
+        p.sample.press(Button::stir);
+        if (p.tick % 2000 < 100) p.hold_fire();
+    };
+    do_step(rest, ticks(60.0));
+    EXPECT_FALSE(course().is_done()) << "the ladle has not been moved";
+    EXPECT_GE(course().share(), 0.5) << "the ingredient must have been dropped";
+    EXPECT_LT(course().share(), 0.6) << "a ladle at rest drifts";
+    const auto took = do_step(brew, ticks(20.0));
+    EXPECT_TRUE(course().is_done());
+    std::printf("stirred for %llu ticks\n", static_cast<unsigned long long>(took));
+    EXPECT_LT(took, ticks(8.0));
+}
+
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
     const auto picture = [&] {
         auto all = game::make_picture();
