@@ -104,6 +104,13 @@ void Practice::hold_fire_back(input::InputFrame& frame) {
     }
 }
 
+/// Gives the learner back some health each gameplay tick.
+void Practice::heal() {
+    if (match().match().paused != 0 || match().match().played % game::gameplay_period != 0) return;
+    const double gain = apprentice_->lessons().healing * game::gameplay_dt;
+    heal_wizard(match(), game::practising, gain);
+}
+
 void Practice::follow_lessons() {
     if (!apprentice_) return;
     apprentice_->follow(match());
@@ -111,7 +118,8 @@ void Practice::follow_lessons() {
     const auto placings = apprentice_->take_placings();
     for (std::uint32_t player = 0; player < game::players; ++player)
         if (placings[player]) place(player);
-    set_dummy(apprentice_->lessons().steps[apprentice_->at()].dummy_kind);
+    set_dummy(apprentice_->dummy_kind());
+    heal();
 }
 
 std::string Practice::step_words() const {

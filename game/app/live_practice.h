@@ -65,6 +65,7 @@ public:
 private:
     void say(std::string words, Tick how_long);
     void place(std::uint32_t player);
+    void heal();
     void show_lesson(game::PracticePicture& picture);
 
     game::RangeData data_;  ///< as the files say, before `changes_`

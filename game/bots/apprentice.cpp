@@ -14,6 +14,7 @@ constexpr Tick praise = ticks(1.5);     ///< time between a step that is done an
 constexpr double one_floor = 1.5;       ///< largest height difference of a place on the same floor (m)
 constexpr double pushing_force = 1e-3;  ///< force of a ladle above which it pushes the brew (N)
 constexpr double drift = 0.05;          ///< speed below which a ladle does not count as stirring (m/s)
+constexpr double fallen = 2;            ///< depth below the step's place at which the player has fallen (m)
 constexpr double jump = 1;              ///< way within a look that is no walk but a placing (m)
 
 double along_ground(vec3 way) { return std::hypot(way.x, way.z); }
@@ -94,6 +95,12 @@ double measured(const Simulation& match, const Condition& condition, const Steps
     return before;
 }
 
+/// Whether the player stands far below the step's place, as in a pit.
+bool has_fallen(const Simulation& match, const LessonStep& step, vec3 feet) {
+    const auto& stance = match.world().get<Stance>(wizard_of(match.world(), practising));
+    return step.player && stance.grounded != 0 && feet.y < step.player->feet.y - fallen;
+}
+
 bool is_met(const Condition& condition, double reached) { return reached >= condition.amount * (1 - 1e-9); }
 
 }  // namespace
@@ -116,18 +123,24 @@ void Apprentice::begin(std::size_t step) {
 }
 
 void Apprentice::follow(const Simulation& match) {
-    const auto now = match.match().played;
+    const auto now = now_ = match.match().played;
     if (is_over() || match.match().paused != 0 || now % gameplay_period != 0) return;
     if (begins_) {
         begins_ = false;
-        since_ = now;
+        since_ = placed_ = now;
         seen_events_ = match.events().count();
         reached_.assign(deed().conditions.size(), 0);
     } else {
         measure_events(match);
     }
     measure(match);
+    if (to_place_[practising]) placed_ = now;
     advance(now);
+}
+
+DummyKind Apprentice::dummy_kind() const {
+    if (is_over() || begins_ || now_ < placed_ + lessons_.steps[at_].dummy_waits) return DummyKind::still;
+    return lessons_.steps[at_].dummy_kind;
 }
 
 /// Counts events of the player. A wizard who returns to life stands at a pad, and is placed again.
@@ -155,6 +168,7 @@ void Apprentice::measure(const Simulation& match) {
                       .turn = placed ? 0 : turn,
                       .feet = place - vec3(0, match.data().wizard.height / 2, 0)};
     if (done_) return;
+    if (has_fallen(match, lessons_.steps[at_], steps.feet)) to_place_[practising] = true;
     for (std::size_t i = 0; i < reached_.size(); ++i)
         reached_[i] = measured(match, deed().conditions[i], steps, reached_[i]);
 }

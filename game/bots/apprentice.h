@@ -57,11 +57,14 @@ struct LessonStep {
     /// Places at the step's begin; std::nullopt: a wizard stays where it is.
     std::optional<LessonPlace> player{}, dummy{};
     DummyKind dummy_kind{};
+    /// Time for which the dummy stands still, from the begin of the step and from each placing of the player.
+    Tick dummy_waits{};
 };
 
 struct Lessons {
     std::string arena;  ///< name of the arena, whose places the steps name
     std::string end;    ///< words after the last step
+    double healing{};   ///< health that the player regains in a second (HP)
     std::vector<LessonStep> steps;
 };
 
@@ -92,7 +95,10 @@ public:
     bool is_done() const { return done_; }
     /// Done share of the present step, 0 to 1.
     double share() const;
-    /// Players whose places must be set now: at the begin of a step, and after a return to life. Forgets them.
+    /// What the dummy does now.
+    DummyKind dummy_kind() const;
+    /// Players whose places must be set now: at the begin of a step, after a return to life, and after a fall.
+    /// Forgets them.
     std::array<bool, players> take_placings() { return std::exchange(to_place_, {}); }
 
 private:
@@ -107,7 +113,8 @@ private:
     std::vector<double> reached_{};  ///< largest amount so far of each condition of the present deed
     bool begins_ = true;             ///< true: the step has not seen a tick yet
     bool done_ = false;
-    Tick since_ = 0;  ///< when the present deed began, or the step was done (ticks of play)
+    Tick since_ = 0;             ///< when the present deed began, or the step was done (ticks of play)
+    Tick placed_ = 0, now_ = 0;  ///< when the player was placed, and the last look (ticks of play)
     std::array<bool, players> to_place_{true, true};
     std::uint64_t seen_events_ = 0;  ///< number of events that were looked at
     vec3 last_place_{};              ///< the player's place at the last look (m, world)

@@ -130,6 +130,7 @@ LessonStep read_step(const ConfigTable& places, const ConfigTable& table) {
     step.dummy = read_place(places, table, "dummy");
     step.dummy_kind =
         static_cast<DummyKind>(table.choice("dummy_does", {dummy_names.begin(), dummy_names.end()}, 0));
+    step.dummy_waits = ticks(table.number("dummy_waits_s", {0, longest}, 0));
     for (const auto& deed : table.tables("goal")) step.deeds.push_back(read_deed(places, deed));
     if (step.deeds.empty()) table.report("goal", "a step needs a goal: a list with at least one deed");
     return step;
@@ -141,8 +142,10 @@ Expected<Lessons> parse_lessons(std::string_view toml, std::string name) {
     const auto file = Config::parse(toml, std::move(name), 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
-    Lessons lessons{
-        .arena = root.string("arena"), .end = read_control_words(root, "end", wand_names()), .steps = {}};
+    Lessons lessons{.arena = root.string("arena"),
+                    .end = read_control_words(root, "end", wand_names()),
+                    .healing = root.number("heals_hp_per_s", {0, 1000}, 0),
+                    .steps = {}};
     const auto places = root.table("place");
     for (const auto& table : root.tables("step")) {
         auto step = read_step(places, table);

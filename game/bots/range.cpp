@@ -74,13 +74,21 @@ input::DeviceSpec dummy_device() {
     return device;
 }
 
+void heal_wizard(Simulation& match, std::uint32_t player, double points) {
+    auto& world = match.world_to_change();
+    const auto wizard = wizard_of(world, player);
+    if (world.has<Dead>(wizard)) return;
+    const double full = match.data().wizard.health;
+    auto& health = world.get<Health>(wizard);
+    if (health.points > 0 && health.points < full) health.points = std::min(full, health.points + points);
+}
+
 void refresh_wizard(Simulation& match, std::uint32_t player) {
     auto& world = match.world_to_change();
     const auto wizard = wizard_of(world, player);
     if (world.has<Dead>(wizard)) return;
     put_away_wand(match.context_to_change(), wizard, match.match().played);
-    auto& health = world.get<Health>(wizard);
-    health.points = std::max(health.points, match.data().wizard.health);
+    heal_wizard(match, player, match.data().wizard.health);
 }
 
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place) {

@@ -42,8 +42,10 @@ struct RangeMatch {
     void adopt(const RangeData& data);
 };
 
-/// Puts away what a living wizard's wand holds, and gives the wizard full health. Only the range may do so, as it is
-/// not recorded.
+/// Gives a living wizard health (HP), up to that of a new wizard. Only the range may do so, as it is not recorded.
+void heal_wizard(Simulation& match, std::uint32_t player, double points);
+
+/// Puts away what a living wizard's wand holds, and gives the wizard full health.
 void refresh_wizard(Simulation& match, std::uint32_t player);
 
 /// Refreshes a living wizard, and puts it to a place and direction of view: at rest, not stirring, with empty hands.

@@ -317,6 +317,48 @@ TEST_F(ApprenticeCourse, ALadleAtRestDoesNotStir) {
     EXPECT_LT(took, ticks(8.0));
 }
 
+TEST_F(ApprenticeCourse, PutsThePlayerToTheStepsPlaceAgainAfterAFall) {
+    begin_step("Swing");
+    const auto leap = [](Player& p) { p.walk_to({-3, 0, 25}); };
+    double least = 100, deepest = 0;
+    for (Tick t = 0; t < ticks(4.0); ++t) {
+        Player player{practice_, t};
+        leap(player);
+        tick(player.sample);
+        deepest = std::min(deepest, player.self().centre.y);
+        least = std::min(least, health());
+        if (deepest < -3 && player.self().centre.y > 0) break;
+    }
+    EXPECT_LT(deepest, -3) << "the player must have fallen";
+    EXPECT_LT(least, 80) << "the fall must have hurt";
+    EXPECT_LT(feet_off(), 0.1);
+    EXPECT_EQ(health(), 100);
+    EXPECT_EQ(step_name(), "Swing");
+}
+
+TEST_F(ApprenticeCourse, EachStepBeginsWithFullHealth) {
+    begin_step("Lob");
+    auto& world = practice_.match().world_to_change();
+    world.get<game::Health>(wizard()).points = 20;
+    course().skip();
+    wait(16);
+    EXPECT_EQ(health(), 100);
+}
+
+TEST_F(ApprenticeCourse, TheDummyOfTheLiftGivesTimeToReadAndDoesNotKill) {
+    begin_step("Lift");
+    wait(ticks(7.5));
+    EXPECT_EQ(health(), 100) << "the dummy shoots while the player reads";
+    double least = 100;
+    for (int i = 0; i < 60; ++i) {
+        wait(ticks(1.0));
+        least = std::min(least, health());
+    }
+    std::printf("least health %g\n", least);
+    EXPECT_LT(least, 95) << "the dummy must shoot at last";
+    EXPECT_GT(least, 30);
+}
+
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
     const auto picture = [&] {
         auto all = game::make_picture();
