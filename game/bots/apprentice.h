@@ -46,8 +46,8 @@ struct Deed {
 
 /// A place to stand.
 struct LessonPlace {
-    vec3 feet{};   ///< position on the ground (m, world)
-    double yaw{};  ///< direction of view (rad)
+    vec3 feet{};            ///< position on the ground (m, world)
+    double yaw{}, pitch{};  ///< direction of view (rad)
 };
 
 /// One step of the course. Its words may name controls (game/data/control_words.h).

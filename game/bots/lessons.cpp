@@ -76,7 +76,8 @@ std::optional<LessonPlace> read_place(const ConfigTable& places, const ConfigTab
     }
     const auto place = places.table(name);
     return LessonPlace{.feet = place.vector("position", {-farthest, farthest}),
-                       .yaw = place.number("yaw_deg", {-180, 180}, 0) * radians_per_degree};
+                       .yaw = place.number("yaw_deg", {-180, 180}, 0) * radians_per_degree,
+                       .pitch = place.number("pitch_deg", {-80, 80}, 0) * radians_per_degree};
 }
 
 Condition read_event(const ConfigTable& table) {

@@ -99,7 +99,7 @@ void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& pl
     if (world.has<Ladle>(wizard)) world.remove<Ladle>(wizard);
     if (world.has<Pouch>(wizard)) world.remove<Pouch>(wizard);
     world.get<Motion>(wizard) = standing_at(match.data().wizard, place.feet);
-    world.get<Gaze>(wizard) = {place.yaw, 0};
+    world.get<Gaze>(wizard) = {place.yaw, place.pitch};
     world.get<Stance>(wizard) = {};
     match.physics().set_state(wizard.index, std::as_const(world).get<Motion>(wizard));
 }

@@ -359,6 +359,25 @@ TEST_F(ApprenticeCourse, TheDummyOfTheLiftGivesTimeToReadAndDoesNotKill) {
     EXPECT_GT(least, 30);
 }
 
+TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
+    begin_step("Swing");
+    for (Tick t = 0; t < 16; ++t) {
+        Player player{practice_, t};
+        player.take("swing");
+        tick(player.sample);
+    }
+    const auto me = Player{practice_, 0}.self();
+    const auto to_anchor = game::aim_at(me.eye, {-4, 7, 9});
+    const double least_half_view = 20 * radians_per_degree;  // from top to bottom
+    EXPECT_LT(std::abs(to_anchor.pitch - me.pitch), least_half_view);
+    EXPECT_LT(std::abs(game::angle_between(to_anchor.yaw, me.yaw)), 0.05);
+    auto picture = game::make_picture();
+    game::take_picture(practice_.match(), picture);
+    EXPECT_EQ(picture.wizards[practising].wand, "swing");
+    EXPECT_EQ(picture.wizards[practising].target.kind, game::TargetKind::nothing)
+        << "the picture offers a swing where it does not help";
+}
+
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
     const auto picture = [&] {
         auto all = game::make_picture();

@@ -258,7 +258,7 @@ void Player::swing(const Screen& seen, Hands& hands) {
         walk(0, hands);
         level(seen, hands);
         const auto& below = seen.glance[glance_rows - 1][glance_columns / 2];
-        let_go_ = hung_ > looks_of(0.6) && below.what == "floor";
+        let_go_ = hung_ > looks_of(1.5) && below.what == "floor";
         return;
     }
     if (hung_ > 0) {  // flies, or has landed
