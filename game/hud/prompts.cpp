@@ -39,28 +39,33 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
 }
 
-const std::string& control_of_wand(std::string_view wand, const ControlNames& controls,
-                                   const Presentation& shown) {
-    const auto found =
-        std::find_if(shown.wands.begin(), shown.wands.end(), [&](const auto& w) { return w.name == wand; });
-    if (found == shown.wands.end() || controls.wands.at(found->slot).empty()) return controls.next_wand;
-    return controls.wands.at(found->slot);
+/// A control in brackets.
+std::string in_brackets(const std::string& control) {
+    return text("[", control.empty() ? "not bound" : control, "]");
 }
 
-const std::string& control_of(const ControlPiece& piece, const ControlNames& controls,
-                              const Presentation& shown) {
+/// The control that takes the wand. Without one, the control that goes on to the next wand, with words that say so.
+std::string control_of_wand(std::string_view wand, const ControlNames& controls, const Presentation& shown) {
+    const auto found =
+        std::find_if(shown.wands.begin(), shown.wands.end(), [&](const auto& w) { return w.name == wand; });
+    const bool has_own = found != shown.wands.end() && !controls.wands.at(found->slot).empty();
+    if (has_own) return in_brackets(controls.wands.at(found->slot));
+    return controls.next_wand.empty() ? in_brackets({}) : in_brackets(controls.next_wand) + " (next wand)";
+}
+
+std::string control_of(const ControlPiece& piece, const ControlNames& controls, const Presentation& shown) {
     switch (*piece.word) {
-        case ControlWord::move: return controls.move;
-        case ControlWord::look: return controls.look;
-        case ControlWord::jump: return controls.jump;
-        case ControlWord::fire: return controls.fire;
-        case ControlWord::stir: return controls.stir;
-        case ControlWord::throw_: return controls.throw_;
-        case ControlWord::next_wand: return controls.next_wand;
-        case ControlWord::pause: return controls.pause;
+        case ControlWord::move: return in_brackets(controls.move);
+        case ControlWord::look: return in_brackets(controls.look);
+        case ControlWord::jump: return in_brackets(controls.jump);
+        case ControlWord::fire: return in_brackets(controls.fire);
+        case ControlWord::stir: return in_brackets(controls.stir);
+        case ControlWord::throw_: return in_brackets(controls.throw_);
+        case ControlWord::next_wand: return in_brackets(controls.next_wand);
+        case ControlWord::pause: return in_brackets(controls.pause);
         case ControlWord::wand: return control_of_wand(piece.wand, controls, shown);
     }
-    return controls.fire;
+    return {};
 }
 
 }  // namespace
@@ -69,9 +74,7 @@ std::string with_controls(std::string_view words, const ControlNames& controls, 
     std::string filled;
     for (const auto& piece : control_pieces_of(words)) {
         filled += piece.plain;
-        if (!piece.word) continue;
-        const auto& control = control_of(piece, controls, shown);
-        filled += text("[", control.empty() ? "not bound" : control, "]");
+        if (piece.word) filled += control_of(piece, controls, shown);
     }
     return filled;
 }

@@ -18,7 +18,7 @@ struct ControlNames {
 };
 
 /// Words with the player's controls in place of their braces (game/data/control_words.h): "[E]". A wand without a
-/// control of its own is taken by the control that goes on to the next wand.
+/// control of its own is reached by the control that goes on to the next wand: "[RB] (next wand)".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
 enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing };

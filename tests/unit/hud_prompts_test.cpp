@@ -42,8 +42,9 @@ TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
     const auto filled = [&](std::string_view words) { return with_controls(words, names, *data); };
     EXPECT_EQ(filled("Hold {stir}, then {fire}: {throw}."), "Hold [E], then [Left mouse]: [F].");
     EXPECT_EQ(filled("{wand:bolt} takes Bolt"), "[1] takes Bolt");
-    EXPECT_EQ(filled("{wand:lob} takes Lob"), "[Wheel down] takes Lob")
+    EXPECT_EQ(filled("{wand:lob} takes Lob"), "[Wheel down] (next wand) takes Lob")
         << "a wand without a control of its own";
+    EXPECT_EQ(with_controls("{wand:lob}", {}, *data), "[not bound]");
     EXPECT_EQ(filled("{jump}"), "[not bound]");
     EXPECT_EQ(filled("{nothing} {"), "{nothing} {");
 }

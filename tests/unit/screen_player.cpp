@@ -164,8 +164,7 @@ void Player::read(const std::string& words) {
     learn(learnt_.stir, "Hold \\[([^\\]]+)\\] at the cauldron");
     if (!has(words, "cauldron")) learn(learnt_.fire, "[Hh]old \\[([^\\]]+)\\]");
     std::smatch found;
-    if (std::regex_search(words, found, std::regex("Take (\\w+) with \\[([^\\]]+)\\]")) ||
-        std::regex_search(words, found, std::regex("The (\\w+) is wand \\d+: \\[([^\\]]+)\\]")))
+    if (std::regex_search(words, found, std::regex("[Tt]ake (\\w+) with \\[([^\\]]+)\\]")))
         learnt_.wands[wand_ = found[1].str()] = found[2].str();
 }
 
