@@ -242,11 +242,12 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 
 // Messages --------------------------------------------------------------------------------------------------
 
-/// Message about a device, real or simulated, with which its player must do something; empty if there is none.
-/// `told`: the driver has reported the fault itself.
+/// Message about an arm with which its player must do something; empty if there is none, and for a player without an
+/// arm, who feels no forces. `told`: the driver has reported the fault itself.
 std::string_view fault_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
+        case ArmCondition::none: return {};
         case ArmCondition::gone:
             return told ? "Mouse and keys play on" : "The arm does not answer: mouse and keys play on";
         case ArmCondition::back: return "The arm is back: hold it still";
@@ -260,9 +261,10 @@ std::string_view fault_of(const ForcePicture& force, bool told) {
     }
 }
 
-/// Caption of what the hand feels; empty if there is none.
+/// Caption of what the hand feels at an arm; empty if there is none.
 std::string_view caption_of(const ForcePicture& force) {
     using haptics::SafetyCause;
+    if (force.arm == ArmCondition::none) return {};
     if (force.arm == ArmCondition::clutched) return "Clutch: the arm moves free of the hand";
     switch (force.cause) {
         case SafetyCause::warm: return "Forces are weaker for a while: they were strong for too long";

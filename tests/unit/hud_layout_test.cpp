@@ -225,6 +225,7 @@ Picture talkative() {
         p.gift = {.kind = EventKind::power_up, .amount = 25};
         p.since_warning_s = 0.1;
         p.warning = EventKind::dry;
+        p.force.arm = ArmCondition::felt;
         p.force.cause = haptics::SafetyCause::shut_off;
         p.hurts = 1;
     }

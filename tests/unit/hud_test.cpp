@@ -458,6 +458,7 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
     picture.wizards[0].force.cause = haptics::SafetyCause::over_speed;
+    picture.wizards[0].force.arm = ArmCondition::felt;
     picture.wizards[0].at_rim = true;
     picture.wizards[1] = picture.wizards[0];
     HudSettings settings;
@@ -484,6 +485,27 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     EXPECT_EQ(shown(settings.device_messages[0]), 1) << "a fault is told in any case";
     picture.wizards[0].force.cause = haptics::SafetyCause::panic;
     EXPECT_EQ(shown("All forces off: the emergency key brings yours back"), 1);
+}
+
+TEST(Captions, OnForcesAreForPlayersWithAnArm) {
+    using haptics::SafetyCause;
+    auto picture = picture_of(*new_match());
+    const auto talks_of_forces = [&] {
+        render::Overlay overlay;
+        make_overlay(picture, {}, {1280, 720}, overlay);
+        return std::any_of(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
+            const auto* found = std::get_if<render::TextItem>(&item);
+            return found != nullptr && found->text.find("orces ") != std::string::npos;
+        });
+    };
+    for (const auto cause : {SafetyCause::shut_off, SafetyCause::panic, SafetyCause::warm, SafetyCause::stale,
+                             SafetyCause::over_speed, SafetyCause::waiting}) {
+        for (auto& p : picture.wizards) p.force.cause = cause;
+        EXPECT_FALSE(talks_of_forces()) << static_cast<int>(cause);
+        picture.wizards[1].force.arm = ArmCondition::felt;
+        EXPECT_TRUE(talks_of_forces()) << static_cast<int>(cause);
+        picture.wizards[1].force.arm = ArmCondition::none;
+    }
 }
 
 TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
