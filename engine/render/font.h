@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/maths.h"
+#include "core/utf8.h"
 
 namespace thaum::render {
 
@@ -65,8 +66,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Decodes UTF-8 to code points. Each invalid byte becomes U+FFFD.
-std::u32string decode_utf8(std::string_view text);
+using thaum::decode_utf8;
 
 /// Splits text at '\n' and decodes it. Always returns at least one line, which may be empty.
 std::vector<std::u32string> lines_of(std::string_view text);

@@ -1,5 +1,5 @@
-// game/app/player_name.h: names that players give themselves. They hold letters, digits and signs that the game's
-// typeface has and that are written from left to right, so a name is drawn as it was typed.
+// game/app/player_name.h: names that players give themselves, of characters that can be shown
+// (game/data/shown_words.h).
 #pragma once
 #include <string>
 #include <string_view>

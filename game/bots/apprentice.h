@@ -68,13 +68,16 @@ struct Lessons {
     std::vector<LessonStep> steps;
 };
 
-/// Largest number of words of a step's text.
-inline constexpr std::size_t most_lesson_words = 12;
+/// Largest numbers of words of a step's text, and of characters of such a word and of a step's name.
+inline constexpr std::size_t most_lesson_words = 12, longest_lesson_word = 24, longest_lesson_name = 24;
+/// Largest numbers of steps of a course and of deeds of a step.
+inline constexpr std::size_t most_lessons = 50, most_deeds = 16;
 
 /// Reads assets/apprentice.toml. The error names file, line and key.
 Expected<Lessons> load_lessons(const std::filesystem::path& assets);
-/// Parses lessons; messages call the file `name`.
-Expected<Lessons> parse_lessons(std::string_view toml, std::string name);
+/// Parses lessons; messages call the file `name`. Without `assets`, places are not checked against the arena.
+Expected<Lessons> parse_lessons(std::string_view toml, std::string name,
+                                const std::filesystem::path& assets = {});
 
 /// Progress of one player through the course.
 class Apprentice {

@@ -5,8 +5,11 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "core/utf8.h"
 #include "game/bots/apprentice.h"
+#include "game/bots/standing_room.h"
 #include "game/data/control_words.h"
+#include "game/data/shown_words.h"
 
 namespace thaum::game {
 namespace {
@@ -66,16 +69,25 @@ void check_keys(const ConfigTable& table) {
     }
 }
 
-std::optional<LessonPlace> read_place(const ConfigTable& places, const ConfigTable& table,
-                                      std::string_view key) {
+/// The table of places, and the arena in which they must lie.
+struct Places {
+    ConfigTable table;
+    std::optional<StandingRoom> room{};  ///< std::nullopt: places are not checked
+};
+
+std::optional<LessonPlace> read_place(const Places& places, const ConfigTable& table, std::string_view key) {
     if (!table.has(key)) return {};
     const auto name = table.string(key);
-    if (!places.has(name)) {
+    if (!places.table.has(name)) {
         table.report(key, text("'", key, "': no place '", name, "' in the table [place]"));
         return {};
     }
-    const auto place = places.table(name);
-    return LessonPlace{.feet = place.vector("position", {-farthest, farthest}),
+    const auto place = places.table.table(name);
+    const vec3 feet = place.vector("position", {-farthest, farthest});
+    if (const auto fault = places.room ? places.room->fault_at(feet) : std::string_view(); !fault.empty())
+        place.report("position", text("the place '", name, "' ", fault,
+                                      ": choose a free place on the ground of the arena"));
+    return LessonPlace{.feet = feet,
                        .yaw = place.number("yaw_deg", {-180, 180}, 0) * radians_per_degree,
                        .pitch = place.number("pitch_deg", {-80, 80}, 0) * radians_per_degree};
 }
@@ -89,7 +101,7 @@ Condition read_event(const ConfigTable& table) {
             .event = kind.value_or(EventKind::none)};
 }
 
-Deed read_deed(const ConfigTable& places, const ConfigTable& table) {
+Deed read_deed(const Places& places, const ConfigTable& table) {
     Deed deed;
     check_keys(table);
     for (const auto& number : number_conditions) {
@@ -113,18 +125,40 @@ Deed read_deed(const ConfigTable& places, const ConfigTable& table) {
     return deed;
 }
 
+/// Reports words that nobody can read: none at all, or with characters that cannot be shown.
+void check_words(const ConfigTable& table, std::string_view key, const std::string& words) {
+    if (words.find_first_not_of(' ') == std::string::npos)
+        table.report(key, text("'", key, "' is empty: write some words"));
+    if (const auto shown = check_shown(words); !shown)
+        table.report(key, text("'", key, "': ", shown.error().message));
+}
+
+std::string read_name(const ConfigTable& table) {
+    auto name = table.string("name");
+    check_words(table, "name", name);
+    if (const auto length = decode_utf8(name).size(); length > longest_lesson_name)
+        table.report("name", text("'name' has ", length, " characters: at most ", longest_lesson_name));
+    return name;
+}
+
 std::string read_text(const ConfigTable& table, std::string_view key) {
     auto words = read_control_words(table, key, wand_names());
+    check_words(table, key, words);
     std::istringstream in(words);
-    const auto count = std::distance(std::istream_iterator<std::string>(in), {});
-    if (static_cast<std::size_t>(count) > most_lesson_words)
-        table.report(key, text("'", key, "' has ", count, " words: at most ", most_lesson_words));
+    const std::vector<std::string> all(std::istream_iterator<std::string>(in), {});
+    if (all.size() > most_lesson_words)
+        table.report(key, text("'", key, "' has ", all.size(), " words: at most ", most_lesson_words));
+    for (const auto& word : all) {
+        if (const auto length = decode_utf8(word).size(); length > longest_lesson_word)
+            table.report(key, text("'", key, "' has a word of ", length, " characters: at most ",
+                                   longest_lesson_word));
+    }
     return words;
 }
 
-LessonStep read_step(const ConfigTable& places, const ConfigTable& table) {
+LessonStep read_step(const Places& places, const ConfigTable& table) {
     LessonStep step;
-    step.name = table.string("name");
+    step.name = read_name(table);
     step.words = read_text(table, "text");
     step.hint = read_text(table, "hint");
     step.player = read_place(places, table, "player");
@@ -133,29 +167,50 @@ LessonStep read_step(const ConfigTable& places, const ConfigTable& table) {
         static_cast<DummyKind>(table.choice("dummy_does", {dummy_names.begin(), dummy_names.end()}, 0));
     step.dummy_waits = ticks(table.number("dummy_waits_s", {0, longest}, 0));
     for (const auto& deed : table.tables("goal")) step.deeds.push_back(read_deed(places, deed));
+    if (step.deeds.size() > most_deeds)
+        table.report("goal", text("'goal' has ", step.deeds.size(), " deeds: at most ", most_deeds));
     if (step.deeds.empty()) table.report("goal", "a step needs a goal: a list with at least one deed");
     return step;
 }
 
+/// The places of the file, with the arena if its data can be read.
+Places places_of(const ConfigTable& root, const std::string& arena, const std::filesystem::path& assets) {
+    Places places{.table = root.table("place")};
+    if (assets.empty()) return places;
+    auto room = StandingRoom::load(assets, arena);
+    if (room)
+        places.room = std::move(*room);
+    else
+        root.report("arena", text("'arena': ", room.error().message));
+    return places;
+}
+
+void read_steps(const ConfigTable& root, const Places& places, std::vector<LessonStep>& steps) {
+    const auto tables = root.tables("step");
+    if (tables.empty()) root.report("", "the course needs at least one [[step]]");
+    if (tables.size() > most_lessons)
+        root.report("step", text("the course has ", tables.size(), " steps: at most ", most_lessons));
+    for (const auto& table : tables) {
+        auto step = read_step(places, table);
+        const auto same = [&](const LessonStep& other) { return other.name == step.name; };
+        if (std::any_of(steps.begin(), steps.end(), same))
+            table.report("name", text("a second step has the name '", step.name, "': give it another one"));
+        steps.push_back(std::move(step));
+    }
+}
+
 }  // namespace
 
-Expected<Lessons> parse_lessons(std::string_view toml, std::string name) {
+Expected<Lessons> parse_lessons(std::string_view toml, std::string name,
+                                const std::filesystem::path& assets) {
     const auto file = Config::parse(toml, std::move(name), 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
     Lessons lessons{.arena = root.string("arena"),
-                    .end = read_control_words(root, "end", wand_names()),
+                    .end = read_text(root, "end"),
                     .healing = root.number("heals_hp_per_s", {0, 1000}, 0),
                     .steps = {}};
-    const auto places = root.table("place");
-    for (const auto& table : root.tables("step")) {
-        auto step = read_step(places, table);
-        const auto same = [&](const LessonStep& other) { return other.name == step.name; };
-        if (std::any_of(lessons.steps.begin(), lessons.steps.end(), same))
-            table.report("name", text("a second step has the name '", step.name, "': give it another one"));
-        lessons.steps.push_back(std::move(step));
-    }
-    if (lessons.steps.empty()) root.report("", "the course needs at least one [[step]]");
+    read_steps(root, places_of(root, lessons.arena, assets), lessons.steps);
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return lessons;
 }
@@ -163,7 +218,7 @@ Expected<Lessons> parse_lessons(std::string_view toml, std::string name) {
 Expected<Lessons> load_lessons(const std::filesystem::path& assets) {
     const auto source = read_text_file(assets / lessons_file, 1U << 16U);
     if (!source) return tl::unexpected(source.error());
-    return parse_lessons(*source, lessons_file);
+    return parse_lessons(*source, lessons_file, assets);
 }
 
 }  // namespace thaum::game

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "unit/game_duel.h"
 
@@ -80,6 +81,76 @@ TEST(LessonsFile, FaultsAreToldWithFileLineAndKey) {
     const auto file = file_with(sound_text, sound_goal);
     tells(lessons_fault(file + file.substr(file.find("[[step]]"))), "a second step has the name 'One'");
     tells(lessons_fault("version = 1\narena = \"boiling_court\"\nend = \"Done\"\n"), "at least one [[step]]");
+}
+
+TEST(LessonsFile, WordsThatCannotBeReadAreRefused) {
+    const auto refused = [](const std::string& toml, std::string_view words) {
+        const auto fault = lessons_fault(toml);
+        EXPECT_NE(fault.find("apprentice.toml:"), std::string::npos) << fault;
+        EXPECT_NE(fault.find(words), std::string::npos) << fault;
+        EXPECT_LT(fault.size(), 400U) << fault;
+    };
+    const auto with_text = [](std::string_view words) {
+        return file_with(thaum::text("text = \"", words, "\""), sound_goal);
+    };
+    const auto with_name = [](std::string_view name) {
+        auto file = file_with(sound_text, sound_goal);
+        return file.replace(file.find("\"One\""), 5, thaum::text("\"", name, "\""));
+    };
+    const std::string long_word(10'000, 'w');
+    refused(with_text(long_word), ":8: 'text' has a word of 10000 characters: at most 24");
+    refused(with_name(long_word), ":7: 'name' has 10000 characters: at most 24");
+    refused(with_text(""), ":8: 'text' is empty: write some words");
+    refused(with_text("  "), ":8: 'text' is empty");
+    refused(with_name(""), ":7: 'name' is empty");
+    for (const auto* odd :
+         {"A\\nB", "A\\u001B[31m", "A\\u0007", "A\xF0\x9F\x94\xA5", "A\xD7\x90", "A\\u202E"}) {
+        refused(with_text(odd), ":8: 'text': character 2 cannot be shown; use Latin");
+        refused(with_name(odd), ":7: 'name': character 2 cannot be shown; use Latin");
+    }
+    auto end = file_with(sound_text, sound_goal);
+    end.replace(end.find("\"Done\""), 6, "\"Done\\u001B\"");
+    refused(end, ":3: 'end': character 5 cannot be shown");
+    std::string deeds = "goal = [";
+    for (int i = 0; i < 2000; ++i) deeds += "{moved_m = 5}, ";
+    refused(file_with(sound_text, deeds + "]"), ":11: 'goal' has 2000 deeds: at most 16");
+    auto many = std::string("version = 1\narena = \"boiling_court\"\nend = \"Done\"\n");
+    for (int i = 0; i < 51; ++i)
+        many +=
+            thaum::text("[[step]]\nname = \"", i, "\"\ntext = \"A\"\nhint = \"B\"\ngoal = [{moved_m = 1}]\n");
+    refused(many, "the course has 51 steps: at most 50");
+}
+
+TEST(LessonsFile, PlacesWhereNobodyCanStandAreRefused) {
+    const auto fault_of_place = [](std::string_view position, std::string_view arena = "boiling_court") {
+        auto file = file_with(sound_text, sound_goal);
+        file.replace(file.find("[1, 0, 2]"), 9, position);
+        file.replace(file.find("boiling_court"), 13, arena);
+        const auto lessons = parse_lessons(file, "apprentice.toml", assets());
+        return lessons ? std::string() : lessons.error().message;
+    };
+    const auto refused = [&](std::string_view position, std::string_view why) {
+        EXPECT_EQ(fault_of_place(position), thaum::text("apprentice.toml:5: the place 'here' ", why,
+                                                        ": choose a free place on the ground of the arena"));
+    };
+    EXPECT_EQ(fault_of_place("[13.5, 0, 5.5]"), "");
+    EXPECT_EQ(fault_of_place("[-4, -5, 9]"), "") << "the bottom of a pit is ground, too";
+    refused("[400, -400, 400]", "is outside the walls");
+    refused("[20.4, 0, 0]", "is outside the walls");
+    refused("[7, 0, 3.5]", "is inside a solid thing");
+    refused("[10, 0, 4.5]", "is inside a solid thing");
+    refused("[13, -2, -3]", "is inside a solid thing");
+    refused("[0, 0, 0]", "is in the cauldron");
+    refused("[1, 0.2, 1]", "is in the cauldron");
+    refused("[-4, 0, 9]", "has no ground below it");
+    refused("[13, 4, -3]", "has no ground below it");
+    EXPECT_TRUE(fault_of_place("[0, 0, 5]", "nowhere").starts_with("apprentice.toml:2: 'arena': "))
+        << fault_of_place("[0, 0, 5]", "nowhere");
+    auto shipped = *read_text_file(assets() / "apprentice.toml", 1U << 16U);
+    shipped.replace(shipped.find("boiling_court"), 13, "the_well");
+    const auto elsewhere = parse_lessons(shipped, "apprentice.toml", assets());
+    ASSERT_FALSE(elsewhere) << "the places are those of another arena";
+    EXPECT_NE(elsewhere.error().message.find("the place '"), std::string::npos) << elsewhere.error().message;
 }
 
 }  // namespace
