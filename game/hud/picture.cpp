@@ -151,7 +151,10 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
                    is_refilling(rules->aura, match.world(), match.brew(), *ladle, match.match().played);
     out.at_rim = within_reach(match.data(), match.world().single<Cauldron>(), motion.position);
     const auto* pouch = match.world().find<Pouch>(wizard);
-    if (pouch != nullptr) out.carries = rules->ingredients[pouch->ingredient].name;
+    if (pouch == nullptr) return;
+    const auto& ingredient = rules->ingredients[pouch->ingredient];
+    out.carries = ingredient.name;
+    out.carried_colour = fvec3(ingredient.colour);
 }
 
 void take_niches(const Simulation& match, Picture& out) {

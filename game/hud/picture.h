@@ -117,6 +117,7 @@ struct PlayerPicture {
     double since_gift_s{};       ///< time since the last event of this player with HudMark::gift
     Event gift{};                ///< the event of since_gift_s
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
+    fvec3 carried_colour{};      ///< its colour, linear light
     bool refilled{};             ///< true while stirring refills the wands
     bool stirs{};                ///< true if the player holds a ladle
     bool at_rim{};               ///< true if the player can start to stir
