@@ -335,7 +335,7 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, const Panel& box, float top
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
-/// Returns all messages to a player, the most important first.
+/// Returns all messages to a player, the most important first. A gauge without words stays where captions are off.
 std::vector<Message> messages_to(const Picture& picture, const HudSettings& settings, std::uint32_t player,
                                  const ViewLayout& l) {
     const auto& p = picture.wizards[player];
@@ -355,15 +355,15 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
-    if (!captions) return all;
     if (p.stirs || p.at_rim) {
-        auto words = words_of_brew(picture.cauldron, player);
-        if (p.refilled) words += ", refills your wands";
+        std::string words;
+        if (captions) words = words_of_brew(picture.cauldron, player);
+        if (captions && p.refilled) words += ", refills your wands";
         all.push_back({std::move(words), paints.white, gauge_of(picture.cauldron)});
-    } else if (!p.carries.empty()) {
+    } else if (captions && !p.carries.empty()) {
         add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
     }
-    if (p.since_gift_s <= gift_seconds)
+    if (captions && p.since_gift_s <= gift_seconds)
         add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift, settings.names),
             paints.white);
     return all;
@@ -377,11 +377,12 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const View
         const fvec2 room(l.messages.high.x - l.messages.low.x - size, bottom - l.messages.low.y);
         const float below = message.gauge ? gauge_high * l.unit : 0;
         const bool first = bottom >= l.messages.high.y;
-        if (!first && room.y < FittedWords::line_spacing * size + below) return;
+        const float least = message.words.empty() ? below : FittedWords::line_spacing * size + below;
+        if (!first && room.y < least) return;
         const auto words = fit(message.words, size, room - fvec2(0, below));
         if (!first && words.size < size) return;
         const float top = bottom - words.height() - below;
-        add_plate(out, l.messages, top, words, message.paint);
+        if (!words.lines.empty()) add_plate(out, l.messages, top, words, message.paint);
         if (message.gauge) add_gauge(out, *message.gauge, l.messages, bottom - below, l.unit);
         bottom = top - gap;
     }

@@ -394,7 +394,10 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     EXPECT_TRUE(has_text(overlay, "rounds 1 : 1"));
     EXPECT_TRUE(has_text(overlay, "Enter, A: next round (in 5 s)    Esc, B: quit to menu"));
     EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
+    p.phase = Phase::playing;
+    make_overlay(p, {}, size, overlay);
     const auto other_threes = texts_of(overlay, "3");
+    p.phase = Phase::between;
     p.next_round_in_s = 2.4;
     make_overlay(p, {}, size, overlay);
     EXPECT_FALSE(has_text(overlay, "wins")) << "the last seconds are counted in the views";
@@ -506,6 +509,25 @@ TEST(Captions, OnForcesAreForPlayersWithAnArm) {
         EXPECT_TRUE(talks_of_forces()) << static_cast<int>(cause);
         picture.wizards[1].force.arm = ArmCondition::none;
     }
+}
+
+TEST(Captions, ThatAreOffLeaveTheGaugeOfTheBrew) {
+    auto picture = picture_of(*new_match());
+    const auto bars = [&](bool at_rim, bool captions) {
+        picture.wizards[0].at_rim = at_rim;
+        render::Overlay overlay;
+        make_overlay(picture, {.watch = Watch::first, .captions = {captions, captions}}, {1280, 720},
+                     overlay);
+        return std::count_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
+            const auto* bar = std::get_if<render::RectItem>(&item);
+            return bar != nullptr && bar->high.y - bar->low.y < 12 && bar->high.x - bar->low.x > 90;
+        });
+    };
+    picture.cauldron.mixed = 0.5;
+    picture.cauldron.fresh = 0.8;
+    EXPECT_EQ(bars(false, false), 0);
+    EXPECT_EQ(bars(true, true), 4) << "mixing and time, each with its track";
+    EXPECT_EQ(bars(true, false), 4);
 }
 
 TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
