@@ -203,11 +203,24 @@ std::size_t longest_part(std::string_view words, float size, float wide) {
     return bytes;
 }
 
+/// Number of bytes up to the first space at which a line may end. Controls in brackets and "100 %" are not broken.
+std::size_t unbroken_part(std::string_view words) {
+    const auto last = words.rfind(']');
+    bool inside = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == '[') inside = last != std::string_view::npos && i < last;
+        if (words[i] == ']') inside = false;
+        if (words[i] == ' ' && !inside && words.substr(i + 1, 1) != "%") return i;
+    }
+    return words.size();
+}
+
 /// Breaks words at spaces. At the smallest size a word that is longer than a line is broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
     std::vector<std::string> lines;
     while (!words.empty()) {
-        const auto end = std::min(words.find(' '), words.size());
+        const auto end =
+            size > smallest_words ? unbroken_part(words) : std::min(words.find(' '), words.size());
         const auto word =
             words.substr(0, size > smallest_words ? end : std::min(end, longest_part(words, size, wide)));
         words.remove_prefix(word.size() < end ? word.size() : std::min(end + 1, words.size()));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/text.h"
 #include "game/hud/figures.h"
@@ -20,62 +21,121 @@ struct Announcement {
     fvec4 paint{paints.white};
 };
 
-// Sizes in units. The table of hits: distance of a side from the middle, height of a row, size of its words.
-constexpr float panel_wide = 460, panel_high = 156;
-constexpr float table_aside = 42, table_row = 23, table_size = 15, table_head = 17;
+// Sizes in units. The table of hits: distance of a side from the middle, space below a row, size of its words.
+constexpr float sheet_margin = 12, sheet_gap = 6, narrowest = 360, widest = 1000;
+constexpr float head_size = 34, line_size = 19, keys_size = 17;
+constexpr float table_aside = 42, table_gap = 3, table_size = 15, table_head = 17;
+constexpr float any_height = 1e5F;
 
-fvec2 middle_of(const Rect& window) {
-    return {static_cast<float>(window.x) + 0.5F * static_cast<float>(window.width),
-            static_cast<float>(window.y) + 0.5F * static_cast<float>(window.height)};
-}
+struct Cells {
+    std::array<FittedWords, players> words;
+    float high() const { return std::max(words[0].height(), words[1].height()) + table_gap; }
+};
 
-/// Adds a panel in the middle of the window, `wide` and `tall` units large.
-void add_panel(Overlay& out, const Announcement& a, float wide, float tall, const Rect& window, float u) {
-    add_veil(out, window, colour(0x0C0616, 0.6F));
-    const fvec2 middle = middle_of(window);
-    const fvec2 half = 0.5F * u * fvec2(wide, tall);
-    out.items.emplace_back(render::RectItem{middle - half, middle + half, colour(0x1C1430, 0.92F), 16 * u});
-    const auto row = [&](float top, float high, const std::string& words, float size, fvec4 paint) {
-        const float from = middle.y - half.y + top * u, aside = half.x - 12 * u;
-        add_text_in(out, {{middle.x - aside, from}, {middle.x + aside, from + high * u}}, words, size * u,
-                    paint, Align::centre);
+/// The words of a panel in lines that fit its width. Lengths are in units.
+struct Sheet {
+    FittedWords head, line, keys;
+    std::vector<Cells> rows{};  ///< the table of hits, whose first row has the names
+    float wide{}, tall{};
+    bool whole = true;  ///< no words had to shrink
+};
+
+/// Breaks the words of a panel for its width.
+Sheet sheet_of(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
+               float wide) {
+    Sheet out{.head = {}, .line = {}, .keys = {}, .wide = wide};
+    const auto fitted = [&](std::string_view words, float size, fvec2 room) {
+        auto lines = fit(words, size, room);
+        out.whole = out.whole && lines.size == size;
+        return lines;
     };
-    row(12, 46, a.head, 34, a.paint);
-    row(64, 30, a.line, 19, paints.white);
-    row(tall - 46, 34, a.keys, 17, paints.soft);
+    const float inner = wide - 2 * sheet_margin;
+    out.head = fitted(a.head, head_size, {inner, FittedWords::line_spacing * head_size});
+    out.line = fitted(a.line, line_size, {inner, any_height});
+    out.keys = fitted(a.keys, keys_size, {inner, any_height});
+    out.tall = 2 * sheet_margin + out.head.height() + out.line.height() + out.keys.height() + 2 * sheet_gap;
+    if (rows.empty()) return out;
+    const fvec2 column(wide / 2 - table_aside - sheet_margin, any_height);
+    Cells& heads = out.rows.emplace_back();
+    for (std::uint32_t player = 0; player < players; ++player)
+        heads.words[player] = fitted(name_of(names, player), table_head, column);
+    for (const auto& row : rows) {
+        Cells& cells = out.rows.emplace_back();
+        for (std::uint32_t player = 0; player < players; ++player)
+            cells.words[player] =
+                fitted(row.words[player].empty() ? "\u2014" : row.words[player], table_size, column);
+    }
+    for (const auto& row : out.rows) out.tall += row.high();
+    out.tall += sheet_gap;
+    return out;
 }
 
-/// Width of a panel that holds the longest words of the table (units).
-float table_width_of(const std::vector<ResultRow>& rows, const PlayerNames& names) {
-    float widest = 0;
-    for (std::uint32_t player = 0; player < players; ++player)
-        widest = std::max(widest, width_of(name_of(names, player), table_head));
-    for (const auto& row : rows)
-        for (const auto& words : row.words) widest = std::max(widest, width_of(words, table_size));
-    return 2 * (table_aside + widest + 16);
+/// Length of a unit (px) with which a panel fits the window, up to `wanted`.
+float unit_of(const Sheet& sheet, const Rect& window, float wanted) {
+    return std::min({wanted, 0.96F * static_cast<float>(window.width) / sheet.wide,
+                     0.96F * static_cast<float>(window.height) / sheet.tall});
+}
+
+/// The sheet whose words are the largest in the window. Of equally large ones it is the lowest, then the narrowest.
+Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
+                 const Rect& window, float wanted) {
+    std::optional<Sheet> best;
+    float best_unit = 0;
+    for (float wide = narrowest; wide <= widest; wide += 20) {
+        auto sheet = sheet_of(a, rows, names, wide);
+        if (!sheet.whole && wide + 20 <= widest) continue;
+        const float unit = unit_of(sheet, window, wanted);
+        const bool better = !best || unit > 1.001F * best_unit ||
+                            (unit > 0.999F * best_unit && sheet.tall < best->tall - 0.5F);
+        if (!better) continue;
+        best_unit = unit;
+        best = std::move(sheet);
+    }
+    return std::move(*best);
+}
+
+/// Adds lines from a place downwards.
+void add_lines(Overlay& out, const FittedWords& words, fvec2 top, float u, fvec4 paint, Align align) {
+    for (const auto& line : words.lines) {
+        add_text(out, line, top, std::floor(u * words.size), paint, align);
+        top.y += u * words.line_height();
+    }
 }
 
 /// Adds the hits of both players: one line for each cause, one side for each player.
-void add_match_stats(Overlay& out, const HudSettings& settings, const std::vector<ResultRow>& rows, fvec2 top,
-                     float u) {
+void add_table(Overlay& out, const Sheet& sheet, const std::vector<ResultRow>& rows, fvec2 top, float u) {
     const std::array<Align, players> aligned{Align::right, Align::left};
-    for (std::uint32_t player = 0; player < players; ++player) {
-        const float side = player == 0 ? -table_aside : table_aside;
-        const auto paint = opaque(team_colours(player).light);
-        add_text(out, std::string(name_of(settings.names, player)), top + u * fvec2(side, 0), table_head * u,
-                 paint, aligned[player]);
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const float y = table_row * static_cast<float>(i + 1);
-            const auto& words = rows[i].words[player];
-            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), table_size * u,
-                     paints.white, aligned[player]);
+    for (std::size_t i = 0; i < sheet.rows.size(); ++i) {
+        for (std::uint32_t player = 0; player < players; ++player) {
+            const float side = player == 0 ? -table_aside : table_aside;
+            const auto paint = i == 0 ? opaque(team_colours(player).light) : paints.white;
+            add_lines(out, sheet.rows[i].words[player], top + u * fvec2(side, 0), u, paint, aligned[player]);
         }
+        if (i > 0)
+            add_text(out, std::string(rows[i - 1].cause), top, std::floor(table_size * u), paints.soft,
+                     Align::centre);
+        top.y += u * sheet.rows[i].high();
     }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const float y = table_row * static_cast<float>(i + 1);
-        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), table_size * u, paints.soft,
-                 Align::centre);
-    }
+}
+
+/// Adds a panel in the middle of the window, over whatever is there.
+void add_panel(Overlay& out, const Announcement& a, const std::vector<ResultRow>& rows,
+               const PlayerNames& names, const Rect& window, float wanted) {
+    const auto sheet = best_sheet(a, rows, names, window, wanted);
+    const float u = unit_of(sheet, window, wanted);
+    add_veil(out, window, colour(0x0C0616, 0.6F));
+    const fvec2 middle{static_cast<float>(window.x) + 0.5F * static_cast<float>(window.width),
+                       static_cast<float>(window.y) + 0.5F * static_cast<float>(window.height)};
+    const fvec2 half = 0.5F * u * fvec2(sheet.wide, sheet.tall);
+    out.items.emplace_back(render::RectItem{middle - half, middle + half, colour(0x1C1430, 1.0F), 16 * u});
+    fvec2 top = middle - fvec2(0, half.y - sheet_margin * u);
+    add_lines(out, sheet.head, top, u, a.paint, Align::centre);
+    top.y += u * sheet.head.height();
+    add_lines(out, sheet.line, top, u, paints.white, Align::centre);
+    top.y += u * (sheet.line.height() + sheet_gap);
+    add_table(out, sheet, rows, top, u);
+    top.y = middle.y + half.y - u * (sheet_margin + sheet.keys.height());
+    add_lines(out, sheet.keys, top, u, paints.soft, Align::centre);
 }
 
 Announcement pause_of(const Picture& picture, const HudSettings& settings) {
@@ -110,26 +170,22 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     return a;
 }
 
-}  // namespace
-
-void add_result_panel(Overlay& out, const Picture& picture, const HudSettings& settings, Rect window,
-                      float unit) {
-    const auto rows = result_rows(picture.match_stats);
-    const float table = rows.empty() ? 0 : table_row * static_cast<float>(rows.size() + 1) + 14;
-    const float tall = panel_high + table,
-                wide = rows.empty() ? panel_wide : std::max(640.0F, table_width_of(rows, settings.names));
-    unit = std::min({unit, 0.96F * static_cast<float>(window.width) / wide,
-                     0.96F * static_cast<float>(window.height) / tall});
-    add_panel(out, result_of(picture, settings), wide, tall, window, unit);
-    if (!rows.empty())
-        add_match_stats(out, settings, rows, middle_of(window) + unit * fvec2(0, 100 - tall / 2), unit);
+/// Length of a unit at the text size of the settings (px).
+float wanted_unit(const HudSettings& settings, const Rect& window) {
+    const float share =
+        std::min(static_cast<float>(window.width) / 640, static_cast<float>(window.height) / 690);
+    return share * static_cast<float>(settings.text_scale);
 }
 
-void add_pause_panel(Overlay& out, const Picture& picture, const HudSettings& settings, Rect window,
-                     float unit) {
-    unit = std::min({unit, 0.96F * static_cast<float>(window.width) / panel_wide,
-                     0.96F * static_cast<float>(window.height) / panel_high});
-    add_panel(out, pause_of(picture, settings), panel_wide, panel_high, window, unit);
+}  // namespace
+
+void add_result_panel(Overlay& out, const Picture& picture, const HudSettings& settings, Rect window) {
+    add_panel(out, result_of(picture, settings), result_rows(picture.match_stats), settings.names, window,
+              wanted_unit(settings, window));
+}
+
+void add_pause_panel(Overlay& out, const Picture& picture, const HudSettings& settings, Rect window) {
+    add_panel(out, pause_of(picture, settings), {}, settings.names, window, wanted_unit(settings, window));
 }
 
 }  // namespace thaum::game

@@ -5,12 +5,12 @@
 
 namespace thaum::game {
 
-/// `unit`: length of a HUD unit (px). The panel shrinks to fit the window.
+/// Adds the panel, as large as the text size asks for and the window holds. It hides what is below it.
 void add_result_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
-                      render::Rect window, float unit);
+                      render::Rect window);
 
 /// A match has a menu in its place.
 void add_pause_panel(render::Overlay& out, const Picture& picture, const HudSettings& settings,
-                     render::Rect window, float unit);
+                     render::Rect window);
 
 }  // namespace thaum::game

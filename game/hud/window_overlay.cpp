@@ -129,6 +129,19 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     out.items.emplace_back(render::LineItem{from, to, 4, paints.dark});
 }
 
+/// Adds what players see while they play: the overlays of the views, the score and the lesson.
+void add_play(Overlay& out, const Picture& picture, const HudSettings& settings, const HudLayout& layout) {
+    for (std::uint32_t player = 0; player < players; ++player) {
+        if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
+    }
+    if (picture.practice.on)
+        add_practice(out, picture, settings.controls[0], layout.score, layout.unit);
+    else
+        add_score(out, picture, layout.score, layout.unit);
+    if (layout.lesson && !picture.practice.lesson.empty())
+        add_lesson(out, picture, settings.controls[0], *layout.lesson, layout.unit);
+}
+
 /// Moves words behind shapes from an item on, because the renderer draws neighbours of one kind together. Only for
 /// shapes that cover no words.
 void gather(Overlay& out, std::size_t first) {
@@ -143,25 +156,23 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     add_seam(out, settings, size);
     if (settings.menu) return;
     const auto layout = lay_out(settings, size, picture.shown->wands.size());
-    for (std::uint32_t player = 0; player < players; ++player) {
-        if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
-    }
-    if (picture.practice.on)
-        add_practice(out, picture, settings.controls[0], layout.score, layout.unit);
-    else
-        add_score(out, picture, layout.score, layout.unit);
+    const bool result = picture.phase != Phase::playing && seconds_to_start(picture) == 0;
+    if (!result) add_play(out, picture, settings, layout);
     add_notices(out, picture, layout.notices, layout.unit);
-    if (layout.lesson && !picture.practice.lesson.empty())
-        add_lesson(out, picture, settings.controls[0], *layout.lesson, layout.unit);
     if (layout.replay) add_replay_bar(out, *settings.replay, picture.tick, *layout.replay);
     gather(out, 0);
     const auto panel = out.items.size();
     const auto area = area_of_views(settings, size);
-    const Rect window{0, 0, area.width, area.height};
-    if (picture.phase != Phase::playing && seconds_to_start(picture) == 0)
-        add_result_panel(out, picture, settings, window, layout.unit);
-    else if (picture.paused)
-        add_pause_panel(out, picture, settings, window, layout.unit);
+    Rect window{0, 0, area.width, area.height};
+    if (result) {
+        if (!notices_of(picture).empty()) {
+            window.y = std::min(static_cast<int>(layout.notices.high.y), area.height / 2);
+            window.height -= window.y;
+        }
+        add_result_panel(out, picture, settings, window);
+    } else if (picture.paused) {
+        add_pause_panel(out, picture, settings, window);
+    }
     gather(out, panel);
 }
 

@@ -302,5 +302,75 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     EXPECT_GT(said, 20U * arrangements.size() * windows.size() * 7);
 }
 
+/// The end of a match with a full table of hits.
+Picture finished() {
+    auto picture = picture_of(*new_match());
+    picture.phase = Phase::over;
+    picture.ending = Ending::kills;
+    picture.match_winner = 1;
+    picture.rounds = 3;
+    picture.rounds_won = {1, 2};
+    for (auto& stats : picture.match_stats)
+        for (std::size_t cause = 0; cause < 6; ++cause)
+            stats[cause] = {.shots = 140, .hits = 123, .kills = 12, .damage = 1444};
+    return picture;
+}
+
+TEST(ResultPanel, HidesWhatIsBelowItAndItsWordsKeepApart) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    const auto picture = finished();
+    each_case([&](HudSettings settings, render::Size window, const std::string& name) {
+        if (settings.replay) return;
+        settings.names = {"WWWWWWWWWWWWWWWW", "Bot 3"};
+        render::Overlay overlay;
+        make_overlay(picture, settings, window, overlay);
+        const auto panel = std::find_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
+            const auto* box = std::get_if<render::RectItem>(&item);
+            return box != nullptr && box->colour.a >= 1;
+        });
+        ASSERT_NE(panel, overlay.items.end()) << name;
+        const auto& box = std::get<render::RectItem>(*panel);
+        const auto words = words_of(overlay, *font);
+        EXPECT_GE(words.size(), 15U) << name;
+        for (std::size_t a = 0; a < words.size(); ++a) {
+            EXPECT_TRUE(words[a].box.low.x >= box.low.x && words[a].box.high.x <= box.high.x &&
+                        words[a].box.low.y >= box.low.y && words[a].box.high.y <= box.high.y)
+                << name << ": " << words[a].words << " leaves the panel";
+            for (std::size_t b = a + 1; b < words.size(); ++b)
+                EXPECT_FALSE(overlap(words[a].box, words[b].box))
+                    << name << ": '" << words[a].words << "' and '" << words[b].words << "'";
+        }
+    });
+}
+
+TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
+    auto picture = finished();
+    const auto size_at = [&](double scale, render::Size window) {
+        render::Overlay overlay;
+        make_overlay(picture, {.text_scale = scale}, window, overlay);
+        float size = 0;
+        for (const auto& item : overlay.items) {
+            const auto* words = std::get_if<render::TextItem>(&item);
+            if (words != nullptr && words->text.find("hit") != std::string::npos) size = words->size;
+        }
+        return size;
+    };
+    EXPECT_GE(size_at(1, {640, 480}), 10);
+    EXPECT_GE(size_at(2.5, {640, 480}), 1.25F * size_at(1, {640, 480})) << "the table is full";
+    EXPECT_GE(size_at(2.5, {1280, 720}), 1.35F * size_at(1, {1280, 720}));
+    for (auto& stats : picture.match_stats)
+        for (std::size_t cause = 2; cause < 6; ++cause) stats[cause] = {};
+    EXPECT_GE(size_at(2.5, {640, 480}), 1.8F * size_at(1, {640, 480}));
+    EXPECT_GE(size_at(2.5, {1280, 720}), 2 * size_at(1, {1280, 720}));
+}
+
+TEST(FittedWords, KeepAControlInItsBracketsOnOneLine) {
+    EXPECT_EQ(fit("Walk to [W A S D], 100 %", 10, {width_of("[W A S D],", 10) + 1, 100}).lines,
+              (std::vector<std::string>{"Walk to", "[W A S D],", "100 %"}));
+    EXPECT_EQ(fit("a [b c", 10, {width_of("a [b", 10) + 1, 100}).lines,
+              (std::vector<std::string>{"a [b", "c"}));
+}
+
 }  // namespace
 }  // namespace thaum::game::hud_tests
