@@ -99,6 +99,18 @@ void place_middle(const Arrangement& how, InUnits& out) {
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
 }
 
+/// The name gets the free room to its right. In a flat view it is above the messages, beside the ring.
+void place_name(InUnits& out) {
+    if (!out.tall) {
+        out.name.high.y = std::min(out.name.high.y, out.messages.low.y);
+        out.name.low.y = out.name.high.y - name_high;
+        out.name.high.x = std::min(out.wide / 2 - out.ring, out.strip.low.x) - edge;
+    } else {
+        const bool meets_strip = out.strip.low.y < out.name.high.y;
+        out.name.high.x = (meets_strip ? out.strip.low.x : out.wide) - edge;
+    }
+}
+
 /// The feed: beside the score, and in an upper view below the notices.
 void place_feed(const Arrangement& how, InUnits& out) {
     const float w = out.wide;
@@ -128,6 +140,7 @@ InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands) {
     InUnits out{.wide = size.x, .high = size.y, .tall = size.y > tall_least_high - 1};
     place_corners(how, wands, out);
     place_middle(how, out);
+    place_name(out);
     place_feed(how, out);
     place_forces(how, out);
     return out;

@@ -365,6 +365,30 @@ TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
     EXPECT_GE(size_at(2.5, {1280, 720}), 2 * size_at(1, {1280, 720}));
 }
 
+TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
+    const auto picture = picture_of(*new_match());
+    const auto size_of = [&](HudSettings settings, render::Size window, const std::string& words) {
+        settings.names = {words, words};
+        render::Overlay overlay;
+        make_overlay(picture, settings, window, overlay);
+        float size = 0;
+        for (const auto& item : overlay.items) {
+            const auto* line = std::get_if<render::TextItem>(&item);
+            if (line != nullptr && line->text == words) size = line->size;
+        }
+        return size;
+    };
+    for (const auto& how : arrangements) {
+        for (const auto& window : windows) {
+            const auto settings = settings_of(how, 1);
+            EXPECT_EQ(size_of(settings, window, "Ångström Ödland"), size_of(settings, window, "Zoë"))
+                << how.name << " " << window.width << " x " << window.height;
+        }
+    }
+    EXPECT_GE(size_of(settings_of(arrangements[0], 1), {640, 480}, "WWWWWWWWWWWWWWWW"), 9);
+    EXPECT_GE(size_of(settings_of(arrangements[1], 2.5), {640, 480}, "WWWWWWWWWWWWWWWW"), 5);
+}
+
 TEST(FittedWords, KeepAControlInItsBracketsOnOneLine) {
     EXPECT_EQ(fit("Walk to [W A S D], 100 %", 10, {width_of("[W A S D],", 10) + 1, 100}).lines,
               (std::vector<std::string>{"Walk to", "[W A S D],", "100 %"}));
