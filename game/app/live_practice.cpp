@@ -144,7 +144,7 @@ void Practice::show_lesson(game::PracticePicture& picture) {
         return;
     }
     const auto& step = lessons.steps[apprentice_->at()];
-    picture.score += text(", ", std::lround(100 * apprentice_->share()), " %");
+    picture.score += text(", ", apprentice_->percent(), " %");
     picture.lesson = step.words;
     picture.hint = step.hint;
 }

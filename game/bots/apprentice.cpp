@@ -207,4 +207,8 @@ double Apprentice::share() const {
            deeds;
 }
 
+int Apprentice::percent() const {
+    return std::min(static_cast<int>(100 * share()), is_over() || done_ ? 100 : 99);
+}
+
 }  // namespace thaum::game

@@ -12,9 +12,12 @@ constexpr float health_wide = 80, health_high = 80;
 constexpr float name_high = 18;
 constexpr float left_column = edge + health_wide + edge;
 constexpr float score_half_wide = 96, score_half_high = 27;
+constexpr float title_half_wide = 124,
+                title_view_wide = 440;                      // title of a lesson, and a view with room for it
 constexpr float under_score = 7 + 2 * score_half_high + 2;  // below a score at the top of the window
 constexpr float line = 20;                                  // height of a line of messages, notices or feed
 constexpr float under_notices = under_score + 2 * line + edge;  // below notices that are below the score
+constexpr float lesson_words = 14;                              // em of the words of a lesson
 constexpr float ring_least = 26, ring_most = 66;
 
 // A tall view has its messages above the corner panels, a flat one between them.
@@ -34,7 +37,7 @@ Strip strip_of(std::size_t wands, float rows) {
 
 /// How the views lie beside each other.
 struct Arrangement {
-    bool alone{}, stacked{};
+    bool alone{}, stacked{}, lesson{};
     std::uint32_t player{};
     bool upper() const { return stacked && player == 0; }
     bool lower() const { return stacked && player == 1; }
@@ -47,16 +50,19 @@ float least_flat_width(const Arrangement& how, std::size_t wands) {
     return std::max(flat_least_wide, 2 * (middle + ring_gap + strip_of(wands, 2).wide));
 }
 
-/// Length of a unit: as the settings want it, or as much less as the panels need.
-float unit_of(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale,
-              std::size_t wands) {
+/// Length of a unit as the settings want it (px).
+float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size window, double text_scale) {
     const float high = static_cast<float>(window.height) / 720 * (how.alone ? 1.35F : 1.05F);
     const float wide = static_cast<float>(view.width) / 420;
-    const float wanted = std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
+    return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
+}
+
+/// Length of a unit: as the settings want it, or as much less as the panels need. A lesson needs a tall view.
+float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
     const float flat = std::min(w / least_flat_width(how, wands), h / flat_least_high);
-    return std::min(wanted, std::max(tall, flat));
+    return std::min(wanted, how.alone && how.lesson ? tall : std::max(tall, flat));
 }
 
 /// Lays out one view in units, with the origin at its top left.
@@ -111,12 +117,17 @@ void place_name(InUnits& out) {
     }
 }
 
+/// Half the width of the score, or of the title of a lesson in its place.
+float half_width_of_score(const Arrangement& how, float view_wide) {
+    return how.alone && how.lesson && view_wide >= title_view_wide ? title_half_wide : score_half_wide;
+}
+
 /// The feed: beside the score, and in an upper view below the notices.
 void place_feed(const Arrangement& how, InUnits& out) {
     const float w = out.wide;
     const float wide = how.upper()    ? w / 2 - out.ring - 2 * edge
                        : how.beside() ? w - score_half_wide - 2 * edge
-                                      : w / 2 - score_half_wide - 2 * edge;
+                                      : w / 2 - half_width_of_score(how, w) - 2 * edge;
     const float top = how.upper() ? edge + 2 * line : edge;
     const float bottom = top + (out.tall && how.alone ? 3 : 2) * line;
     const bool left = how.beside() && how.player == 0;
@@ -173,7 +184,7 @@ void place_shared(const Arrangement& how, render::Size window, HudLayout& out) {
     const auto w = static_cast<float>(window.width), h = static_cast<float>(window.height);
     const float u = out.unit;
     const fvec2 middle = how.stacked ? fvec2(w, h) / 2.0F : fvec2(w / 2, 34 * u);
-    const fvec2 half = u * fvec2(score_half_wide, score_half_high);
+    const fvec2 half = u * fvec2(half_width_of_score(how, w / u), score_half_high);
     out.score = {middle - half, middle + half};
     if (how.stacked) {
         out.notices = {u * fvec2(edge, edge / 2), {w - u * edge, u * (edge / 2 + 2 * line)}};
@@ -254,18 +265,21 @@ bool fits(const FittedWords& words, fvec2 room) {
 
 }  // namespace
 
-HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands) {
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands, bool lesson) {
     HudLayout out;
     const auto views = views_of(settings, window);
     if (settings.replay) out.replay = lay_out_replay_bar(settings.text_scale, window);
     window = area_of_views(settings, window);
     Arrangement how{.alone = settings.watch != Watch::both || settings.split == render::Split::none,
-                    .stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom};
+                    .stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom,
+                    .lesson = lesson};
     for (how.player = 0; how.player < players; ++how.player) {
         const auto& view = views[how.player];
         if (view.width <= 0 || view.height <= 0) continue;
-        out.unit = unit_of(how, view, window, settings.text_scale, wands);
+        const float wanted = wanted_unit(how, view, window, settings.text_scale);
+        out.unit = unit_of(how, view, wanted, wands);
         out.views[how.player] = view_layout(how, view, out.unit, wands);
+        out.lesson_size = lesson_words * wanted;
         if (how.alone) out.lesson = lesson_of(*out.views[how.player]);
     }
     place_shared(how, window, out);

@@ -37,6 +37,7 @@ struct HudLayout {
     Panel score;
     Panel notices;                ///< lines for both players
     std::optional<Panel> lesson;  ///< words of the Apprentice's step; std::nullopt: there are two views
+    float lesson_size{};          ///< em of these words where they have room (px)
     std::optional<ReplayBarLayout> replay{};
 };
 
@@ -46,7 +47,8 @@ inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head
 /// Size of the forces' panel where the view has room for it (units).
 inline constexpr float forces_wide = 186, forces_high = 76;
 
-HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands);
+/// `lesson`: there are words of a lesson. In an only view the other panels then grow only as far as its words have room.
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands, bool lesson = false);
 
 /// Words in lines that fit a box.
 struct FittedWords {

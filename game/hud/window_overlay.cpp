@@ -43,15 +43,15 @@ void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) 
                 paints.soft, Align::centre);
 }
 
-/// Adds the score of the practice range, and the line below it.
+/// Adds the score of the practice range, and the line below it. `size`: largest em of the score (px).
 void add_practice(Overlay& out, const Picture& picture, const ControlNames& controls, const Panel& box,
-                  float u) {
+                  float u, float size) {
     const auto& practice = picture.practice;
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * u});
     const float middle = middle_of(box).y + 4 * u;
     const fvec2 margin(6 * u, 3 * u);
-    add_text_in(out, {box.low + margin, {box.high.x - margin.x, middle}}, practice.score, 17 * u,
-                paints.white, Align::centre);
+    add_text_in(out, {box.low + margin, {box.high.x - margin.x, middle}}, practice.score, size, paints.white,
+                Align::centre);
     add_text_in(out, {{box.low.x + margin.x, middle}, box.high - margin},
                 with_controls(practice.below, controls, *picture.shown), 13 * u, paints.soft, Align::centre);
 }
@@ -96,27 +96,35 @@ struct LessonWords {
     float height(float gap) const { return words.height() + (hint.lines.empty() ? 0 : gap + hint.height()); }
 };
 
-/// Adds the words of the Apprentice's present step. The hint goes below them where it leaves them large enough.
-void add_lesson(Overlay& out, const Picture& picture, const ControlNames& controls, const Panel& box,
-                float u) {
-    // Smallest size of the words beside a hint, as a share of their usual size.
-    constexpr float least_share = 0.7F;
-    const auto& practice = picture.practice;
-    const float usual = std::floor(14 * u), gap = 3 * u;
-    const fvec2 room = box.high - box.low - fvec2(usual, 0);
-    const auto fitted = [&](const std::string& words, float size, float high) {
-        return fit(with_controls(words, controls, *picture.shown), size, {room.x, high});
+/// Breaks the words of a lesson and its hint for a box, as large as both fit, up to `size`. Where the box holds only
+/// tiny ones, the hint is left out.
+LessonWords fit_lesson(const std::string& words, const std::string& hint, float size, fvec2 room, float gap) {
+    constexpr float any_height = 1e5F, least = 8;  // px
+    const auto both = [&](float of) {
+        return LessonWords{fit(words, of, {room.x, any_height}), fit(hint, of, {room.x, any_height})};
     };
-    LessonWords lesson{fitted(practice.lesson, usual, room.y), {}};
-    for (float size = usual; size >= least_share * usual; --size) {
-        LessonWords both{fitted(practice.lesson, size, room.y), fitted(practice.hint, size, room.y)};
-        if (both.height(gap) > room.y) continue;
-        lesson = std::move(both);
-        break;
+    const auto widest = both(size);  // as large as the longest word of each allows
+    for (size = std::min(widest.words.size, widest.hint.size); size >= least; --size) {
+        auto lesson = both(size);
+        if (lesson.height(gap) <= room.y) return lesson;
     }
+    return {fit(words, widest.words.size, room), {}};
+}
+
+/// The words of the Apprentice's present step.
+LessonWords lesson_of(const PracticePicture& practice, const ControlNames& controls,
+                      const Presentation& shown, const HudLayout& layout) {
+    const Panel& box = *layout.lesson;
+    const fvec2 room = box.high - box.low - fvec2(layout.unit * 14, 0);
+    return fit_lesson(with_controls(practice.lesson, controls, shown),
+                      with_controls(practice.hint, controls, shown), std::floor(layout.lesson_size), room,
+                      3 * layout.unit);
+}
+
+void add_lesson(Overlay& out, const LessonWords& lesson, const Panel& box, float u) {
     add_plate(out, box, box.low.y, lesson.words, paints.white);
     if (!lesson.hint.lines.empty())
-        add_plate(out, box, box.low.y + lesson.words.height() + gap, lesson.hint, paints.soft);
+        add_plate(out, box, box.low.y + lesson.words.height() + 3 * u, lesson.hint, paints.soft);
 }
 
 void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
@@ -134,12 +142,19 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
     for (std::uint32_t player = 0; player < players; ++player) {
         if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
     }
-    if (picture.practice.on)
-        add_practice(out, picture, settings.controls[0], layout.score, layout.unit);
+    const auto& practice = picture.practice;
+    const auto& controls = settings.controls[0];
+    constexpr float title_size = 13;  // of a lesson (units): each title fits on one line
+    float size = 17 * layout.unit;
+    if (layout.lesson && !practice.lesson.empty()) {
+        const auto lesson = lesson_of(practice, controls, *picture.shown, layout);
+        add_lesson(out, lesson, *layout.lesson, layout.unit);
+        size = std::min(title_size * layout.unit, lesson.words.size);
+    }
+    if (practice.on)
+        add_practice(out, picture, controls, layout.score, layout.unit, size);
     else
         add_score(out, picture, layout.score, layout.unit);
-    if (layout.lesson && !picture.practice.lesson.empty())
-        add_lesson(out, picture, settings.controls[0], *layout.lesson, layout.unit);
 }
 
 /// Moves words behind shapes from an item on, because the renderer draws neighbours of one kind together. Only for
@@ -155,7 +170,8 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     out.items.clear();
     add_seam(out, settings, size);
     if (settings.menu) return;
-    const auto layout = lay_out(settings, size, picture.shown->wands.size());
+    const auto layout =
+        lay_out(settings, size, picture.shown->wands.size(), !picture.practice.lesson.empty());
     const bool result = picture.phase != Phase::playing && seconds_to_start(picture) == 0;
     if (!result) add_play(out, picture, settings, layout);
     add_notices(out, picture, layout.notices, layout.unit);

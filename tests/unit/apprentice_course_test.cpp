@@ -211,6 +211,24 @@ TEST_F(ApprenticeCourse, AScriptedPlayerDoesItAll) {
     EXPECT_LT(all, ticks(480.0));
 }
 
+TEST_F(ApprenticeCourse, AStepThatIsNotDoneIsNeverAtAHundredPerCent) {
+    int most = 0;
+    double most_share = 0;
+    for (Tick t = 0; t < ticks(20.0) && !course().is_done(); ++t) {
+        Player player{practice_, t};
+        walk_and_look(player);
+        tick(player.sample);
+        if (course().is_done()) break;
+        most = std::max(most, course().percent());
+        most_share = std::max(most_share, course().share());
+        EXPECT_LE(course().percent(), 100 * course().share());
+    }
+    EXPECT_GT(most_share, 0.995) << "rounded, this would be 100 %";
+    EXPECT_EQ(most, 99);
+    ASSERT_TRUE(course().is_done());
+    EXPECT_EQ(course().percent(), 100);
+}
+
 TEST_F(ApprenticeCourse, AnotherDeedThanTheStepsIsNotEnough) {
     begin_step("Blast");
     const auto uncharged = [](Player& p) {

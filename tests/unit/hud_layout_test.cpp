@@ -96,9 +96,10 @@ bool overlap(const Panel& a, const Panel& b) {
 }
 
 TEST(HudLayout, NoTwoPanelsOverlapAtAnySize) {
-    for (const std::size_t wands : {1U, 5U, 6U, 9U}) {
+    for (const std::size_t wands : {1U, 5U, 6U, 9U, 105U}) {
+        const bool lesson = wands > 100;
         each_case([&](const HudSettings& settings, render::Size window, const std::string& name) {
-            const auto boxes = boxes_of(lay_out(settings, window, wands));
+            const auto boxes = boxes_of(lay_out(settings, window, wands % 100, lesson));
             for (std::size_t a = 0; a < boxes.size(); ++a) {
                 for (std::size_t b = a + 1; b < boxes.size(); ++b) {
                     EXPECT_FALSE(overlap(boxes[a].box, boxes[b].box))
@@ -387,6 +388,49 @@ TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
     }
     EXPECT_GE(size_of(settings_of(arrangements[0], 1), {640, 480}, "WWWWWWWWWWWWWWWW"), 9);
     EXPECT_GE(size_of(settings_of(arrangements[1], 2.5), {640, 480}, "WWWWWWWWWWWWWWWW"), 5);
+}
+
+/// The longest of the Apprentice's words, with the keys of one of the keyboard's halves.
+Picture in_lesson() {
+    auto picture = picture_of(*new_match());
+    picture.practice.on = true;
+    picture.practice.score = "1 of 8: Look and move, 99 %";
+    picture.practice.below = "{pause}: skip or leave";
+    picture.practice.lesson = "Walk with {move} and look around with {look}.";
+    picture.practice.hint = "Carry an ingredient to the rim. Move the ladle in circles.";
+    return picture;
+}
+
+/// Size of the first text that has a part; 0 if there is none.
+float size_of_text(const render::Overlay& overlay, std::string_view part) {
+    for (const auto& item : overlay.items) {
+        const auto* words = std::get_if<render::TextItem>(&item);
+        if (words != nullptr && words->text.find(part) != std::string::npos) return words->size;
+    }
+    return 0;
+}
+
+TEST(Lesson, IsLargerThanItsTitleHasItsHintAndGrowsWithTheText) {
+    const auto picture = in_lesson();
+    for (const auto& window : windows) {
+        float usual = 0;
+        for (double scale = 1; scale <= 2.5; scale += 0.25) {
+            HudSettings settings{.watch = Watch::first, .text_scale = scale};
+            settings.controls[0] = {
+                .fire = "Left mouse", .move = "Keypad 8 4 5 6", .look = "Up Left Down Right"};
+            render::Overlay overlay;
+            make_overlay(picture, settings, window, overlay);
+            const auto where = text(window.width, " x ", window.height, " at ", scale);
+            const float words = size_of_text(overlay, "Walk");
+            if (scale == 1) usual = words;
+            EXPECT_GE(words, size_of_text(overlay, "of 8")) << where;
+            EXPECT_GE(size_of_text(overlay, "Carry"), 0.8F * words) << where << ": the hint is there";
+            EXPECT_TRUE(has_text(overlay, "[Keypad 8 4 5 6]")) << where;
+            EXPECT_TRUE(has_text(overlay, "[Up Left Down Right]")) << where;
+            EXPECT_TRUE(has_text(overlay, "1 of 8: Look and move, 99 %")) << where;
+            EXPECT_GE(words, scale == 2.5 ? 1.25F * usual : usual) << where;
+        }
+    }
 }
 
 TEST(FittedWords, KeepAControlInItsBracketsOnOneLine) {
