@@ -11,7 +11,6 @@
 #include "game/app/end_watch.h"
 #include "game/app/live_replay.h"
 #include "game/app/live_window.h"
-#include "game/match/record.h"
 
 namespace thaum::app {
 
@@ -50,14 +49,10 @@ Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t
     auto& session = live.session;
     if (auto range = session.next().take_range()) return Recording(std::move(*range));
     if (live.plan.demo && number > 1) return Recording();
-    std::vector<std::string> names;
-    for (const auto& seat : live.shared.seats)
-        names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    const game::MatchSetup setup{seed, devices_of(live.shared.seats, live.shared.arms)};
     return record_match({.named = live.plan.log,
                          .folder = live.plan.logs_folder,
                          .kept = session.menu().settings().logs_kept},
-                        number, game::log_header(*session.next().data(), setup, std::move(names)));
+                        number, session.log_header(seed));
 }
 
 /// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures

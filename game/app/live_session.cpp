@@ -6,6 +6,8 @@
 #include "core/text.h"
 #include "game/app/control_names.h"
 #include "game/app/menu_choices.h"
+#include "game/app/recorded_names.h"
+#include "game/match/record.h"
 
 namespace thaum::app {
 
@@ -37,7 +39,8 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
     if (plan.replay != nullptr) {
         shared.replay.speed = plan.replay->speed;
         if (plan.replay->start > 0) shared.replay.target = plan.replay->start;
-        viewer_.emplace(plan.replay->index, plan.replay->playback.log().ticks(), shared.replay);
+        viewer_.emplace(plan.replay->index, plan.replay->playback.log().ticks(), shared.replay,
+                        recorded_names(plan.replay->playback.log().header()));
     }
     publish_screen();
 }
@@ -148,6 +151,16 @@ void LiveSession::take_seats(const Pads& pads) {
                                           : planned_seats(plan_.seats, pads);
     shared_.seats = app::take_seats(menu_.settings(), seats);
     bind_arms(shared_.arms, shared_.seats, plan_.start_screen);
+}
+
+input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
+    std::vector<std::string> players;
+    for (const auto& seat : shared_.seats)
+        players.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
+    auto header =
+        game::log_header(*next_.data(), {seed, devices_of(shared_.seats, shared_.arms)}, std::move(players));
+    record_names(names(), header);
+    return header;
 }
 
 void LiveSession::begin_match(const Pads& pads) {
@@ -291,10 +304,11 @@ game::Watch watched(const TakenSeats& seats) {
 }  // namespace
 
 /// Returns the players' names for the screen: those that they gave themselves, "Bot 3" for a bot against a person, and
-/// "Dummy" for the range's dummy. An empty name stands for the name of the team.
-std::array<std::string, game::players> LiveSession::names() const {
+/// "Dummy" for the range's dummy. A replay has those of its log. An empty name stands for the name of the team.
+game::PlayerNames LiveSession::names() const {
+    if (viewer_) return viewer_->names();
     const auto& seats = shared_.seats;
-    std::array<std::string, game::players> names;
+    game::PlayerNames names;
     for (std::size_t p = 0; p < game::players; ++p) {
         const auto& seat = seats[p].seat;
         const bool against_person = seats[1 - p].hands != nullptr;

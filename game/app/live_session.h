@@ -25,6 +25,8 @@ public:
     const LivePlan& plan() const { return plan_; }
     const LiveMenu& menu() const { return menu_; }
     NextMatch& next() { return next_; }
+    /// Header of the log of the next match, whose players have their seats.
+    input::LogHeader log_header(std::uint64_t seed) const;
 
     // Events of the window. They go to the players' hands during play, and to the menu while a menu is open.
     // Some keys act on the session at any time.
@@ -80,7 +82,7 @@ private:
     void carry_out_request();
     void restart();
     PauseFacts pause_facts() const;
-    std::array<std::string, game::players> names() const;
+    game::PlayerNames names() const;
     void apply_settings();
     Screen screen() const;
 

@@ -10,6 +10,7 @@
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/feel.h"
+#include "game/app/recorded_names.h"
 #include "game/app/shots.h"
 #include "game/app/watch.h"
 #include "game/match/header_text.h"
@@ -170,8 +171,8 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     const auto drawn = out->shots ? text(", ", out->shots->taken(), " pictures") : std::string();
     std::printf("%llu ticks%s%s; %s (%s s, %s x real time)\n",
                 static_cast<unsigned long long>(playback.match().now()), checked.c_str(), drawn.c_str(),
-                game::result_line(playback.match()).c_str(), fixed(took, 2).c_str(),
-                fixed(seconds(playback.match().now()) / took, 1).c_str());
+                game::result_line(playback.match(), recorded_names(playback.log().header())).c_str(),
+                fixed(took, 2).c_str(), fixed(seconds(playback.match().now()) / took, 1).c_str());
     return done;
 }
 

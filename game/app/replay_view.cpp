@@ -68,9 +68,9 @@ Watch next_watch(Watch watch) {
     return Watch::both;
 }
 
-std::string eyes_of(Watch watch) {
+std::string eyes_of(Watch watch, const game::PlayerNames& names) {
     if (watch == Watch::both) return "both views";
-    return text(game::team_name(watch == Watch::first ? 0 : 1), "'s eyes");
+    return text(game::name_of(names, watch == Watch::first ? 0 : 1), "'s eyes");
 }
 
 void pause_or_go_on(ReplayView& view, Tick length) {
@@ -116,8 +116,9 @@ ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const 
 
 // The viewer ------------------------------------------------------------------------------------------------
 
-ReplayViewer::ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests)
-    : index_(index), length_(length), requests_(requests) {}
+ReplayViewer::ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests,
+                           game::PlayerNames names)
+    : index_(index), length_(length), requests_(requests), names_(std::move(names)) {}
 
 void ReplayViewer::key(int key) {
     const auto deed = replay_deed_of(key);
@@ -156,7 +157,7 @@ game::ReplayBar ReplayViewer::bar() const {
             .target = target == ReplayRequests::nowhere ? std::nullopt : std::optional(target),
             .speed = requests_.speed,
             .paused = requests_.paused,
-            .eyes = eyes_of(watch_),
+            .eyes = eyes_of(watch_, names_),
             .keys = replay_keys(),
             .kills = index_.kills()};
 }

@@ -61,8 +61,11 @@ struct ReplayRequests {
 /// The main thread's side of a shown replay: turns keys and mouse into requests.
 class ReplayViewer {
 public:
-    /// `length`: ticks of the log.
-    ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests);
+    /// `length`: ticks of the log; `names`: the players' names on the screen.
+    ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests,
+                 game::PlayerNames names = {});
+
+    const game::PlayerNames& names() const { return names_; }
 
     void key(int key);
     void mouse_button(int button, bool pressed, render::Size window, double text_scale);
@@ -78,6 +81,7 @@ private:
     const game::ReplayIndex& index_;
     Tick length_;
     ReplayRequests& requests_;
+    game::PlayerNames names_;
     game::Watch watch_ = game::Watch::both;
     fvec2 cursor_{};
     bool drags_ = false;  ///< the mouse button went down on the bar and is held

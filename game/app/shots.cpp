@@ -10,6 +10,7 @@
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/highlight.h"
+#include "game/app/recorded_names.h"
 #include "game/match/tables.h"
 
 namespace thaum::app {
@@ -62,7 +63,7 @@ Expected<void> Shots::follow(const game::Playback& playback) {
     ++taken_;
     const auto& match = playback.match();
     unconfirmed_.push_back(plan_.folder / text("shot_", padded(match.now()), *what, ".png"));
-    return still_.save(match, {}, unconfirmed_.back());
+    return still_.save(match, {.names = recorded_names(playback.log().header())}, unconfirmed_.back());
 }
 
 void Shots::remove_unconfirmed() {
@@ -116,7 +117,9 @@ int run_shots(const std::vector<std::string>& words) {
     const auto& match = playback->match();
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    if (const auto saved = still->save(match, {}, file); !saved) return refuse(saved.error());
+    if (const auto saved = still->save(match, {.names = recorded_names(playback->log().header())}, file);
+        !saved)
+        return refuse(saved.error());
     std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best.tick), file.c_str());
     return done;
 }

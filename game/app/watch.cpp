@@ -7,6 +7,7 @@
 #include "core/threads.h"
 #include "game/app/command.h"
 #include "game/app/live.h"
+#include "game/app/recorded_names.h"
 #include "game/app/still.h"
 #include "render/priority.h"
 
@@ -69,7 +70,9 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
     const auto& match = playback.match();
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    if (const auto saved = still->save(match, {}, stem.string() + ".png"); !saved)
+    if (const auto saved =
+            still->save(match, {.names = recorded_names(playback.log().header())}, stem.string() + ".png");
+        !saved)
         return refuse(saved.error());
     Bytes state;
     match.save(state);

@@ -51,6 +51,8 @@ std::string device_lines(const input::LogHeader& h) {
     std::string lines;
     for (std::size_t i = 0; i < h.players.size(); ++i)
         lines += text("player ", i + 1, ": ", shown(h.players[i]), "\n");
+    for (std::size_t i = 0; i < h.names.size(); ++i)
+        if (!h.names[i].empty()) lines += text("name of player ", i + 1, ": ", shown(h.names[i]), "\n");
     for (std::size_t i = 0; i < h.devices.size(); ++i) {
         const auto& d = h.devices[i];
         lines += text("device ", i + 1, ": ", name_of(d.kind), " '", shown(d.name), "' of ",

@@ -71,7 +71,7 @@ Expected<void> close_log(input::LogWriter& log, const Simulation& match) {
                      input::HashRecord{match.now(), match.state_hash(), match.force_hash()});
 }
 
-std::string result_line(const Simulation& match) {
+std::string result_line(const Simulation& match, const std::array<std::string, players>& winner_names) {
     std::array<std::int32_t, players> kills{};
     match.world().view<const Wizard, const Score>().each(
         [&](const Wizard& wizard, const Score& score) { kills[wizard.player] = score.kills; });
@@ -84,7 +84,9 @@ std::string result_line(const Simulation& match) {
     const auto how = state.ending == Ending::kills ? "by kills" : "on time";
     const auto winner = ahead(state);
     if (winner == no_player) return text("a draw ", how, ", score ", score, ", after ", time, " s");
-    return text("player ", winner + 1, " wins ", how, ", score ", score, ", after ", time, " s");
+    const auto& name = winner_names[winner];
+    return text(name.empty() ? text("player ", winner + 1) : name, " wins ", how, ", score ", score,
+                ", after ", time, " s");
 }
 
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,

@@ -20,8 +20,9 @@ void tick_and_record(Simulation& match, const input::InputFrame& frame, input::L
 /// Closes the log with the match's result and the hashes of its last state.
 Expected<void> close_log(input::LogWriter& log, const Simulation& match);
 
-/// The result in one line: who has won, how, and the score.
-std::string result_line(const Simulation& match);
+/// The result in one line: who has won, how, and the score. `winner_names` replace "player 1" and "player 2" where they
+/// are not empty. A log's end block has no names.
+std::string result_line(const Simulation& match, const std::array<std::string, players>& winner_names = {});
 
 /// Creates the match that a log's header describes. The error is one line: another rules version, the name of
 /// a missing or changed data file, a kind with another number, or impossible values.

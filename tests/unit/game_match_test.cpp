@@ -92,6 +92,21 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
               std::string::npos);
 }
 
+TEST(Match, TheResultNamesTheWinnerIfTheNameIsKnown) {
+    auto duel =
+        make_bot_duel(assets(), duel_data({"bolt.shot.damage=100", "quick.kills=1"}), {3, 3}, 5).value();
+    auto& match = *duel.match;
+    EXPECT_EQ(result_line(match, {"Ada", "Bot 3"}), result_line(match)) << "nobody has won yet";
+    for (Tick t = 0; t < ticks(60.0) && match.match().phase != Phase::over; ++t)
+        match.tick(duel.next_frame());
+    const auto line = result_line(match);
+    const bool first = line.starts_with("player 1 wins by kills");
+    ASSERT_TRUE(first || line.starts_with("player 2 wins by kills")) << line;
+    EXPECT_EQ(result_line(match, {"Ada", "Bot 3"}),
+              text(first ? "Ada" : "Bot 3", line.substr(std::string_view("player 1").size())));
+    EXPECT_EQ(result_line(match, {}), line) << "names that are not known";
+}
+
 TEST(GameRules, AGiftIsLimitedByTheCap) {
     const auto data = duel_data();
     const auto gift = [&](PowerUpKind kind, double health, double energy) {

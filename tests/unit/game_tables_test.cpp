@@ -255,15 +255,18 @@ TEST(GameTables, TheHeaderInWordsNamesSettingsAndProfileData) {
     pad.box_um = {1, 2, 3};
     auto header = log_header(*duel_data(), {7, {pad}}, {"human", "bot\n1"});
     header.profile = {{"gesture", "circle", 1, Bytes(12)}};
+    header.names = {"", "Bot\x1b[2J 1"};
     EXPECT_TRUE(input::LogWriter::create(file, header)->close("a draw").has_value());
     const auto lines = header_text(input::LogReader::open(file).value());
     constexpr const char* device_line =
         "\ndevice 1: pad 'pad\\x1b[2J 1' of player 2, look_rad_per_count 0.00087, turn_rad_per_s 3.5, "
         "invert_y, force 40 %, weight reduced by 10 %, fluid source 3 reduced by 95 %, box 1 x 2 x 3 um\n";
-    for (const auto* line : {"log: format 2, 0 ticks, 0 hashes, 0 marks; closed with the result: a draw\n",
-                             "\nseed: 7\n", "\nplayer 2: bot\\x0a1\n", device_line, "\nkind: event 5 death\n",
-                             "\nprofile data: gesture 'circle' of player 2, 12 bytes\n"})
+    for (const auto* line :
+         {"log: format 2, 0 ticks, 0 hashes, 0 marks; closed with the result: a draw\n", "\nseed: 7\n",
+          "\nplayer 2: bot\\x0a1\n", "\nname of player 2: Bot\\x1b[2J 1\n", device_line,
+          "\nkind: event 5 death\n", "\nprofile data: gesture 'circle' of player 2, 12 bytes\n"})
         EXPECT_NE(lines.find(line), std::string::npos) << line << "is not in\n" << lines;
+    EXPECT_EQ(lines.find("name of player 1"), std::string::npos);
     std::filesystem::remove(file);
 }
 

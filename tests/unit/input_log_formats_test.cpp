@@ -281,6 +281,37 @@ TEST(InputLogFormat2, ProfileDataAreKeptToTheByte) {
     EXPECT_EQ(read_log_header(folder / "log"), header);
 }
 
+TEST(InputLogFormat2, NamesOnTheScreenAreKeptAndOlderReadersSkipThem) {
+    const HeaderSample without;
+    auto header = without.header;
+    header.names = {"Jos\u00e9", "Bot 3"};
+    const auto file = detail::encode_header(header).value();
+    EXPECT_EQ(decoded(file), header);
+    EXPECT_TRUE(decoded(without.file).value().names.empty());
+    // The names are the last section, and all before it are the bytes of a log without names.
+    const auto body = body_of(file);
+    ASSERT_TRUE(std::equal(without.body.begin(), without.body.end(), body.begin()));
+    ByteReader names(std::span<const std::byte>(body).subspan(without.body.size()));
+    EXPECT_EQ(names.get<std::uint16_t>(), 10U);
+    EXPECT_EQ(names.get<std::uint16_t>(), 0U) << "a reader that does not know this section skips it";
+}
+
+TEST(InputLogFormat2, NamesForNobodyAndOverlongNamesAreRefused) {
+    auto header = samples::header();
+    header.names = {"a", "b", "c"};
+    EXPECT_TRUE(contains(detail::encode_header(header).error().message, "more names than players"));
+    header.names = {std::string(65'537, 'a')};
+    EXPECT_TRUE(contains(detail::encode_header(header).error().message, "a text longer than 65536 bytes"));
+    const HeaderSample sample;
+    for (const std::uint32_t count : {3U, 17U, 0xffffffffU}) {
+        auto body = sample.body;
+        auto names = section(10, 0, 16, 16);
+        samples::put_at(names, 8, count);
+        body.insert(body.end(), names.begin(), names.end());
+        EXPECT_NE(refusal(sample.file, body), "") << count;
+    }
+}
+
 // Columns ------------------------------------------------------------------------------------------
 
 /// Unpacked block of one tick of one device, in which one column has a value and all others are zero.

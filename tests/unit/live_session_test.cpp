@@ -20,8 +20,9 @@ Expected<game::Playback> short_replay() {
     const rig::TestPath file("replay.thaumlog");
     const game::MatchSetup setup{.devices = {game::bot_device(0, 1), game::bot_device(1, 1)}};
     game::Simulation match(shipped_data(), setup);
-    auto log =
-        input::LogWriter::create(file.path, game::log_header(*shipped_data(), setup, {"bot 1", "bot 1"}));
+    auto header = game::log_header(*shipped_data(), setup, {"human", "bot 1"});
+    header.names = {"Ada", "Bot 1"};
+    auto log = input::LogWriter::create(file.path, header);
     if (!log) return tl::unexpected(log.error());
     for (int t = 0; t < 8; ++t) game::tick_and_record(match, {}, &*log);
     if (const auto closed = game::close_log(*log, match); !closed) return tl::unexpected(closed.error());
@@ -285,6 +286,8 @@ TEST_F(LiveSessionTest, AReplayHasItsOwnKeysAndMouse) {
     press("v");
     session_->publish_screen();
     EXPECT_EQ(screen().hud.watch, game::Watch::first);
+    EXPECT_EQ(screen().hud.names, (game::PlayerNames{"Ada", "Bot 1"}));
+    EXPECT_EQ(screen().hud.replay->eyes, "Ada's eyes");
     const auto track = game::lay_out_replay_bar(1, rig::window).track;
     session_->cursor(track.high, rig::window);
     session_->mouse_button(0, true, rig::window, now_);

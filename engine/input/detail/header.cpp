@@ -39,8 +39,8 @@ bool strings_short(const LogHeader& h) {
         return std::all_of(list.begin(), list.end(), holds);
     };
     return is_short(h.program) && is_short(h.rule_set) && is_short(h.arena) && is_short(h.physics_library) &&
-           is_short(h.physics_precision) && all(h.players, is_short) && all(h.overrides, is_short) &&
-           all(h.parameters, is_short) && all(h.kinds, kinds_short) &&
+           is_short(h.physics_precision) && all(h.players, is_short) && all(h.names, is_short) &&
+           all(h.overrides, is_short) && all(h.parameters, is_short) && all(h.kinds, kinds_short) &&
            all(h.devices, [&](const DeviceSpec& device) { return is_short(device.name); }) &&
            all(h.files, [&](const DataFile& file) { return is_short(file.name); }) &&
            all(h.profile, [&](const ProfileData& p) { return is_short(p.kind) && is_short(p.name); });
@@ -99,6 +99,7 @@ std::string_view profile_fault(const std::vector<ProfileData>& items, std::size_
 /// Returns the first fault of a header; empty if there is none.
 std::string_view header_fault(const LogHeader& h) {
     if (h.players.size() > player_limit) return "more than 16 players";
+    if (h.names.size() > h.players.size()) return "more names than players";
     if (h.devices.size() > max_devices) return "more than 4 devices";
     if (h.files.size() > list_limit) return "more than 1000 data files";
     if (h.overrides.size() > list_limit) return "more than 1000 overrides";

@@ -16,6 +16,7 @@ enum class Section : std::uint16_t {
     parameters,
     kinds,
     profile,
+    names,
 };
 
 /// Tags of a device's settings. A later setting takes the next number.
@@ -184,6 +185,7 @@ bool get_section(Section tag, ByteReader& in, LogHeader& h, std::string& fault) 
         case Section::parameters: h.parameters = get_strings(in, list_limit); return true;
         case Section::kinds: h.kinds = get_kinds(in); return true;
         case Section::profile: h.profile = get_profile(in); return true;
+        case Section::names: h.names = get_strings(in, player_limit); return true;
     }
     return false;
 }
@@ -212,6 +214,8 @@ Bytes encode_body(const LogHeader& h) {
     put_record(body, Section::kinds, needed, [&](ByteWriter& out) { put_kinds(out, h.kinds); });
     if (!h.profile.empty())
         put_record(body, Section::profile, needed, [&](ByteWriter& out) { put_profile(out, h.profile); });
+    if (!h.names.empty())
+        put_record(body, Section::names, 0, [&](ByteWriter& out) { put_strings(out, h.names); });
     return body;
 }
 
