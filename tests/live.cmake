@@ -7,7 +7,7 @@ thaum_test(test_live
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_start_screen_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
-        unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
+        unit/faulty_settings_test.cpp unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
         unit/screen_reader.cpp
     LINK thaum_live fake_arm
     NOT_SANITIZED ScreenPlayer.Wins* ScreenPlayer.Reads*
@@ -39,6 +39,8 @@ function(thaum_driver_test name)
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
+thaum_driver_test(resize ${CMAKE_CURRENT_SOURCE_DIR}/drivers/resize.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:live_log_probe>)
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 thaum_driver_test(replay_window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/replay_window.sh

@@ -65,10 +65,11 @@ constexpr Default pad_defaults[] = {
     {Action::turn_up, "pad right_y +"},
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
-    {Action::trace, "pad left_trigger +"},
+    {Action::trace, "pad x"},
     {Action::next_wand, "pad right_bumper"},
     {Action::previous_wand, "pad left_bumper"},
-    {Action::stir, "pad x"},
+    // A trigger, because the thumb that would hold a button has to push the right stick, which moves the ladle.
+    {Action::stir, "pad left_trigger +"},
     {Action::jump, "pad a"},
     {Action::throw_, "pad right_stick"},
     {Action::clutch, "pad left_stick"},
@@ -238,8 +239,8 @@ namespace {
 
 void read_toggles(const ConfigTable& table, Bindings& bindings) {
     if (!table.has("toggle")) return;
-    bindings.toggled = {};
-    const auto words = table.string("toggle");
+    const auto words = table.string("toggle", toggles_of(bindings));
+    decltype(bindings.toggled) toggled{};
     for (std::string_view rest = words; !rest.empty();) {
         const auto name = take_piece(rest, ',');
         const auto found = std::find_if(toggle_actions.begin(), toggle_actions.end(),
@@ -248,8 +249,9 @@ void read_toggles(const ConfigTable& table, Bindings& bindings) {
             table.report("toggle", text("'toggle': '", name, "' is not one of ", all_toggles()));
             return;
         }
-        bindings.toggled[static_cast<std::size_t>(*found)] = true;
+        toggled[static_cast<std::size_t>(*found)] = true;
     }
+    bindings.toggled = toggled;
 }
 
 }  // namespace
@@ -258,7 +260,7 @@ Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCod
     for (std::size_t action = 0; action < actions; ++action) {
         const auto key = action_names[action];
         if (!table.has(key)) continue;
-        auto controls = parse_controls(table.string(key), codes);
+        auto controls = parse_controls(table.string(key, no_control), codes);
         if (controls)
             bindings.controls[action] = std::move(*controls);
         else

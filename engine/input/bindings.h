@@ -138,8 +138,12 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 ///     trigger_press = 0.3
 ///     toggle = "trace, stir"                  # the toggle_actions that stay on until the next press
 ///
-/// An unknown name is reported at its key; the Config's check then fails with file, line and key.
+/// An unknown name is reported at its key, which keeps its value; the Config's check then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
+
+/// Words that are no control. A reader of controls takes them in place of a value that is no text, whose fault has been
+/// reported.
+inline constexpr const char* no_control = "?";
 
 /// Reads one control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error
 /// names the unknown control.

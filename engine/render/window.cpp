@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "core/assert.h"
 #include "core/text.h"
@@ -24,6 +25,8 @@ struct Window::State {
     // Used by the main thread only.
     const WindowEvents* events = nullptr;  // set during poll
     bool captured = false;
+    /// true: the next position of the cursor in this poll is a jump and no motion of the mouse
+    bool jumps = false;
     double last_x = 0, last_y = 0;
     PadPlaces pads{};
     int windowed_x = 0, windowed_y = 0;
@@ -62,6 +65,17 @@ GLFWmonitor* full_screen_monitor(const WindowSpec& spec) {
     return spec.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
 }
 
+/// The wanted size of a window, limited to the part of the screen that windows may cover.
+Size size_on_screen(Size wanted) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return wanted;
+    int left = 0, top = 0;
+    Size room;
+    glfwGetMonitorWorkarea(monitor, &left, &top, &room.width, &room.height);
+    if (room.width <= 0 || room.height <= 0) return wanted;
+    return {std::min(wanted.width, room.width), std::min(wanted.height, room.height)};
+}
+
 GLFWwindow* open_window(const WindowSpec& spec) {
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -73,7 +87,7 @@ GLFWwindow* open_window(const WindowSpec& spec) {
     // A lost focus must not change the screen's mode, since the other player may be in a menu.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     GLFWmonitor* monitor = full_screen_monitor(spec);
-    Size size = spec.size;
+    Size size = size_on_screen(spec.size);
     if (monitor != nullptr) {
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
         if (mode != nullptr) size = {mode->width, mode->height};
@@ -96,6 +110,7 @@ const WindowEvents& events_of(GLFWwindow* w) {
 
 void on_resize(GLFWwindow* w, int width, int height) {
     state_of(w).size = Size{width, height};
+    state_of(w).jumps = true;
     tell(events_of(w).resize, Size{width, height});
 }
 
@@ -103,6 +118,7 @@ void on_minimise(GLFWwindow* w, int minimised) { state_of(w).minimised = minimis
 
 void on_focus(GLFWwindow* w, int focused) {
     state_of(w).focused = focused != 0;
+    state_of(w).jumps = true;
     tell(events_of(w).focus, focused != 0);
 }
 
@@ -129,16 +145,21 @@ double pixels_per_unit(GLFWwindow* w) {
     return width > 0 ? static_cast<double>(state_of(w).size.load().width) / width : 1;
 }
 
+/// A window that becomes smaller than the way to the cursor pulls the cursor in. GLFW then reports the place of entry
+/// even for a captured cursor, which has no place.
+void on_enter(GLFWwindow* w, int) { state_of(w).jumps = true; }
+
 void on_cursor(GLFWwindow* w, double x, double y) {
     auto& s = state_of(w);
+    const bool jump = std::exchange(s.jumps, false);
     const double dx = x - s.last_x, dy = y - s.last_y;
     s.last_x = x;
     s.last_y = y;
     const double scale = pixels_per_unit(w);
-    if (s.captured)
-        tell(events_of(w).mouse_move, dx, dy);
-    else
+    if (!s.captured)
         tell(events_of(w).cursor, scale * x, scale * y);
+    else if (!jump)
+        tell(events_of(w).mouse_move, dx, dy);
 }
 
 void install_callbacks(Window::State& state) {
@@ -151,6 +172,7 @@ void install_callbacks(Window::State& state) {
     glfwSetCharCallback(state.handle, on_character);
     glfwSetMouseButtonCallback(state.handle, on_mouse_button);
     glfwSetScrollCallback(state.handle, on_wheel);
+    glfwSetCursorEnterCallback(state.handle, on_enter);
     glfwSetCursorPosCallback(state.handle, on_cursor);
 }
 
@@ -196,6 +218,7 @@ void Window::poll(const WindowEvents& events, double timeout_s) {
     else
         glfwPollEvents();
     state_->events = nullptr;
+    state_->jumps = false;
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }
@@ -223,7 +246,7 @@ void Window::set_fullscreen(bool fullscreen) {
         glfwSetWindowMonitor(s.handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
     }
     if (!fullscreen) {
-        const Size size = s.windowed_size == Size{} ? s.spec.size : s.windowed_size;
+        const Size size = s.windowed_size == Size{} ? size_on_screen(s.spec.size) : s.windowed_size;
         glfwSetWindowMonitor(s.handle, nullptr, s.windowed_x, s.windowed_y, size.width, size.height,
                              GLFW_DONT_CARE);
     }

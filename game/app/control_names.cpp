@@ -49,6 +49,9 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
     names.look = bindings.mouse_look ? std::string("Mouse")
                                      : directions(bindings, {Action::turn_up, Action::turn_left,
                                                              Action::turn_down, Action::turn_right});
+    const auto toggled = [&](Action action) { return bindings.toggled[static_cast<std::size_t>(action)]; };
+    names.fire_toggles = toggled(Action::fire);
+    names.stir_toggles = toggled(Action::stir);
     names.jump = first_label(bindings, Action::jump);
     names.pause = first_label(bindings, Action::pause);
     const auto& pause = settings.of(SessionKey::pause);

@@ -261,7 +261,7 @@ Finding settings(const std::filesystem::path& assets) {
     std::error_code ignored;
     if (found.state != State::good || !std::filesystem::exists(file, ignored)) return found;
     if (const auto read = load_settings(file, assets); !read)
-        return {"settings", State::note, text(read.error().message, "; the defaults hold"),
+        return {"settings", State::note, text(read.error().message, "; defaults replace wrong values"),
                 "correct the file, or move it away: then a new one is written"};
     found.detail = file.string();
     return found;

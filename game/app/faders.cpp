@@ -39,8 +39,9 @@ std::string_view bare(std::string_view s) {
 
 void read_off(const ConfigTable& table, Faders& faders) {
     if (!table.has("off")) return;
-    for (auto& fader : faders) fader.on = true;
-    const auto words = table.string("off");
+    const auto words = table.string("off", off_words(faders));
+    auto changed = faders;
+    for (auto& fader : changed) fader.on = true;
     for (std::string_view rest = words; !rest.empty();) {
         const auto comma = std::min(rest.find(','), rest.size());
         const auto name = bare(rest.substr(0, comma));
@@ -51,8 +52,9 @@ void read_off(const ConfigTable& table, Faders& faders) {
                          text("'off': '", name, "' is not one of ", names_of([](auto) { return true; })));
             return;
         }
-        faders[static_cast<std::size_t>(found - haptics::fluid_modes.begin())].on = false;
+        changed[static_cast<std::size_t>(found - haptics::fluid_modes.begin())].on = false;
     }
+    faders = changed;
 }
 
 }  // namespace

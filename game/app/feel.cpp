@@ -130,7 +130,7 @@ Expected<Arm> open_named(const std::string& name) {
 
 /// Largest share of the arm's peak force in this machine's settings; 0: no forces.
 double wished_share() {
-    const auto settings = settings_to_play_with(settings_file(), game::find_assets());
+    const auto settings = settings_to_play_with(settings_file(), game::find_assets()).settings;
     const auto percent = force_choices[settings.players[0].force].percent;
     return percent ? *percent / 100.0 : haptics::gentle_share;
 }

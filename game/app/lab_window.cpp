@@ -278,7 +278,7 @@ Expected<void> end(LabSession& session) {
 
 int run_lab_window(LabPlan plan) {
     const auto assets = game::find_assets();
-    const auto settings = settings_to_play_with(settings_file(), assets);
+    const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
         {.title = "Thaum: the brew", .size = plan.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());

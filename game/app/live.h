@@ -108,6 +108,8 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
+    /// words for the start screen on a faulty settings file; empty: there is no fault
+    std::string settings_fault{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};
     /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start

@@ -129,6 +129,11 @@ std::string Practice::step_words() const {
     return text(at + 1, " of ", steps.size(), ": ", steps[at].name);
 }
 
+std::string Practice::last_words() {
+    if (!apprentice_) return text("range: ", score());
+    return text("apprentice: ", apprentice_->is_over() ? "" : "left at ", step_words());
+}
+
 void Practice::show_lesson(game::PracticePicture& picture) {
     const auto& lessons = apprentice_->lessons();
     picture.score = step_words();

@@ -61,6 +61,8 @@ public:
     std::string score() { return words_of(scorer_.score(*range_.match)); }
     /// The Apprentice's present step: "2 of 8: Bolt".
     std::string step_words() const;
+    /// Words about the practice that ends: the score of the range, or how far the player has come in the course.
+    std::string last_words();
 
 private:
     void say(std::string words, Tick how_long);

@@ -328,6 +328,7 @@ Screen LiveSession::screen() const {
                           .text_scale = settings.text_scale,
                           .bloom = settings.bloom,
                           .can_play_again = plan_.replay == nullptr,
+                          .has_menu = plan_.start_screen,
                           .forces = forces_,
                           .menu = menu_.is_open(),
                           .names = names(),

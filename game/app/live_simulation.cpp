@@ -122,7 +122,7 @@ void close_log(Round& round) {
 }
 
 void tell_score(Round& round) {
-    if (auto* practice = practice_of(round)) std::printf("range: %s\n", practice->score().c_str());
+    if (auto* practice = practice_of(round)) std::printf("%s\n", practice->last_words().c_str());
 }
 
 /// Lets the Apprentice look at the tick, and names each new step outside the window, too.

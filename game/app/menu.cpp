@@ -46,10 +46,10 @@ void join_or_start(MenuState& s, const Device& device) {
 }
 
 /// Whether this confirmation joins, whatever row is chosen. The device has not chosen that row: somebody else has, or
-/// nobody.
-bool only_joins(const MenuState& s, const MenuEvent& event) {
+/// nobody. A row for one player needs no second press: it starts at once if nobody has joined.
+bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
     return s.pages.back().page == Page::start && !event.row && s.chooser != event.device &&
-           joined(s) < game::players && !seat_of(s, event.device);
+           joined(s) < game::players && !seat_of(s, event.device) && !starts_at_once(s, row);
 }
 
 /// Requests the range or the Apprentice for one player; the other seat stays empty.
@@ -171,7 +171,7 @@ void undo(MenuState& s) {
 // Events ----------------------------------------------------------------------------------------------------
 
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
-    if (only_joins(s, event)) return join(s, event.device);
+    if (only_joins(s, row, event)) return join(s, event.device);
     switch (row.kind) {
         case RowKind::duel: join_or_start(s, event.device); break;
         case RowKind::range: practise(s, event.device, MenuRequest::range); break;

@@ -71,6 +71,8 @@ struct MenuContext {
     bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
+    /// words of the start screen on a faulty settings file; empty: there is no fault
+    std::string settings_fault{};
 };
 
 enum class MenuRequest : std::uint8_t {

@@ -84,7 +84,8 @@ MenuContext find_menu_context(const LivePlan& plan) {
     MenuContext context{.rules = all_rules(plan),
                         .arenas = all_arenas(plan),
                         .first_start = plan.first_start,
-                        .ends_match = plan.start_screen};
+                        .ends_match = plan.start_screen,
+                        .settings_fault = plan.settings_fault};
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
     for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {

@@ -31,7 +31,8 @@ std::string title_of(const MenuState& s) {
     return {};
 }
 
-std::string start_line(const MenuState& s) {
+std::string start_line(const MenuState& s, const Row& row) {
+    if (starts_at_once(s, row)) return "press Enter or A to start, or any other key to join";
     switch (joined(s)) {
         case 0: return "press to join";
         case 1: return "press again to start, or a second player joins";
@@ -39,9 +40,9 @@ std::string start_line(const MenuState& s) {
     }
 }
 
-std::string line_of(const MenuState& s) {
+std::string line_of(const MenuState& s, const Row& row) {
     switch (s.pages.back().page) {
-        case Page::start: return start_line(s);
+        case Page::start: return start_line(s, row);
         case Page::pause: return s.line;
         case Page::cauldron:
             return text("what the hand of ", player_words(s.settings, s.player), " feels while it stirs");
@@ -57,6 +58,9 @@ std::string hint_of(const MenuState& s, const Row& row) {
     if (s.typing) return "type the name    Enter: take it    Esc: leave it as it was";
     switch (s.pages.back().page) {
         case Page::start:
+            if (starts_at_once(s, row))
+                return "choose: arrows, W and S    start: Enter, A, click, keypad 0    "
+                       "join: any other key or button";
             return "choose: arrows, W and S    join: Enter, click, any pad button, keypad 0    "
                    "give up a seat: Esc, B, keypad *";
         case Page::pause:
@@ -107,13 +111,14 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     game::MenuPicture picture;
     if (s.pages.empty()) return picture;
     picture.title = title_of(s);
-    picture.line = line_of(s);
     if (s.pages.back().page == Page::start) picture.seats = seats_of(s, context);
     auto rows = rows_of(s, context);
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
+    picture.line = line_of(s, rows[picture.cursor]);
     picture.hint = hint_of(s, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
+    if (s.note.empty() && s.pages.back().page == Page::start) picture.note = context.settings_fault;
     return picture;
 }
 

@@ -15,6 +15,11 @@ std::size_t joined(const MenuState& s) {
         std::count_if(s.seats.begin(), s.seats.end(), [](const auto& seat) { return seat.has_value(); }));
 }
 
+bool starts_at_once(const MenuState& s, const Row& row) {
+    const bool for_one = row.kind == RowKind::apprentice || row.kind == RowKind::range;
+    return for_one && s.pages.back().page == Page::start && joined(s) == 0;
+}
+
 namespace {
 
 using Rows = std::vector<Row>;

@@ -51,4 +51,7 @@ std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);
 
+/// Whether a press on the row starts the range or the Apprentice for the player who presses, because nobody has joined.
+bool starts_at_once(const MenuState& state, const Row& row);
+
 }  // namespace thaum::app

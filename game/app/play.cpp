@@ -174,7 +174,7 @@ int play_in_window(const PlayOptions& options) {
     const auto assets = game::find_assets();
     std::error_code no_file;
     const bool first_start = !std::filesystem::exists(settings_file(), no_file);
-    auto settings = settings_to_play_with(settings_file(), assets);
+    auto [settings, settings_fault] = settings_to_play_with(settings_file(), assets);
     auto data = options.mode() ? game::load_match_data(assets, options.data)
                                : load_last_choice(assets, options, settings.last);
     if (!data) return refuse(data.error());
@@ -193,6 +193,7 @@ int play_in_window(const PlayOptions& options) {
         std::fprintf(
             stderr, "this match is not recorded: there is no home folder; set HOME, or give --record FILE\n");
     plan.settings = std::move(settings);
+    plan.settings_fault = std::move(settings_fault);
     plan.settings_file = settings_file();
     return run_live(plan);
 }

@@ -123,7 +123,7 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = options.seconds;
-    plan.settings = settings_to_play_with(settings_file(), assets);
+    plan.settings = settings_to_play_with(settings_file(), assets).settings;
     plan.settings_file = settings_file();
     return run_live(plan);
 }

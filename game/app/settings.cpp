@@ -62,7 +62,7 @@ void read_session(const ConfigTable& table, Settings& settings) {
     for (std::size_t i = 0; i < session_keys; ++i) {
         const auto key = session_names[i];
         if (!table.has(key)) continue;
-        auto controls = input::parse_controls(table.string(key), key_code_of);
+        auto controls = input::parse_controls(table.string(key, input::no_control), key_code_of);
         const bool only_keys = controls && std::all_of(controls->begin(), controls->end(), [](const auto& c) {
                                    return c.source == input::Control::Source::key;
                                });
@@ -420,7 +420,7 @@ std::string key_name_of(int code) {
     return words;
 }
 
-Expected<Settings> parse_settings(std::string_view toml, std::string name) {
+Expected<ReadSettings> read_settings(std::string_view toml, std::string name) {
     const auto file = Config::parse(toml, std::move(name), 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
@@ -433,12 +433,21 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
             s.cauldron[p] = read_faders(root.table(cauldron_tables[p]), s.cauldron[p]);
     }
     read_bindings(root, s);
-    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
-    return s;
+    const auto checked = file->check();
+    return ReadSettings{std::move(s), checked ? std::nullopt : std::optional(checked.error())};
 }
 
-Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets) {
-    if (file.empty()) return Settings{};
+namespace {
+
+Expected<Settings> without_fault(Expected<ReadSettings> read) {
+    if (!read) return tl::unexpected(read.error());
+    if (read->fault) return tl::unexpected(*read->fault);
+    return std::move(read->settings);
+}
+
+Expected<ReadSettings> read_settings_file(const std::filesystem::path& file,
+                                          const std::filesystem::path& assets) {
+    if (file.empty()) return ReadSettings{};
     std::error_code error;
     // symlink_status: a dangling link counts as an existing file.
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
@@ -446,19 +455,42 @@ Expected<Settings> load_settings(const std::filesystem::path& file, const std::f
         if (!defaults) return tl::unexpected(defaults.error());
         std::filesystem::create_directories(file.parent_path(), error);
         // Players can play even if the home folder is not writable.
-        if (!write_text_file(file, *defaults)) return Settings{};
+        if (!write_text_file(file, *defaults)) return ReadSettings{};
     }
     const auto source = read_text_file(file, max_settings_file);
     if (!source) return tl::unexpected(source.error());
-    return parse_settings(*source, file.string());
+    return read_settings(*source, file.string());
 }
 
-Settings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets) {
-    auto settings = load_settings(file, assets);
-    if (settings) return std::move(*settings);
-    std::fprintf(stderr, "%s; it is kept as it is, and the defaults hold\n",
-                 settings.error().message.c_str());
-    return {};
+/// Words for the start screen, which has no room for the path: "settings.toml, line 5: 'fov_deg' is 5, ...".
+std::string short_fault(const Error& fault, const std::filesystem::path& file) {
+    const auto folder = file.parent_path().string() + '/';
+    auto words = fault.message.starts_with(folder) ? fault.message.substr(folder.size()) : fault.message;
+    const auto place = file.filename().string() + ':';
+    const bool has_line =
+        words.starts_with(place) && is_number(std::string_view(words).substr(place.size(), 1));
+    if (has_line) words.replace(place.size() - 1, 1, ", line ");
+    return words;
+}
+
+}  // namespace
+
+Expected<Settings> parse_settings(std::string_view toml, std::string name) {
+    return without_fault(read_settings(toml, std::move(name)));
+}
+
+Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets) {
+    return without_fault(read_settings_file(file, assets));
+}
+
+PlaySettings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets) {
+    auto read = read_settings_file(file, assets);
+    const auto* fault = !read ? &read.error() : read->fault ? &*read->fault : nullptr;
+    if (fault == nullptr) return {std::move(read->settings)};
+    const std::string hold = read ? "defaults replace wrong values" : "the defaults hold";
+    std::fprintf(stderr, "%s; it is kept as it is, and %s\n", fault->message.c_str(), hold.c_str());
+    auto words = text(short_fault(*fault, file), "; ", hold);
+    return {read ? std::move(read->settings) : Settings{}, std::move(words)};
 }
 
 std::filesystem::path settings_file() {

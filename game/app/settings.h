@@ -163,16 +163,31 @@ void reset(const SettingOf<Of>& setting, Of& values);
 /// Name of a player on every page: the player's own, or the team's ("Ember", "Tide").
 std::string player_words(const Settings& settings, std::size_t player);
 
-/// Parses a settings file. Messages call the file `name`; an error names file, line and key.
+/// Settings of a file in which single values may be wrong.
+struct ReadSettings {
+    Settings settings;
+    /// First fault, with file, line and key. Wrong values have their defaults, and unknown keys are ignored.
+    std::optional<Error> fault{};
+};
+/// Reads a settings file as far as possible. Messages call the file `name`. The error: the file is no TOML, or it is of
+/// another version, whose values may have another meaning.
+Expected<ReadSettings> read_settings(std::string_view toml, std::string name);
+
+/// Parses a settings file without a fault. Messages call the file `name`; an error names file, line and key.
 Expected<Settings> parse_settings(std::string_view toml, std::string name);
 
 /// Reads the settings file. If there is none, first writes the documented defaults of assets/settings.toml
 /// there. Returns the defaults if the file cannot be written. Never changes an existing file.
 Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets);
 
-/// Reads the settings for a session of play, as load_settings does. Reports an unreadable file in one line on
-/// standard error, leaves the file unchanged, and returns the defaults.
-Settings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets);
+/// Settings for a session of play.
+struct PlaySettings {
+    Settings settings;
+    std::string fault{};  ///< words for the player on what is wrong with the file; empty: nothing
+};
+/// Reads the settings for a session of play, as load_settings does. Wrong values have their defaults. If the file cannot
+/// be read at all, all values have. A fault is told in one line on standard error, and the file stays unchanged.
+PlaySettings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets);
 
 /// One value of the file. `table` is empty for values at the top; `value` is written as TOML.
 struct SettingEdit {

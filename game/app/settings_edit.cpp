@@ -173,14 +173,14 @@ std::vector<SettingEdit> changes(const Settings& before, const Settings& after) 
 
 Expected<std::string> edit_settings(std::string_view toml, const std::string& name,
                                     const std::vector<SettingEdit>& edits) {
-    const auto old = parse_settings(toml, name);
+    const auto old = read_settings(toml, name);
     if (!old) return tl::unexpected(old.error());
     auto lines = lines_of(toml);
     for (const auto& edit : edits) apply(edit, lines);
     std::string edited;
     for (const auto& line : lines) edited += line + '\n';
-    const auto now = parse_settings(edited, name);
-    if (now && says(*old, *now, edits)) return edited;
+    const auto now = read_settings(edited, name);
+    if (now && says(old->settings, now->settings, edits)) return edited;
     return fail(text(name, ": the game cannot change a file written in this way; edit the file by hand"));
 }
 

@@ -55,7 +55,7 @@ int watch_in_window(game::Playback playback, const WatchPlan& watched) {
     plan.data = std::make_shared<const game::MatchData>(playback.match().data());
     plan.replay = &replay;
     plan.assets = assets;
-    plan.settings = settings_to_play_with(settings_file(), assets);
+    plan.settings = settings_to_play_with(settings_file(), assets).settings;
     const int result = run_with_index(plan, playback, index);
     return result == done ? verdict(game::earlier(playback.divergence(), index.divergence())) : result;
 }

@@ -21,6 +21,7 @@ struct HudSettings {
     render::Quality quality = render::Quality::medium;
     bool bloom = true;           ///< used at high quality only
     bool can_play_again = true;  ///< shows on the result screen that another match can be played
+    bool has_menu = true;        ///< leaving a match leads to the start screen; false: it ends the program
     bool forces = false;         ///< shows the force on the hand as a curve, and the brew's flow
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.

@@ -142,6 +142,15 @@ void take_force(const Simulation& match, std::uint32_t player, const LoadedWand*
     }
 }
 
+/// Distance from the place where stirring begins, up to which a press of Stir is meant for the cauldron (m).
+constexpr double missed_rim_m = 4;
+
+bool presses_stir(const ecs::World& world, ecs::Entity wizard) {
+    const auto* controls = world.find<Controls>(wizard);
+    return controls != nullptr &&
+           ((controls->held | controls->pressed) & static_cast<std::uint32_t>(input::Button::stir)) != 0;
+}
+
 void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
     const auto& rules = match.data().cauldron;
     if (!rules || out.dead) return;
@@ -149,7 +158,11 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
     out.stirs = ladle != nullptr;
     out.refilled = ladle != nullptr &&
                    is_refilling(rules->aura, match.world(), match.brew(), *ladle, match.match().played);
-    out.at_rim = within_reach(match.data(), match.world().single<Cauldron>(), motion.position);
+    const auto& cauldron = match.world().single<Cauldron>();
+    out.at_rim = within_reach(match.data(), cauldron, motion.position);
+    out.misses_rim = presses_stir(match.world(), wizard) && !out.stirs && !out.at_rim &&
+                     glm::length(motion.position - cauldron.middle) <
+                         match.data().arena.bowl->size.radius + rules->ladle.reach + missed_rim_m;
     const auto* pouch = match.world().find<Pouch>(wizard);
     if (pouch == nullptr) return;
     const auto& ingredient = rules->ingredients[pouch->ingredient];

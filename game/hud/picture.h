@@ -121,6 +121,7 @@ struct PlayerPicture {
     bool refilled{};             ///< true while stirring refills the wands
     bool stirs{};                ///< true if the player holds a ladle
     bool at_rim{};               ///< true if the player can start to stir
+    bool misses_rim{};           ///< true if the player presses Stir a few steps away from the rim
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
     vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)

@@ -68,13 +68,27 @@ std::string control_of(const ControlPiece& piece, const ControlNames& controls, 
     return {};
 }
 
+bool toggles(ControlWord word, const ControlNames& controls) {
+    return (word == ControlWord::fire && controls.fire_toggles) ||
+           (word == ControlWord::stir && controls.stir_toggles);
+}
+
+/// Puts "press" in place of "hold" at the end of words.
+void press_instead_of_hold(std::string& words) {
+    for (const auto& [hold, press] : {std::pair("Hold ", "Press "), std::pair("hold ", "press ")})
+        if (words.ends_with(hold))
+            words.replace(words.size() - std::string_view(hold).size(), words.npos, press);
+}
+
 }  // namespace
 
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown) {
     std::string filled;
     for (const auto& piece : control_pieces_of(words)) {
         filled += piece.plain;
-        if (piece.word) filled += control_of(piece, controls, shown);
+        if (!piece.word) continue;
+        if (toggles(*piece.word, controls)) press_instead_of_hold(filled);
+        filled += control_of(piece, controls, shown);
     }
     return filled;
 }
@@ -83,6 +97,13 @@ std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames&
     const auto offer = offer_to(player, controls);
     if (!offer || offer->control->empty()) return std::nullopt;
     return Prompt{offer->kind, text("[", *offer->control, "] ", offer->what)};
+}
+
+std::string_view words_of_missed_rim(Tick now, std::uint32_t player, const PromptUses& uses) {
+    constexpr Tick shown = ticks(2.0);
+    const auto& missed = uses.missed_rim[player];
+    const bool recent = missed && now >= *missed && now < *missed + shown;
+    return recent ? "Too far from the cauldron: step to the rim" : std::string_view();
 }
 
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses) {
@@ -95,8 +116,12 @@ float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, c
 
 void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
     if (now.tick <= before.tick) return;
-    for (std::uint32_t player = 0; player < players; ++player)
-        count_uses(before.wizards[player], now.wizards[player], player, uses);
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& wizard = now.wizards[player];
+        count_uses(before.wizards[player], wizard, player, uses);
+        if (wizard.misses_rim) uses.missed_rim[player] = now.tick;
+        if (wizard.stirs || wizard.at_rim || wizard.dead) uses.missed_rim[player].reset();
+    }
 }
 
 }  // namespace thaum::game

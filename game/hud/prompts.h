@@ -14,11 +14,13 @@ struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{};
     std::string move{}, look{}, jump{}, pause{};
     std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
+    bool fire_toggles{}, stir_toggles{};                 ///< true: one press begins, and the next one ends
     bool operator==(const ControlNames&) const = default;
 };
 
 /// Words with the player's controls in place of their braces (game/data/control_words.h): "[E]". A wand without a
-/// control of its own is reached by the control that goes on to the next wand: "[RB] (next wand)".
+/// control of its own is reached by the control that goes on to the next wand: "[RB] (next wand)". "Hold" before a
+/// control that toggles is "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
 enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing };
@@ -28,10 +30,12 @@ inline constexpr std::size_t prompt_kinds = 5;
 enum class PromptWish : std::uint8_t { until_learnt, always, never };
 inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
 
-/// How often each player has done what a prompt says.
+/// How often each player has done what a prompt says, and when a player last tried in vain.
 struct PromptUses {
     static constexpr std::uint32_t learnt = 3;  ///< number after which a prompt is gone
     std::array<std::array<std::uint32_t, prompt_kinds>, players> count{};
+    /// Last tick at which the player pressed Stir too far from the rim; std::nullopt: never, or it has worked since.
+    std::array<std::optional<Tick>, players> missed_rim{};
     bool operator==(const PromptUses&) const = default;
 
     std::uint32_t& of(std::uint32_t player, PromptKind kind) {
@@ -49,6 +53,10 @@ struct Prompt {
 
 /// The prompt for what the player can do; std::nullopt if there is nothing, or no control does it.
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
+
+/// Words for a player who has just pressed Stir too far from the cauldron; empty for all others. `now` is the picture's
+/// tick.
+std::string_view words_of_missed_rim(Tick now, std::uint32_t player, const PromptUses& uses);
 
 /// How visible a prompt is, 0 to 1.
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses);

@@ -166,7 +166,8 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     const auto next =
         last ? std::string("Enter, A: rematch")
              : text("Enter, A: next round (in ", static_cast<int>(std::ceil(picture.next_round_in_s)), " s)");
-    a.keys = settings.can_play_again ? text(next, "    Esc, B: quit to menu") : "Esc: leave";
+    a.keys = settings.can_play_again ? text(next, "    Esc, B: quit", settings.has_menu ? " to menu" : "")
+                                     : "Esc: leave";
     return a;
 }
 

@@ -355,6 +355,7 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
+    add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
     if (p.stirs || p.at_rim) {
         std::string words;
         if (captions) words = words_of_brew(picture.cauldron, player);

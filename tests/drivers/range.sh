@@ -63,6 +63,8 @@ presses Escape
 eventually "no second pause of the Apprentice" lesson_pause
 presses q
 wait "$game" || fail "the exit code of the Apprentice"
+said '^apprentice: left at 3 of ' || fail "the end of the Apprentice is not told"
+! said '^range: ' || fail "the Apprentice ends with a score of the range"
 
 # 3. A recorded match reads no file again.
 "$thaum" --solo 1 --seconds 4 --record "$folder/log" >"$folder/said" 2>&1 &

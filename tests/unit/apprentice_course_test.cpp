@@ -396,6 +396,13 @@ TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
         << "the picture offers a swing where it does not help";
 }
 
+TEST_F(ApprenticeCourse, ItsEndSaysHowFarThePlayerCame) {
+    while (step_name() != "Blast") course().skip();
+    EXPECT_EQ(practice_.last_words(), "apprentice: left at 3 of 8: Blast");
+    while (!course().is_over()) course().skip();
+    EXPECT_EQ(practice_.last_words(), "apprentice: 8 of 8: done");
+}
+
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
     const auto picture = [&] {
         auto all = game::make_picture();

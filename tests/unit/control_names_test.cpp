@@ -19,7 +19,8 @@ TEST(ControlNames, AreThoseOfTheBindings) {
     EXPECT_EQ(keys.wands[4], "5");
     const auto pad = control_names(settings, DeviceKind::pad);
     EXPECT_EQ(pad.fire, "RT");
-    EXPECT_EQ(pad.stir, "X");
+    EXPECT_EQ(pad.stir, "LT");
+    EXPECT_FALSE(pad.stir_toggles || keys.stir_toggles || keys.fire_toggles);
     EXPECT_EQ(pad.wands[0], "") << "a pad steps through the wands";
     EXPECT_EQ(pad.next_wand, "RB");
     EXPECT_EQ(control_names(settings, DeviceKind::keyboard_half).fire, "Keypad 0");
@@ -48,6 +49,9 @@ TEST(ControlNames, FollowANewBindingAndAreEmptyWithoutOne) {
     const auto names = control_names(settings, DeviceKind::keyboard_mouse);
     EXPECT_EQ(names.stir, "Wheel up");
     EXPECT_EQ(names.fire, "");
+    bindings.toggled[static_cast<std::size_t>(Action::stir)] = true;
+    EXPECT_TRUE(control_names(settings, DeviceKind::keyboard_mouse).stir_toggles);
+    EXPECT_FALSE(control_names(settings, DeviceKind::pad).stir_toggles);
 }
 
 }  // namespace

@@ -42,6 +42,18 @@ TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     EXPECT_FALSE(has_text(overlay, "[E] Stir"));
 }
 
+TEST(Messages, SayThatTheRimIsTooFar) {
+    auto picture = picture_of(*new_match());
+    picture.tick = 500;
+    HudSettings settings;
+    settings.captions = {false, false};
+    settings.prompts.fill(PromptWish::never);
+    constexpr std::string_view words = "Too far from the cauldron: step to the rim";
+    EXPECT_FALSE(has_text(overlay_of(picture, settings), words));
+    settings.prompt_uses.missed_rim[0] = 400;
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), words));
+}
+
 TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     auto picture = picture_of(*new_match());
     HudSettings settings;

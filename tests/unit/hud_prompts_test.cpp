@@ -72,6 +72,43 @@ TEST(Prompts, FadeAsTheThingIsDoneAndAreGoneAfterTheThirdTime) {
     EXPECT_EQ(strength_of(prompt, 0, PromptWish::never, uses), 0);
 }
 
+TEST(Prompts, AControlThatTogglesIsPressedAndNotHeld) {
+    ControlNames controls;
+    controls.fire = "RT";
+    controls.stir = "LT";
+    const Presentation none;
+    const auto words = [&] {
+        return with_controls("Hold {stir} at the cauldron, and hold {fire} or {stir}.", controls, none);
+    };
+    EXPECT_EQ(words(), "Hold [LT] at the cauldron, and hold [RT] or [LT].");
+    controls.stir_toggles = true;
+    EXPECT_EQ(words(), "Press [LT] at the cauldron, and hold [RT] or [LT].");
+    controls.fire_toggles = true;
+    EXPECT_EQ(words(), "Press [LT] at the cauldron, and press [RT] or [LT].");
+}
+
+TEST(Prompts, APressOfStirOneStepTooFarAwaySaysSoForAMoment) {
+    Picture before, now;
+    PromptUses uses;
+    const auto show = [&](Tick tick) {
+        now.tick = tick;
+        count_uses(before, now, uses);
+        before = now;
+    };
+    now.wizards[1].misses_rim = true;
+    show(100);
+    now.wizards[1].misses_rim = false;
+    show(180);
+    EXPECT_EQ(words_of_missed_rim(180, 1, uses), "Too far from the cauldron: step to the rim");
+    EXPECT_EQ(words_of_missed_rim(180, 0, uses), "");
+    EXPECT_EQ(words_of_missed_rim(2099, 1, uses), "Too far from the cauldron: step to the rim");
+    EXPECT_EQ(words_of_missed_rim(2100, 1, uses), "");
+    EXPECT_EQ(words_of_missed_rim(50, 1, uses), "") << "an earlier match, or a place of a replay";
+    now.wizards[1].at_rim = true;
+    show(300);
+    EXPECT_EQ(words_of_missed_rim(300, 1, uses), "") << "the player has come to the rim";
+}
+
 /// Two pictures 10 ticks apart, of which the second one differs as `change` makes it.
 template <class F>
 PromptUses uses_of(Picture before, F change) {

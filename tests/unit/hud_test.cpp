@@ -408,6 +408,8 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     make_overlay(p, {}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Ember wins"));
     EXPECT_TRUE(has_text(overlay, "Enter, A: rematch    Esc, B: quit to menu"));
+    make_overlay(p, {.has_menu = false}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Enter, A: rematch    Esc, B: quit"));
     make_overlay(p, {.names = {"Bot 3", ""}}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Bot 3 wins"));
     make_overlay(p, {.names = {"", "WWWWWWWWWWWWWWWW"}}, size, overlay);

@@ -169,12 +169,31 @@ TEST(InputCollector, TriggerIsAnalogueAndDoesNotChatter) {
 TEST(InputCollector, PadButtonsAndUnplugging) {
     auto hands = pad();
     PadState state;
-    state.buttons = 1U << static_cast<unsigned>(PadButton::x);
+    state.buttons = 1U << static_cast<unsigned>(PadButton::a);
     state.axes[0] = 1;
     hands.pad(state);
-    EXPECT_TRUE(hands.take().down(Button::stir));
+    EXPECT_TRUE(hands.take().down(Button::jump));
     hands.pad({});
     EXPECT_EQ(hands.take(), DeviceSample{});
+}
+
+/// No finger has two things to do: one thumb walks, the other one moves the ladle, and the index fingers hold and drop.
+TEST(InputCollector, APadStirsAndDropsWithBothThumbsOnTheSticks) {
+    auto hands = pad();
+    PadState state;
+    const auto push = [&](PadAxis axis, double way) { state.axes[static_cast<std::size_t>(axis)] = way; };
+    push(PadAxis::left_trigger, 1);
+    push(PadAxis::right_x, 1);
+    push(PadAxis::left_y, 1);
+    push(PadAxis::right_trigger, 1);
+    hands.pad(state);
+    const auto sample = hands.take();
+    EXPECT_TRUE(sample.down(Button::stir) && sample.down(Button::fire));
+    EXPECT_GT(sample.counts[hand::turn_right], 0);
+    EXPECT_GT(sample.counts[hand::forward], 0);
+    push(PadAxis::left_trigger, 0);
+    hands.pad(state);
+    EXPECT_FALSE(hands.take().down(Button::stir));
 }
 
 TEST(InputCollector, LosingFocusLetsGoOfEverything) {

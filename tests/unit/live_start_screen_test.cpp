@@ -58,6 +58,28 @@ TEST_F(LiveStartScreenTest, AnotherArenaIsShownAtOnce) {
     EXPECT_FALSE(shared_.scene.take());
 }
 
+TEST_F(LiveStartScreenTest, TheResultOffersTheMenuOnlyIfThereIsOne) {
+    step_start();
+    EXPECT_TRUE(screen().hud.has_menu);
+    plan_.start_screen = false;
+    begin();
+    step();
+    EXPECT_FALSE(screen().hud.has_menu);
+}
+
+TEST_F(LiveStartScreenTest, AFaultOfTheSettingsFileIsSaid) {
+    EXPECT_EQ(screen().menu.note, "");
+    plan_.settings_fault =
+        "settings.toml:5: 'fov_deg' is 5, must be from 60 to 130; defaults replace wrong values";
+    session_.emplace(shared_, plan_);
+    session_->open_start_screen(now_);
+    step_start();
+    EXPECT_EQ(screen().menu.note, plan_.settings_fault);
+    press("down");
+    step_start();
+    EXPECT_EQ(screen().menu.note, plan_.settings_fault) << "it stays after a press";
+}
+
 TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
     step_start({rig::pad_with()});
     step_start({rig::pad_with({PadButton::a})});

@@ -219,6 +219,35 @@ TEST(StartScreen, OffersTheApprenticeFirstOnAFirstStartAndAlways) {
     EXPECT_EQ(count, 1);
 }
 
+TEST(StartScreen, OnePressOnAChosenRowForOnePlayerStartsIfNobodyHasJoined) {
+    auto first = context();
+    first.first_start = true;
+    const auto confirm = [&](MenuState s, const Device& device) {
+        return step(std::move(s), {.kind = Kind::confirm, .device = device}, first);
+    };
+    for (const auto& device : {keyboard, half, first_pad}) {
+        const auto s = confirm(start_page(), device);
+        EXPECT_EQ(s.request, MenuRequest::apprentice);
+        EXPECT_EQ(s.seats[0], device);
+    }
+    const auto shown = picture_of(start_page(), first);
+    EXPECT_EQ(shown.line, "press Enter or A to start, or any other key to join");
+    EXPECT_NE(shown.hint.find("start: Enter, A, click"), std::string::npos) << shown.hint;
+    // Whoever has joined waits for a duel: another device's press joins, too.
+    const auto one = step(start_page(), {.kind = Kind::other, .device = keyboard}, first);
+    EXPECT_EQ(one.request, MenuRequest::none);
+    EXPECT_EQ(picture_of(one, first).line, "press again to start, or a second player joins");
+    const auto two = confirm(one, first_pad);
+    EXPECT_EQ(two.request, MenuRequest::none);
+    EXPECT_EQ(two.seats[1], first_pad);
+    // The row of the duel keeps its two presses.
+    auto s = step(start_page(), {.kind = Kind::down, .device = first_pad}, first);
+    EXPECT_EQ(picture_of(s, first).line, "press to join");
+    s = confirm(s, keyboard);
+    EXPECT_EQ(s.request, MenuRequest::none);
+    EXPECT_EQ(s.seats[0], keyboard);
+}
+
 TEST(StartScreen, OnAFirstStartTwoPressesOfAnyButtonStillStartADuel) {
     auto first = context();
     first.first_start = true;
@@ -290,7 +319,7 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
     EXPECT_TRUE(bound(s, DeviceKind::keyboard_mouse, Action::move_forward).empty());
     // A change of the pad's bindings leaves the keyboard's unchanged.
     s = press(choose(bindings_of("Pad"), "Jump"), button(PadButton::x));
-    EXPECT_TRUE(bound(s, DeviceKind::pad, Action::stir).empty());
+    EXPECT_TRUE(bound(s, DeviceKind::pad, Action::trace).empty());
     EXPECT_EQ(bound(s, DeviceKind::keyboard_mouse, Action::jump),
               Settings{}.bindings_of(DeviceKind::keyboard_mouse).of(Action::jump));
 }

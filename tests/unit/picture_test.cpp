@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "game/bots/range.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {
@@ -50,6 +51,27 @@ TEST(TakePicture, HoldsTheLookOfAMoment) {
         EXPECT_FALSE(w.dead);
         EXPECT_NEAR(w.eye.y, match_data()->wizard.eye, 1e-9);
     }
+}
+
+TEST(TakePicture, APressOfStirAFewStepsFromTheRimIsSeenInThePictureOnly) {
+    const auto reach = match_data()->arena.bowl->size.radius + match_data()->cauldron->ladle.reach;
+    // What is seen of a wizard who stands so far beyond the place where stirring begins (m).
+    const auto seen = [&](double beyond, bool presses) {
+        const auto match = new_match();
+        const auto middle = match->world().single<Cauldron>().middle;
+        place_wizard(*match, 0, {.feet = {middle.x + reach + beyond, 0, middle.z}});
+        input::InputFrame frame;
+        if (presses) frame.devices[0].press(input::Button::stir);
+        for (int t = 0; t < 8; ++t) match->tick(frame);
+        return picture_of(*match).wizards[0];
+    };
+    EXPECT_TRUE(seen(0.5, true).misses_rim);
+    EXPECT_TRUE(seen(3, true).misses_rim);
+    EXPECT_FALSE(seen(3, false).misses_rim);
+    EXPECT_FALSE(seen(5, true).misses_rim) << "the press is not meant for the cauldron";
+    const auto near = seen(-0.5, true);
+    EXPECT_TRUE(near.stirs);
+    EXPECT_FALSE(near.misses_rim);
 }
 
 TEST(TakePicture, AShotIsSeenAsAMissile) {

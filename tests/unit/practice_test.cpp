@@ -211,6 +211,7 @@ TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     firing.devices[game::practising].press(input::Button::fire);
     for (int t = 0; t < 1500; ++t) practice.match().tick(firing);
     EXPECT_EQ(practice.score().find("0 of 0"), std::string::npos) << practice.score();
+    EXPECT_EQ(practice.last_words(), text("range: ", practice.score()));
     EXPECT_EQ(picture(practice).practice.below.find("still dummy: "), 0U);
     practice.set_dummy(game::DummyKind::strafing);
     EXPECT_EQ(practice.score().find("0 of 0"), 0U);

@@ -50,6 +50,16 @@ TEST(WindowTest, DrawsFromAThreadOfItsOwn) {
     EXPECT_TRUE(window->should_close());
 }
 
+TEST(WindowTest, IsNotLargerThanTheScreen) {
+    if (!has_display()) GTEST_SKIP() << "no display";
+    constexpr Size beyond_every_screen{9000, 6000};
+    auto window = Window::create({.title = "test", .size = beyond_every_screen});
+    ASSERT_TRUE(window) << window.error().message;
+    EXPECT_LT(window->size().width, beyond_every_screen.width);
+    EXPECT_LT(window->size().height, beyond_every_screen.height);
+    EXPECT_GE(window->size().width, 320);
+}
+
 TEST(WindowTest, CanBeOpenedAgain) {
     if (!has_display()) GTEST_SKIP() << "no display";
     for (int i = 0; i < 2; ++i) {

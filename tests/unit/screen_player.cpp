@@ -111,7 +111,7 @@ void Player::use_menu(const Screen& seen, Hands& hands) {
     if (words != words_) {
         words_ = words;
         pause_ = looks_of(1.5);
-        confirm_ = matched(words, "(?:join|confirm): (\\w+)");
+        confirm_ = matched(words, "(?:start|join|confirm): (\\w+)");
     }
     if (--pause_ > 0) return;
     pause_ = looks_of(1);
