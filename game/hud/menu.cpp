@@ -35,7 +35,7 @@ struct MenuLayout {
 };
 
 /// Heights of the parts (units).
-constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, foot_units = 72,
+constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, note_units = 25,
                 edge_units = 12;
 
 float head_units(const MenuPicture& menu) {
@@ -43,8 +43,30 @@ float head_units(const MenuPicture& menu) {
            (menu.seats.empty() ? 0 : seat_units + 10);
 }
 
-std::size_t rows_that_fit(const MenuPicture& menu, float height, float unit) {
-    const float left = height / unit - head_units(menu) - foot_units - 10;
+/// Sizes of the help line and of the hint on keys (units), and the most lines that each is broken into.
+constexpr float help_size = 16, hint_size = 14, most_lines = 3;
+
+/// Breaks words of the foot into as many lines as they need, and shrinks them only beyond that.
+FittedWords foot_words(std::string_view words, float size, float width) {
+    return fit(words, size, {width, most_lines * FittedWords::line_spacing * std::max(size, 4.0F) + 1});
+}
+
+/// Height of the longest help, so that the rows stay where they are while the choice moves (px).
+float help_height(const MenuPicture& menu, float width, float unit) {
+    float high = 0;
+    for (const auto& row : menu.rows)
+        high = std::max(high, foot_words(row.help, help_size * unit, width).height());
+    return high;
+}
+
+/// Height of note, help and hint (units).
+float foot_units(const MenuPicture& menu, float width, float unit) {
+    const float hint = foot_words(menu.hint, hint_size * unit, width).height();
+    return std::max(72.0F, note_units + (help_height(menu, width, unit) + hint) / unit + 4);
+}
+
+std::size_t rows_that_fit(const MenuPicture& menu, float width, float height, float unit) {
+    const float left = height / unit - head_units(menu) - foot_units(menu, width, unit) - 10;
     return left <= 0 ? 0 : static_cast<std::size_t>(left / row_units);
 }
 
@@ -55,26 +77,26 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     MenuLayout l;
     l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
     // Large words leave few rows. If fewer than four rows fit, the words shrink.
-    while (l.unit > least && rows_that_fit(menu, height, l.unit) < std::min(rows, fewest_rows))
+    l.width = 0.94F * width;
+    while (l.unit > least && rows_that_fit(menu, l.width, height, l.unit) < std::min(rows, fewest_rows))
         l.unit *= 0.95F;
     const float u = l.unit;
-    l.width = 0.94F * width;
     l.title_top = edge_units * u;
     l.line_top = l.title_top + title_units * u;
     l.seats_top = l.line_top + (menu.line.empty() ? 0 : line_units * u);
     l.seats_height = seat_units * u;
-    l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, height, u), 1));
+    l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, l.width, height, u), 1));
     l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
     // The marks for more rows stand beside the rows, inside the window.
     l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
     // The rows are low in the window, so that the scene behind them stays visible.
-    const float head = head_units(menu) * u, foot = height - foot_units * u;
+    const float head = head_units(menu) * u, foot = height - foot_units(menu, l.width, u) * u;
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
     l.note_top = foot + 2 * u;
-    l.help_top = foot + 25 * u;
-    l.hint_top = height - 22 * u;
+    l.help_top = foot + note_units * u;
+    l.hint_top = height - foot_words(menu.hint, hint_size * u, l.width).height() - 2 * u;
     return l;
 }
 
@@ -99,6 +121,15 @@ void add_fitted(Overlay& out, const std::string& words, fvec2 position, float si
     const float small = fitted(words, size, room);
     // Shrunk words keep the line of full-size words.
     add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
+}
+
+/// Adds the lines of words of the foot from a place downwards.
+void add_foot_words(Overlay& out, std::string_view words, fvec2 top, float size, float width, fvec4 paint) {
+    const auto lines = foot_words(words, size, width);
+    for (const auto& line : lines.lines) {
+        add_text(out, line, top, lines.size, paint, Align::centre);
+        top.y += lines.line_height();
+    }
 }
 
 void add_panel(Overlay& out, fvec2 low, fvec2 high, fvec4 paint, float corner) {
@@ -232,9 +263,9 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     add_scroll_marks(out, menu, l);
     add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, bright_gold, Align::centre);
     if (menu.cursor < menu.rows.size())
-        add_fitted(out, menu.rows[menu.cursor].help, {middle, l.help_top}, 16 * u, l.width, bright,
-                   Align::centre);
-    add_fitted(out, menu.hint, {middle, l.hint_top}, 14 * u, l.width, quiet, Align::centre);
+        add_foot_words(out, menu.rows[menu.cursor].help, {middle, l.help_top}, help_size * u, l.width,
+                       bright);
+    add_foot_words(out, menu.hint, {middle, l.hint_top}, hint_size * u, l.width, quiet);
 }
 
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,

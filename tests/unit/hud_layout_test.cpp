@@ -2,6 +2,7 @@
 #include "game/hud/layout.h"
 
 #include "core/text.h"
+#include "game/hud/menu.h"
 #include "render/font.h"
 #include "unit/hud_rig.h"
 
@@ -429,6 +430,26 @@ TEST(Lesson, IsLargerThanItsTitleHasItsHintAndGrowsWithTheText) {
             EXPECT_TRUE(has_text(overlay, "[Up Left Down Right]")) << where;
             EXPECT_TRUE(has_text(overlay, "1 of 8: Look and move, 99 %")) << where;
             EXPECT_GE(words, scale == 2.5 ? 1.25F * usual : usual) << where;
+        }
+    }
+}
+
+TEST(MenuFoot, LongHelpAndKeysAreBrokenIntoLinesInsteadOfTiny) {
+    MenuPicture menu{.title = "Settings", .line = {}, .seats = {}, .rows = {}, .note = {}, .hint = {}};
+    menu.rows = {{.label = "Carried weight",
+                  .help = "Lets the hand feel less of the weight; the match stays the same."},
+                 {.label = "Back", .help = "Goes back."}};
+    menu.hint =
+        "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: Esc, B, right button";
+    for (const auto& window : windows) {
+        const auto size_at = [&](double scale, std::string_view part) {
+            render::Overlay overlay;
+            add_menu(overlay, menu, window, scale);
+            return size_of_text(overlay, part);
+        };
+        for (const std::string_view part : {"Lets the", "choose"}) {
+            EXPECT_GE(size_at(2.5, part), 1.4F * size_at(1, part))
+                << part << " " << window.width << " x " << window.height;
         }
     }
 }
