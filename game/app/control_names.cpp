@@ -21,8 +21,9 @@ std::string first_label(const input::Bindings& bindings, Action action) {
     return controls.empty() ? std::string() : short_label_of(controls.front());
 }
 
-/// The controls of four directions: a stick by its own name, "W A S D", or "Arrow up, ..." one by one.
+/// The controls of four directions: a stick by its own name, "W A S D", or "Keypad 8 4 5 6".
 std::string directions(const input::Bindings& bindings, const std::array<Action, 4>& actions) {
+    constexpr std::string_view keypad = "Keypad ";
     std::string all;
     for (const auto action : actions) {
         const auto& controls = bindings.of(action);
@@ -31,7 +32,9 @@ std::string directions(const input::Bindings& bindings, const std::array<Action,
             const auto label = label_of(controls.front());
             return label.substr(0, label.rfind(' '));
         }
-        all += text(all.empty() ? "" : " ", short_label_of(controls.front()));
+        const auto label = short_label_of(controls.front());
+        const bool again = label.starts_with(keypad) && all.starts_with(keypad);
+        all += text(all.empty() ? "" : " ", again ? label.substr(keypad.size()) : label);
     }
     return all;
 }

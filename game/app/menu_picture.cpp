@@ -26,7 +26,7 @@ std::string title_of(const MenuState& s) {
         case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
         case Page::settings: return "Settings";
         case Page::player: return "Each player's own settings";
-        case Page::cauldron: return "The cauldron";
+        case Page::cauldron: return "Cauldron feedback";
     }
     return {};
 }

@@ -37,7 +37,7 @@ TEST(ControlNames, NameDirectionsAsOneControl) {
     EXPECT_EQ(pad.look, "Right stick");
     EXPECT_EQ(pad.pause, "Start");
     const auto half = control_names(settings, DeviceKind::keyboard_half);
-    EXPECT_EQ(half.move, "Keypad 8 Keypad 4 Keypad 5 Keypad 6");
+    EXPECT_EQ(half.move, "Keypad 8 4 5 6");
     EXPECT_EQ(half.look, "Up Left Down Right");
 }
 

@@ -91,7 +91,7 @@ constexpr std::string_view cauldron_row = "Cauldron feedback";
 
 TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
     const auto fresh = cauldron_page();
-    EXPECT_EQ(picture_of(fresh, context()).title, "The cauldron");
+    EXPECT_EQ(picture_of(fresh, context()).title, "Cauldron feedback");
     EXPECT_NE(picture_of(fresh, context()).hint.find("applies from the next match"), std::string::npos);
     for (std::size_t player = 0; player < 2; ++player) {
         for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
