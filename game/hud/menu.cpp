@@ -31,7 +31,7 @@ struct MenuLayout {
     fvec2 rows_low{0};
     float row_width{}, row_height{};
     std::size_t first{}, visible{};
-    float note_top{}, help_top{}, hint_top{}, width{};
+    float note_top{}, help_top{}, hint_top{}, help_height{}, hint_height{}, width{};
 };
 
 /// Heights of the parts (units).
@@ -43,30 +43,37 @@ float head_units(const MenuPicture& menu) {
            (menu.seats.empty() ? 0 : seat_units + 10);
 }
 
-/// Sizes of the help line and of the hint on keys (units), and the most lines that each is broken into.
+/// Sizes of the help line and of the hint on keys, and the most lines of each.
 constexpr float help_size = 16, hint_size = 14, most_lines = 3;
 
-/// Breaks words of the foot into as many lines as they need, and shrinks them only beyond that.
-FittedWords foot_words(std::string_view words, float size, float width) {
-    return fit(words, size, {width, most_lines * FittedWords::line_spacing * std::max(size, 4.0F) + 1});
+/// Widths of the words of the foot (em). The room of the longest help is kept, so that the rows stay where they are
+/// while the choice moves.
+struct FootWords {
+    float help{}, hint{};
+};
+
+FootWords foot_of(const MenuPicture& menu) {
+    FootWords out{.help = 0, .hint = width_of(menu.hint, 1)};
+    for (const auto& row : menu.rows) out.help = std::max(out.help, width_of(row.help, 1));
+    return out;
 }
 
-/// Height of the longest help, so that the rows stay where they are while the choice moves (px).
-float help_height(const MenuPicture& menu, float width, float unit) {
-    float high = 0;
-    for (const auto& row : menu.rows)
-        high = std::max(high, foot_words(row.help, help_size * unit, width).height());
-    return high;
+/// Height of the lines of words of a width in em (px). Lines are seldom filled to their ends.
+float height_of_lines(float ems, float size, float width) {
+    const float lines = std::clamp(std::ceil(ems * size / (0.88F * width)), 1.0F, most_lines);
+    return lines * FittedWords::line_spacing * size + 1;
 }
 
-/// Height of note, help and hint (units).
-float foot_units(const MenuPicture& menu, float width, float unit) {
-    const float hint = foot_words(menu.hint, hint_size * unit, width).height();
-    return std::max(72.0F, note_units + (help_height(menu, width, unit) + hint) / unit + 4);
+/// Height of note, help and hint (px).
+float foot_height(const FootWords& foot, float width, float unit) {
+    const float words = height_of_lines(foot.help, help_size * unit, width) +
+                        height_of_lines(foot.hint, hint_size * unit, width);
+    return std::max(72 * unit, note_units * unit + words + 2 * unit);
 }
 
-std::size_t rows_that_fit(const MenuPicture& menu, float width, float height, float unit) {
-    const float left = height / unit - head_units(menu) - foot_units(menu, width, unit) - 10;
+std::size_t rows_that_fit(const MenuPicture& menu, const FootWords& foot, float width, float height,
+                          float unit) {
+    const float left = (height - foot_height(foot, width, unit)) / unit - head_units(menu) - 10;
     return left <= 0 ? 0 : static_cast<std::size_t>(left / row_units);
 }
 
@@ -78,25 +85,29 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
     // Large words leave few rows. If fewer than four rows fit, the words shrink.
     l.width = 0.94F * width;
-    while (l.unit > least && rows_that_fit(menu, l.width, height, l.unit) < std::min(rows, fewest_rows))
+    const auto words = foot_of(menu);
+    while (l.unit > least &&
+           rows_that_fit(menu, words, l.width, height, l.unit) < std::min(rows, fewest_rows))
         l.unit *= 0.95F;
     const float u = l.unit;
     l.title_top = edge_units * u;
     l.line_top = l.title_top + title_units * u;
     l.seats_top = l.line_top + (menu.line.empty() ? 0 : line_units * u);
     l.seats_height = seat_units * u;
-    l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, l.width, height, u), 1));
+    l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, words, l.width, height, u), 1));
     l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
     // The marks for more rows stand beside the rows, inside the window.
     l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
     // The rows are low in the window, so that the scene behind them stays visible.
-    const float head = head_units(menu) * u, foot = height - foot_units(menu, l.width, u) * u;
+    const float head = head_units(menu) * u, foot = height - foot_height(words, l.width, u);
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
     l.note_top = foot + 2 * u;
     l.help_top = foot + note_units * u;
-    l.hint_top = height - foot_words(menu.hint, hint_size * u, l.width).height() - 2 * u;
+    l.help_height = height_of_lines(words.help, help_size * u, l.width);
+    l.hint_height = height_of_lines(words.hint, hint_size * u, l.width);
+    l.hint_top = height - l.hint_height - u;
     return l;
 }
 
@@ -121,15 +132,6 @@ void add_fitted(Overlay& out, const std::string& words, fvec2 position, float si
     const float small = fitted(words, size, room);
     // Shrunk words keep the line of full-size words.
     add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
-}
-
-/// Adds the lines of words of the foot from a place downwards.
-void add_foot_words(Overlay& out, std::string_view words, fvec2 top, float size, float width, fvec4 paint) {
-    const auto lines = foot_words(words, size, width);
-    for (const auto& line : lines.lines) {
-        add_text(out, line, top, lines.size, paint, Align::centre);
-        top.y += lines.line_height();
-    }
 }
 
 void add_panel(Overlay& out, fvec2 low, fvec2 high, fvec4 paint, float corner) {
@@ -215,6 +217,11 @@ void add_row(Overlay& out, const MenuRow& row, bool chosen, const MenuLayout& l,
     add_arrow(out, {high.x - arrows / 2, y}, 5 * u, 1);
 }
 
+Panel foot_box(const MenuLayout& l, float window_width, float top, float height) {
+    const float left = (window_width - l.width) / 2;
+    return {{left, top}, {left + l.width, top + height}};
+}
+
 /// Adds marks if more rows follow above or below.
 void add_scroll_marks(Overlay& out, const MenuPicture& menu, const MenuLayout& l) {
     const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
@@ -263,9 +270,10 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     add_scroll_marks(out, menu, l);
     add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, bright_gold, Align::centre);
     if (menu.cursor < menu.rows.size())
-        add_foot_words(out, menu.rows[menu.cursor].help, {middle, l.help_top}, help_size * u, l.width,
-                       bright);
-    add_foot_words(out, menu.hint, {middle, l.hint_top}, hint_size * u, l.width, quiet);
+        add_text_in(out, foot_box(l, width, l.help_top, l.help_height), menu.rows[menu.cursor].help,
+                    help_size * u, bright, Align::centre);
+    add_text_in(out, foot_box(l, width, l.hint_top, l.hint_height), menu.hint, hint_size * u, quiet,
+                Align::centre);
 }
 
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
