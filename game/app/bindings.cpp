@@ -108,7 +108,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> keypad_si
     {{"add", "+"}, {"subtract", "-"}, {"multiply", "*"}, {"divide", "/"}, {"decimal", "."}, {"equal", "="}}};
 
 std::string label_of_key(int code) {
-    const auto words = capitalised_words(key_name_of(code));
+    auto words = capitalised_words(key_name_of(code));
     if (words == "Escape") return "Esc";
     if (!words.starts_with("Kp ")) return words;
     const auto key = std::string_view(words).substr(3);
