@@ -69,8 +69,8 @@ struct LogHeader {
     std::vector<std::string> parameters;
     std::vector<KindTable> kinds;      ///< at most 16, with rising groups; none in format 1
     std::vector<ProfileData> profile;  ///< at most 1,000
-    /// Names of the players on the screen, for display; an empty one stands for the team's name. At most one for each
-    /// of `players`.
+    /// Names of the players on the screen, for display; an empty one stands for the team's name. There are at most
+    /// as many as `players`.
     std::vector<std::string> names;
     bool operator==(const LogHeader&) const = default;
 };

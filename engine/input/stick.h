@@ -8,8 +8,8 @@ namespace thaum::input {
 struct StickResponse {
     /// Radius around the middle in which a push counts as none, 0 to 0.9. The rest is stretched to 0..1.
     double dead_zone = 0.15;
-    /// Share of the cubic part in the rate of a turn, 0 to 1: pushed by x, a stick turns at (1 - curve) x + curve x^3
-    /// of the full rate. 0: in proportion to x; 1: finest near the middle.
+    /// Share of the cubic part in the rate of a turn, 0 to 1: pushed by x, a stick turns at the full rate
+    /// times (1 - curve) x + curve x^3. With 0 it turns in proportion to x; with 1 it is finest near the middle.
     double curve = 0.7;
 
     /// The same, with numbers that are not finite or out of range replaced by the nearest useful ones.

@@ -1,4 +1,5 @@
 #include "render/font.h"
+#include "core/utf8.h"
 
 #include <ft2build.h>
 

@@ -10,7 +10,6 @@
 
 #include "core/error.h"
 #include "core/maths.h"
-#include "core/utf8.h"
 
 namespace thaum::render {
 
@@ -65,8 +64,6 @@ private:
     explicit Font(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
-
-using thaum::decode_utf8;
 
 /// Splits text at '\n' and decodes it. Always returns at least one line, which may be empty.
 std::vector<std::u32string> lines_of(std::string_view text);

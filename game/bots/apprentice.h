@@ -98,9 +98,9 @@ public:
     bool is_done() const { return done_; }
     /// Done share of the present step, 0 to 1.
     double share() const;
-    /// That share in per cent, rounded down, and at most 99 until the step is done.
+    /// Done share of the present step in per cent, rounded down, and at most 99 until the step is done.
     int percent() const;
-    /// What the dummy does now.
+    /// Behaviour of the dummy at this moment of the course.
     DummyKind dummy_kind() const;
     /// Players whose places must be set now: at the begin of a step, after a return to life, and after a fall.
     /// Forgets them.

@@ -15,7 +15,7 @@ constexpr double least_share = 0.02;    ///< share of the strongest force; small
 constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
 /// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
 constexpr double most_reach = 0.22;
-constexpr double most_lower = 0.06;  ///< likewise downwards (m)
+constexpr double most_lower = 0.06;  ///< greatest shown displacement downwards (m)
 /// Growth of the glow at a wand's tip to full charge, in the other player's view, and in the player's own, where it is
 /// near and must not hide the aim.
 constexpr double foe_growth = 3.5, own_growth = 1.2;

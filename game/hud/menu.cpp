@@ -1,4 +1,5 @@
 #include "game/hud/menu.h"
+#include "core/utf8.h"
 
 #include <algorithm>
 #include <cmath>
@@ -116,7 +117,7 @@ struct Width {
     float ems{}, rounding{};  ///< (em), (px)
 
     explicit Width(std::string_view words)
-        : ems(width_of(words, 1)), rounding(0.25F * static_cast<float>(render::decode_utf8(words).size())) {}
+        : ems(width_of(words, 1)), rounding(0.25F * static_cast<float>(decode_utf8(words).size())) {}
     float at(float size) const { return ems * size + rounding; }
 };
 

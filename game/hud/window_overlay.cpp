@@ -144,7 +144,7 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
     }
     const auto& practice = picture.practice;
     const auto& controls = settings.controls[0];
-    constexpr float title_size = 13;  // of a lesson (units): each title fits on one line
+    constexpr float title_size = 13;  // size of a lesson's title, which fits on one line (units)
     float size = 17 * layout.unit;
     if (layout.lesson && !practice.lesson.empty()) {
         const auto lesson = lesson_of(practice, controls, *picture.shown, layout);

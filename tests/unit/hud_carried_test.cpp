@@ -9,13 +9,12 @@ namespace {
 
 constexpr fvec3 iron{0.45F, 0.47F, 0.55F};
 
-class Carried : public DrawingTest {
+class Carried : public ArenaDrawingTest {
 protected:
-    Carried() : DrawingTest(size) {}
+    Carried() : ArenaDrawingTest(size) {}
     void SetUp() override {
-        DrawingTest::SetUp();
+        ArenaDrawingTest::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        arena_scene = make_arena_scene(*renderer, *match_data());
         picture = picture_of(*new_match());
         picture.niches.clear();
         stand(picture, match_data()->wizard, 0, {0, 0, 12}, {0, 1.5, 0});
@@ -31,7 +30,6 @@ protected:
         return instances;
     }
 
-    ArenaScene arena_scene;
     Picture picture;
 };
 

@@ -105,13 +105,11 @@ constexpr Standing ten_scenes[] = {
     {"crates", {11, 0, 1.5}, {13, 0.5, 1.5}},
 };
 
-class Contrast : public hud_tests::DrawingTest {
+class Contrast : public hud_tests::ArenaDrawingTest {
 protected:
-    Contrast() : DrawingTest(window) {}
+    Contrast() : ArenaDrawingTest(window) {}
     void SetUp() override {
-        DrawingTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        scene = make_arena_scene(*renderer, *match_data());
+        ArenaDrawingTest::SetUp();
         layout = *lay_out(settings, window, match_data()->wands.size()).views[0];
     }
 
@@ -122,7 +120,7 @@ protected:
     }
 
     Drawn drawn(const Picture& picture) {
-        auto frame = make_frame(scene, picture, settings, window, memory);
+        auto frame = make_frame(arena_scene, picture, settings, window, memory);
         renderer->draw(frame);
         auto with = renderer->read_pixels();
         frame.overlay = {};
@@ -139,7 +137,6 @@ protected:
     }
 
     HudSettings settings{.watch = Watch::first};
-    ArenaScene scene;
     ViewLayout layout;
     FrameMemory memory;
 };

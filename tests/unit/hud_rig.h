@@ -62,6 +62,19 @@ protected:
     std::optional<render::Renderer> renderer;
 };
 
+/// Draws an arena: a DrawingTest with the meshes of the court.
+class ArenaDrawingTest : public DrawingTest {
+protected:
+    using DrawingTest::DrawingTest;
+    void SetUp() override {
+        DrawingTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        arena_scene = make_arena_scene(*renderer, *match_data());
+    }
+
+    ArenaScene arena_scene;
+};
+
 /// Places a wizard with the feet at a position, looking at a point.
 inline void stand(Picture& p, const WizardRules& rules, std::uint32_t player, vec3 feet, vec3 at) {
     auto& w = p.wizards[player];

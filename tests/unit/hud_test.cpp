@@ -18,13 +18,11 @@ namespace {
 
 // ---- drawn ------------------------------------------------------------------------------------------------
 
-class Drawn : public DrawingTest {
+class Drawn : public ArenaDrawingTest {
 protected:
-    Drawn() : DrawingTest(size) {}
+    Drawn() : ArenaDrawingTest(size) {}
     void SetUp() override {
-        DrawingTest::SetUp();
-        if (IsSkipped() || HasFatalFailure()) return;
-        arena_scene = make_arena_scene(*renderer, *match_data());
+        ArenaDrawingTest::SetUp();
         picture = picture_of(*new_match());
     }
 
@@ -61,7 +59,6 @@ protected:
 
     static HudSettings split(render::Split s) { return {.split = s}; }
 
-    ArenaScene arena_scene;
     Picture picture;
     FrameMemory memory;
 };

@@ -55,7 +55,7 @@ TEST(TakePicture, HoldsTheLookOfAMoment) {
 
 TEST(TakePicture, APressOfStirAFewStepsFromTheRimIsSeenInThePictureOnly) {
     const auto reach = match_data()->arena.bowl->size.radius + match_data()->cauldron->ladle.reach;
-    // What is seen of a wizard who stands so far beyond the place where stirring begins (m).
+    // Returns the picture of a wizard who stands `beyond` metres outside the place where stirring begins.
     const auto seen = [&](double beyond, bool presses) {
         const auto match = new_match();
         const auto middle = match->world().single<Cauldron>().middle;

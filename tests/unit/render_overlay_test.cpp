@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 
+#include "core/utf8.h"
 #include "render/context.h"
 #include "render/detail/batches.h"
 #include "render/detail/shapes2d.h"

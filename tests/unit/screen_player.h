@@ -9,7 +9,7 @@
 
 namespace thaum::app::screen {
 
-/// What the player's hands do until the next look at the screen.
+/// State of the player's hands until the next look at the screen: keys, buttons and mouse.
 struct Hands {
     std::set<std::string>
         held{};      ///< controls that are down, by their names on the screen: "W", "Left mouse"
@@ -28,7 +28,7 @@ struct Learnt {
 /// Time between two looks at the screen (ticks).
 inline constexpr Tick look_period = 16;
 
-/// What the player chooses rows of a menu with.
+/// Device with which the player chooses the rows of a menu.
 enum class MenuHand : std::uint8_t { mouse, keys };
 
 class Player {

@@ -207,7 +207,7 @@ void ScreenPlayer::do_apprentice() {
     part("way out of the Apprentice");
 }
 
-/// From the first start to the begin of a match against the bot.
+/// Plays from the first start until a match against the bot begins.
 void ScreenPlayer::reach_duel() {
     pass_start_screen();
     ASSERT_TRUE(session_->next().is_apprentice()) << "the first start leads to the Apprentice";

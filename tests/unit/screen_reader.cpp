@@ -147,7 +147,7 @@ double height_of(const game::ShapeKey& key) {
     }
 }
 
-/// What a person calls a surface.
+/// Name by which a person calls a surface.
 std::string_view name_of(game::Surface surface) {
     return surface == game::Surface::bowl ? "cauldron"
                                           : game::surface_names.at(static_cast<std::size_t>(surface));

@@ -73,7 +73,7 @@ struct Screen {
     bool has_words(Part part) const;
 };
 
-/// What the renderer shows of a session: its newest picture and screen, and the match for hiding one thing by
+/// Parts of a session that the renderer shows: its newest picture and screen, and the match for hiding one thing by
 /// another. `match` is null on the start screen.
 struct Shown {
     const game::Picture& picture;
@@ -83,7 +83,7 @@ struct Shown {
     render::Size size{};
 };
 
-/// What player 1 sees.
+/// Returns the screen as player 1 sees it.
 Screen look_at(const Shown& shown);
 
 }  // namespace thaum::app::screen

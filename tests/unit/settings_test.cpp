@@ -1,5 +1,6 @@
 // Tests of the settings and of the names of logs.
 #include "game/app/settings.h"
+#include "core/utf8.h"
 
 #include <gtest/gtest.h>
 
@@ -241,7 +242,7 @@ TEST(Settings, ATypedNameGrowsAndShrinksByCharacters) {
     for (const char32_t c : std::u32string(U" Zo\u00EB\n \u05D0x")) name = with_character(name, c);
     EXPECT_EQ(name, "Zoë x");
     for (int i = 0; i < 30; ++i) name = with_character(name, U'\u0416');
-    EXPECT_EQ(render::decode_utf8(name).size(), longest_name);
+    EXPECT_EQ(decode_utf8(name).size(), longest_name);
     EXPECT_TRUE(player_name(name));
     for (std::size_t i = 0; i < longest_name; ++i) name = without_last(name);
     EXPECT_EQ(without_last(name), "");
