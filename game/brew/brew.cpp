@@ -74,9 +74,13 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.niche_again = ticks(table.number("niche_again_s", {0, 3600}));
 }
 
-Ingredient read_ingredient(const ConfigTable& table) {
-    return {.name = table.string("name"),
+/// `look` has the ingredient's shape under its name. It is a table of its own, since a log hashes the ingredients.
+Ingredient read_ingredient(const ConfigTable& table, const ConfigTable& look) {
+    const std::vector<std::string_view> shapes{"heap", "crystals", "ingots", "drops", "feathers", "cloud"};
+    const auto name = table.string("name");
+    return {.name = name,
             .colour = table.vector("colour", share),
+            .shape = static_cast<IngredientShape>(look.choice(name, shapes, 0)),
             .substance = {.viscosity = table.number("viscosity_m2_s", viscosity),
                           .weight = table.number("weight", {-1, 10}),
                           .diffusion = table.number("diffusion_m2_s", {0, 1})}};
@@ -100,7 +104,9 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .boon = read_boon(root.table("boon")),
         .ingredients = {}};
     read_brewing(root.table("brewing"), rules);
-    for (const auto& table : root.tables("ingredient")) rules.ingredients.push_back(read_ingredient(table));
+    const auto look = root.table("look");
+    for (const auto& table : root.tables("ingredient"))
+        rules.ingredients.push_back(read_ingredient(table, look));
     if (rules.ingredients.empty()) root.report("ingredient", "there must be an ingredient at least");
     return rules;
 }

@@ -123,21 +123,12 @@ void add_owner(const ArenaScene& arena_scene, const Picture& picture, std::vecto
 
 }  // namespace
 
-void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float scale, fvec3 paint,
-                    std::vector<Instance>& out) {
-    constexpr float radius = 0.14F;
-    for (const fvec3 off : {fvec3(0, 0, 0), fvec3(0.16F, -0.08F, 0.05F), fvec3(-0.12F, -0.07F, 0.12F)})
-        out.push_back(
-            bead_at(arena_scene, vec3(place * fvec4(scale * off, 1)), scale * radius, paint, 0.55F));
-}
-
 void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
-    constexpr float height = 0.5F;
     for (const auto& niche : picture.niches) {
         const auto at = render::translated(fvec3(niche.position));
-        out.push_back({.mesh = arena_scene.contact, .model = glm::scale(at, fvec3(0.4F, 1, 0.4F))});
         if (niche.there)
-            add_ingredient(arena_scene, at * render::translated({0, height, 0}), 1, niche.colour, out);
+            add_ingredient(arena_scene, at * render::translated({0, niche_height, 0}), 1, niche.shape,
+                           niche.colour, out);
     }
 }
 

@@ -21,7 +21,7 @@ constexpr double most_lower = 0.06;  ///< greatest shown displacement downwards 
 constexpr double foe_growth = 3.5, own_growth = 1.2;
 /// A carried ingredient: its place above a player's own wand hand, which is in the picture of every shape of view (eye
 /// frame), its place in the free hand that the other player sees (frame of the feet), and its scales.
-constexpr fvec3 carried_at{0.27F, -0.14F, -0.6F}, foe_carried_at{-0.37F, 0.99F, -0.16F};
+constexpr fvec3 carried_at{0.27F, -0.14F, -0.6F}, foe_carried_at{-0.42F, 1.0F, -0.27F};
 constexpr float carried_scale = 0.15F, foe_carried_scale = 0.45F;
 
 /// Displacement at which a player's own wand is drawn, of a displacement by its hand (m, eye frame). The hand rests near
@@ -97,7 +97,7 @@ void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerP
         const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
         add_ingredient(arena_scene,
                        render::translated(feet) * looking(p.yaw, 0) * render::translated(foe_carried_at),
-                       foe_carried_scale, p.carried_colour, out);
+                       foe_carried_scale, p.carried_shape, p.carried_colour, out);
     }
     if (p.shielded) {
         const auto slowly = looking(0.8 * time, 0);
@@ -120,8 +120,8 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
     }
     set_sun(arena_scene, p.eye, std::span(out).subspan(first));
     if (!p.carries.empty())
-        add_ingredient(arena_scene, eye * render::translated(carried_at), carried_scale, p.carried_colour,
-                       out);
+        add_ingredient(arena_scene, eye * render::translated(carried_at), carried_scale, p.carried_shape,
+                       p.carried_colour, out);
 }
 
 namespace {

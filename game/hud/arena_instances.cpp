@@ -148,6 +148,10 @@ void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, s
         const double height = thing.key.shape == physics::Shape::sphere ? size.x : size.y;
         add_contact_shade(arena_scene, thing.position, 1.35 * std::hypot(size.x, size.z), height, out);
     }
+    for (const auto& niche : picture.niches) {
+        const auto centre = niche.position + vec3(0, niche_height, 0);
+        if (niche.there) add_contact_shade(arena_scene, centre, 0.4, 0.3, out);
+    }
     for (const auto& p : picture.wizards) {
         if (!p.dead) add_contact_shade(arena_scene, p.centre, 0.85, arena_scene.wizard_height / 2, out);
     }

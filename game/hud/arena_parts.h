@@ -45,9 +45,12 @@ void add_missile(const ArenaScene& arena_scene, const Picture& picture, const Mi
                  std::uint32_t viewer, std::vector<render::Instance>& out);
 void add_burst(const ArenaScene& arena_scene, const Picture& picture, const BurstPicture& burst,
                std::uint32_t viewer, std::vector<render::Instance>& out);
-/// Adds an ingredient: a heap of three balls about its place. `scale` is 1 in a niche.
-void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float scale, fvec3 paint,
-                    std::vector<render::Instance>& out);
+/// Adds an ingredient about its place (ingredient_shapes.h). `scale` is 1 in a niche, `paint` its colour (linear
+/// light).
+void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float scale, IngredientShape shape,
+                    fvec3 paint, std::vector<render::Instance>& out);
+/// Height of an ingredient above the ground of its niche (m).
+inline constexpr float niche_height = 0.5F;
 /// Adds the ingredients that wait at their niches.
 void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
 /// Adds the brew with ladles, embers and bubbles.

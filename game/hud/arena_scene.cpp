@@ -6,6 +6,7 @@
 #include "game/hud/decoration.h"
 #include "game/hud/figures.h"
 #include "game/hud/furniture.h"
+#include "game/hud/ingredient_shapes.h"
 #include "game/hud/masonry.h"
 
 namespace thaum::game {
@@ -145,6 +146,9 @@ void add_effects(render::Renderer& renderer, ArenaScene& arena_scene) {
     arena_scene.beam = renderer.upload_with_copies(beam_of_light());
     arena_scene.bead = renderer.upload_with_copies(render::sphere(1, 8, fvec3(1)));
     arena_scene.ember = renderer.upload_with_copies(render::sphere(1, 5, colour(0xFFA040)));
+    for (std::size_t i = 0; i < ingredient_shapes; ++i)
+        arena_scene.ingredients[i] =
+            renderer.upload_with_copies(ingredient_mesh(static_cast<IngredientShape>(i)));
     arena_scene.contact = renderer.upload_with_copies(contact_shade(0.42F));
 }
 

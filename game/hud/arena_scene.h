@@ -54,7 +54,8 @@ struct ArenaScene {
     std::vector<render::MeshId> wands;  ///< by number of the wand, as in Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
     render::MeshId beam{}, bead{};  ///< white meshes: 1 m along -z with radius 1 m; a ball of radius 1 m
-    render::MeshId contact{};       ///< contact shade below things and wizards
+    std::array<render::MeshId, ingredient_shapes> ingredients{};  ///< by IngredientShape; white
+    render::MeshId contact{};                                     ///< contact shade below things and wizards
     /// Meshes for things that the arena does not have, by physics::Shape.
     std::array<render::MeshId, 4> unit_shapes{};
     PowerUpMeshes power_ups;

@@ -168,14 +168,17 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
     const auto& ingredient = rules->ingredients[pouch->ingredient];
     out.carries = ingredient.name;
     out.carried_colour = fvec3(ingredient.colour);
+    out.carried_shape = ingredient.shape;
 }
 
 void take_niches(const Simulation& match, Picture& out) {
     out.niches.clear();
     match.world().view<const Niche, const Motion>().each([&](const Niche& niche, const Motion& motion) {
-        out.niches.push_back({motion.position,
-                              fvec3(match.data().cauldron->ingredients[niche.ingredient].colour),
-                              match.match().played >= niche.back_at});
+        const auto& ingredient = match.data().cauldron->ingredients[niche.ingredient];
+        out.niches.push_back({.position = motion.position,
+                              .colour = fvec3(ingredient.colour),
+                              .shape = ingredient.shape,
+                              .there = match.match().played >= niche.back_at});
     });
 }
 

@@ -58,6 +58,7 @@ struct BurstPicture {
 struct NichePicture {
     vec3 position{};  ///< position on the ground
     fvec3 colour{};   ///< colour of the ingredient, linear light
+    IngredientShape shape{};
     bool there{};
 };
 
@@ -118,10 +119,11 @@ struct PlayerPicture {
     Event gift{};                ///< the event of since_gift_s
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
     fvec3 carried_colour{};      ///< its colour, linear light
-    bool refilled{};             ///< true while stirring refills the wands
-    bool stirs{};                ///< true if the player holds a ladle
-    bool at_rim{};               ///< true if the player can start to stir
-    bool misses_rim{};           ///< true if the player presses Stir a few steps away from the rim
+    IngredientShape carried_shape{};
+    bool refilled{};    ///< true while stirring refills the wands
+    bool stirs{};       ///< true if the player holds a ladle
+    bool at_rim{};      ///< true if the player can start to stir
+    bool misses_rim{};  ///< true if the player presses Stir a few steps away from the rim
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
     vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)

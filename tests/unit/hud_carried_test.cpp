@@ -1,7 +1,8 @@
-// Tests of the carried ingredient: it is seen above the player's own hand and in the other wizard's.
+// Tests of ingredients in the picture: above the player's own hand, in the other wizard's hand, and in their niches.
 #include <algorithm>
 
 #include "game/context/match_context.h"
+#include "game/hud/ingredient_shapes.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {
@@ -20,14 +21,26 @@ protected:
         stand(picture, match_data()->wizard, 0, {0, 0, 12}, {0, 1.5, 0});
     }
 
-    /// Balls of iron's colour in a player's view.
-    std::vector<render::Instance> balls(std::uint32_t viewer) const {
+    /// Ingredients of iron's colour in a player's view.
+    std::vector<render::Instance> carried(std::uint32_t viewer) const {
         std::vector<render::Instance> instances;
         add_instances(arena_scene, picture, viewer, instances);
         std::erase_if(instances, [&](const auto& one) {
-            return one.mesh != arena_scene.bead || glm::distance(one.tint, iron) > 1e-3F;
+            return glm::distance(one.tint, iron) > 1e-3F ||
+                   std::find(arena_scene.ingredients.begin(), arena_scene.ingredients.end(), one.mesh) ==
+                       arena_scene.ingredients.end();
         });
         return instances;
+    }
+
+    /// Expects that a point (m, eye frame) is near the wand hand, in the picture of every shape of view.
+    static void expect_near_hand(vec3 point) {
+        EXPECT_LT(glm::distance(point, vec3(own_hand)), 0.25);
+        for (const double aspect : {320.0 / 480, 640.0 / 720, 1280.0 / 720, 1280.0 / 360, 2560.0 / 540}) {
+            const double tall = std::tan(field_of_view(HudSettings{}.fov, aspect) / 2);
+            EXPECT_LT(std::abs(point.y) / -point.z, tall) << aspect;
+            EXPECT_LT(std::abs(point.x) / -point.z, tall * aspect) << aspect;
+        }
     }
 
     Picture picture;
@@ -35,28 +48,24 @@ protected:
 
 TEST_F(Carried, IngredientIsInThePictureOfEveryShapeOfView) {
     auto& wizard = picture.wizards[0];
-    EXPECT_TRUE(balls(0).empty());
+    EXPECT_TRUE(carried(0).empty());
     wizard.carries = "iron";
     wizard.carried_colour = iron;
-    const auto seen = balls(0);
-    ASSERT_EQ(seen.size(), 3U) << "the heap that lies in a niche";
-    for (const auto& ball : seen) {
-        const vec3 place =
-            glm::inverse(look_rotation(wizard.yaw, wizard.pitch)) * (vec3(fvec3(ball.model[3])) - wizard.eye);
-        const double radius = glm::length(fvec3(ball.model[0]));
-        EXPECT_LT(glm::distance(place, vec3(own_hand)), 0.2) << "near the wand hand";
-        EXPECT_LT(radius, 0.05) << "small";
-        for (const double aspect : {320.0 / 480, 640.0 / 720, 1280.0 / 720, 1280.0 / 360, 2560.0 / 540}) {
-            const double tall = std::tan(field_of_view(HudSettings{}.fov, aspect) / 2);
-            EXPECT_LT((std::abs(place.y) + radius) / -place.z, tall) << aspect;
-            EXPECT_LT((std::abs(place.x) + radius) / -place.z, tall * aspect) << aspect;
-        }
+    for (std::size_t shape = 0; shape < ingredient_shapes; ++shape) {
+        SCOPED_TRACE(shape);
+        wizard.carried_shape = static_cast<IngredientShape>(shape);
+        const auto seen = carried(0);
+        ASSERT_EQ(seen.size(), 1U);
+        EXPECT_EQ(seen[0].mesh, arena_scene.ingredients[shape]);
+        const auto to_eye = glm::inverse(look_rotation(wizard.yaw, wizard.pitch));
+        for (const auto& vertex : ingredient_mesh(wizard.carried_shape).vertices)
+            expect_near_hand(to_eye * (vec3(seen[0].model * fvec4(vertex.position, 1)) - wizard.eye));
     }
     wizard.dead = true;
-    EXPECT_TRUE(balls(0).empty());
+    EXPECT_TRUE(carried(0).empty());
 }
 
-TEST(TakePicture, HoldsNameAndColourOfTheCarriedIngredient) {
+TEST(TakePicture, HoldsNameColourAndShapeOfTheCarriedIngredient) {
     const auto match = new_match();
     EXPECT_TRUE(picture_of(*match).wizards[1].carries.empty());
     auto& world = match->world_to_change();
@@ -64,6 +73,7 @@ TEST(TakePicture, HoldsNameAndColourOfTheCarriedIngredient) {
     const auto picture = picture_of(*match);
     EXPECT_EQ(picture.wizards[1].carries, "iron");
     EXPECT_LT(glm::distance(picture.wizards[1].carried_colour, iron), 1e-3F);
+    EXPECT_EQ(picture.wizards[1].carried_shape, IngredientShape::ingots);
     EXPECT_TRUE(picture.wizards[0].carries.empty());
 }
 
@@ -71,15 +81,27 @@ TEST_F(Carried, IngredientIsInTheOtherWizardsHand) {
     auto& foe = picture.wizards[1];
     foe.carries = "iron";
     foe.carried_colour = iron;
-    const auto seen = balls(0);
-    ASSERT_EQ(seen.size(), 3U);
-    for (const auto& ball : seen) {
-        const double away = glm::distance(vec3(fvec3(ball.model[3])), foe.centre);
-        EXPECT_GT(away, 0.25) << "not hidden in the robe";
-        EXPECT_LT(away, 0.6);
-    }
+    const auto seen = carried(0);
+    ASSERT_EQ(seen.size(), 1U);
+    const double away = glm::distance(vec3(fvec3(seen[0].model[3])), foe.centre);
+    EXPECT_GT(away, 0.25) << "not hidden in the robe";
+    EXPECT_LT(away, 0.6);
     foe.dead = true;
-    EXPECT_TRUE(balls(0).empty());
+    EXPECT_TRUE(carried(0).empty());
+}
+
+TEST_F(Carried, AShadeLiesBelowEachIngredientThatWaits) {
+    picture.things.clear();
+    for (auto& wizard : picture.wizards) wizard.dead = true;
+    picture.niches = {{.position = {4.5, 0, 0}, .there = true}, {.position = {7, 0, 0}}};
+    std::vector<render::Instance> shades, lit;
+    add_contact_shades(arena_scene, picture, shades);
+    ASSERT_EQ(shades.size(), 1U);
+    EXPECT_NEAR(shades[0].model[3].x, 4.5F, 1e-4F);
+    add_instances(arena_scene, picture, 0, lit);
+    EXPECT_TRUE(std::none_of(lit.begin(), lit.end(), [&](const auto& one) {
+        return one.mesh == arena_scene.contact;
+    })) << "a shade among lit things is a white sheet on the ground";
 }
 
 }  // namespace

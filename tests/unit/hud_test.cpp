@@ -313,6 +313,7 @@ TEST_F(Drawn, InTheWellNothingIsSeenThroughStone) {
 
 TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     picture.things.clear();
+    picture.niches.clear();
     picture.wizards[1].dead = true;
     const auto shades_at = [&](vec3 feet) {
         picture.wizards[0].centre = feet + vec3(0, match_data()->wizard.height / 2, 0);
