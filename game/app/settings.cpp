@@ -285,9 +285,9 @@ std::span<const Setting> all_settings() {
         {"frames_per_second", "Frame rate limit", "Draws at most this many pictures a second.",
          Number{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
         {"countdown_s", "Countdown", "Counts down these seconds before a match begins.",
-         WholeOf<Settings>{&Settings::countdown_s, 0, 10, 1}, true},
+         WholeOf<Settings>{&Settings::countdown_s, 0, 10, 1, " s"}, true},
         {"logs_kept", "Recordings to keep", "Keeps this many recorded matches, and deletes older ones.",
-         WholeOf<Settings>{&Settings::logs_kept, 1, 100000, 10}},
+         WholeOf<Settings>{&Settings::logs_kept, 1, 100000, 10, ""}},
     };
     return settings;
 }
@@ -346,6 +346,7 @@ std::string shown(const SettingOf<Of>& setting, const Of& values) {
         const double value = std::round(values.*n->value * n->shown_times * 100) / 100;
         return text(value, n->unit);
     }
+    if (const auto* w = std::get_if<WholeOf<Of>>(&setting.kind)) return text(values.*w->value, w->unit);
     if (const auto* f = std::get_if<FlagOf<Of>>(&setting.kind)) return values.*f->value ? "yes" : "no";
     if (const auto* c = std::get_if<ChoiceOf<Of>>(&setting.kind)) {
         std::string name(c->names[c->get(values)]);

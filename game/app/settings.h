@@ -122,6 +122,7 @@ template <class Of>
 struct WholeOf {
     int Of::*value{};
     int low{}, high{}, step{};
+    std::string_view unit{};  ///< unit on the settings page
 };
 template <class Of>
 struct FlagOf {

@@ -515,6 +515,18 @@ TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     }
 }
 
+TEST(Settings, AreShownWithTheirUnits) {
+    const auto shown_as = [](std::string_view key) {
+        const auto all = all_settings();
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& setting) { return setting.key == key; });
+        return found == all.end() ? std::string() : shown(*found, Settings());
+    };
+    EXPECT_EQ(shown_as("countdown_s"), "3 s");
+    EXPECT_EQ(shown_as("logs_kept"), text(Settings().logs_kept));
+    EXPECT_EQ(shown_as("fov_deg"), text(Settings().fov, "\u00B0"));
+}
+
 /// Sets environment variables during one test.
 class Environment {
 public:
