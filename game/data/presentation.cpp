@@ -34,6 +34,7 @@ EventRow read_row(const ConfigTable& table) {
     row.caption = read_words(table, "caption", "");
     row.feed = read_words(table, "feed", "");
     row.feed_alone = read_words(table, "feed_alone", row.feed);
+    row.feed_fall = read_words(table, "feed_fall", row.feed_alone);
     row.sound = table.string("sound", "");
     row.tactile = table.string("tactile", "");
     return row;

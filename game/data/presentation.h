@@ -9,6 +9,7 @@
 //     caption = ""      # words of the mark
 //     feed = ""         # line in the feed of all players
 //     feed_alone = ""   # that line if nobody else caused the event
+//     feed_fall = ""    # that line if nobody did, only a fall; default: feed_alone
 //     sound = ""        # name of a sound; not used yet
 //     tactile = ""      # name of an effect on the hand; not used yet
 //
@@ -48,7 +49,7 @@ std::vector<WordsPiece> pieces_of(std::string_view pattern);
 /// How one kind of event is shown.
 struct EventRow {
     HudMark mark{};
-    std::string caption, feed, feed_alone;
+    std::string caption, feed, feed_alone, feed_fall;
     std::string sound, tactile;
 };
 

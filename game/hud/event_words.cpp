@@ -39,6 +39,15 @@ std::string word_of(EventWord word, const Event& event, const PlayerNames& names
 
 }  // namespace
 
+bool is_alone(const Event& event) { return event.by >= players || event.by == event.subject; }
+
+const std::string& feed_pattern(const EventRow& row, const Event& event) {
+    if (!is_alone(event)) return row.feed;
+    const bool about_cause = info_of(event.kind).with == EventWith::cause;
+    const bool fell = about_cause && event.detail == static_cast<std::uint32_t>(EventKind::fall);
+    return fell ? row.feed_fall : row.feed_alone;
+}
+
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
                         std::string_view thing) {
     std::string out;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "game/components/match.h"
+#include "game/data/presentation.h"
 #include "game/hud/figures.h"
 
 namespace thaum::game {
@@ -12,6 +13,11 @@ namespace thaum::game {
 /// `thing` is the thing that caused the event, such as "barrel"; empty: no thing.
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
                         std::string_view thing = {});
+
+/// Whether nobody but the player concerned caused the event.
+bool is_alone(const Event& event);
+/// The feed's pattern for an event: of another player's deed, of nobody's, or of a mere fall.
+const std::string& feed_pattern(const EventRow& row, const Event& event);
 
 /// A name with its first letter large.
 std::string capitalised(std::string_view name);

@@ -108,8 +108,8 @@ void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, co
          ++i) {
         const auto& fed = picture.feed[i];
         const auto& row = row_of(picture.shown->events, fed.event.kind);
-        const bool alone = fed.event.by >= players || fed.event.by == fed.event.subject;
-        const auto words = event_words(alone ? row.feed_alone : row.feed, fed.event, names, fed.thing);
+        const bool alone = is_alone(fed.event);
+        const auto words = event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing);
         const auto who = alone ? fed.event.subject : fed.event.by;
         add_text_in(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
                     opaque(team_colours(who).light), left ? Align::left : Align::right);

@@ -92,6 +92,21 @@ TEST(Feed, NamesTheThingThatKilled) {
     EXPECT_EQ(event_words("{cause}", death_by_thing(0), {}), "blow");
 }
 
+/// Line of the feed for a death.
+std::string death_line(std::uint32_t by, EventKind cause) {
+    const auto& row = row_of(match_data()->presentation->events, EventKind::death);
+    const Event event{
+        .kind = EventKind::death, .subject = 0, .by = by, .detail = static_cast<std::uint32_t>(cause)};
+    return event_words(feed_pattern(row, event), event, {});
+}
+
+TEST(Feed, DoesNotNameAFallTwice) {
+    EXPECT_EQ(death_line(no_player, EventKind::fall), "Ember fell");
+    EXPECT_EQ(death_line(0, EventKind::fall), "Ember fell");
+    EXPECT_EQ(death_line(no_player, EventKind::spoilt), "Ember fell (brew)");
+    EXPECT_EQ(death_line(1, EventKind::fall), "Tide  \u25B8 fall \u25B8  Ember") << "pushed";
+}
+
 TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
     auto match = new_match();
     auto& context = match->context_to_change();
