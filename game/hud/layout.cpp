@@ -204,6 +204,15 @@ Panel lesson_of(const ViewLayout& view) {
     return {{view.centre.x + view.ring + u * edge, top}, {view.feed.high.x, bottom}};
 }
 
+/// The seconds to the start are as large as the smallest ring allows.
+float count_size_of(const std::array<std::optional<ViewLayout>, players>& views) {
+    float ring = 0;
+    for (const auto& view : views) {
+        if (view) ring = ring == 0 ? view->ring : std::min(ring, view->ring);
+    }
+    return std::floor(1.2F * ring);
+}
+
 constexpr float smallest_words = 4;        // smallest em of the typeface (px)
 constexpr float widest_character = 1.12F;  // em
 
@@ -283,6 +292,7 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
         if (how.alone) out.lesson = lesson_of(*out.views[how.player]);
     }
     place_shared(how, window, out);
+    out.count_size = count_size_of(out.views);
     return out;
 }
 

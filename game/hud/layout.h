@@ -37,6 +37,7 @@ struct HudLayout {
     Panel score;
     Panel notices;                ///< lines for both players
     std::optional<Panel> lesson;  ///< words of the Apprentice's step; std::nullopt: there are two views
+    float count_size{};           ///< em of the seconds to the start, the same in all views (px)
     float lesson_size{};          ///< em of these words where they have room (px)
     std::optional<ReplayBarLayout> replay{};
 };

@@ -440,19 +440,19 @@ void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
 }
 
 /// Adds the seconds to the start in place of the crosshair.
-void add_countdown(Overlay& out, int seconds, const ViewLayout& l) {
-    const float size = std::floor(1.2F * l.ring);
+void add_countdown(Overlay& out, int seconds, float size, const ViewLayout& l) {
     add_text(out, text(seconds), l.centre - fvec2(0, 0.7F * size), size, paints.white, Align::centre);
 }
 
 }  // namespace
 
 void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
-                      const ViewLayout& l) {
+                      const HudLayout& layout) {
+    const auto& l = *layout.views[player];
     const auto& p = picture.wizards[player];
     const int count = seconds_to_start(picture);
     const bool plays = picture.phase == Phase::playing && !picture.paused && count == 0;
-    if (count > 0) add_countdown(out, count, l);
+    if (count > 0) add_countdown(out, count, layout.count_size, l);
     if (plays && p.dead) add_death(out, p, l);
     if (plays && !p.dead) {
         add_crosshair(out, picture, player, l);

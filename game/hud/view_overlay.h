@@ -5,7 +5,8 @@
 
 namespace thaum::game {
 
+/// `layout` must have a view of the player.
 void add_view_overlay(render::Overlay& out, const Picture& picture, const HudSettings& settings,
-                      std::uint32_t player, const ViewLayout& layout);
+                      std::uint32_t player, const HudLayout& layout);
 
 }  // namespace thaum::game

@@ -140,7 +140,7 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
 /// Adds what players see while they play: the overlays of the views, the score and the lesson.
 void add_play(Overlay& out, const Picture& picture, const HudSettings& settings, const HudLayout& layout) {
     for (std::uint32_t player = 0; player < players; ++player) {
-        if (layout.views[player]) add_view_overlay(out, picture, settings, player, *layout.views[player]);
+        if (layout.views[player]) add_view_overlay(out, picture, settings, player, layout);
     }
     const auto& practice = picture.practice;
     const auto& controls = settings.controls[0];

@@ -1,5 +1,7 @@
 // Tests of what the HUD says about a moment: the count to the start, what killed, what the hand feels, and the way of
 // a drawn shot.
+#include <set>
+
 #include "game/context/hand_forces.h"
 #include "game/hud/event_words.h"
 #include "game/hud/felt_source.h"
@@ -40,6 +42,25 @@ TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     ASSERT_NE(number, nullptr);
     EXPECT_GT(number->size, 20);
     EXPECT_FALSE(has_text(overlay, "[E] Stir"));
+}
+
+TEST(Countdown, IsEquallyLargeInBothViews) {
+    auto picture = picture_of(*new_match());
+    picture.countdown = 8;
+    for (const auto split : {render::Split::top_bottom, render::Split::side_by_side}) {
+        for (const double scale : {1.0, 2.5}) {
+            std::set<float> sizes;
+            std::size_t shown = 0;
+            for (const auto& item : overlay_of(picture, {.split = split, .text_scale = scale}).items) {
+                const auto* words = std::get_if<render::TextItem>(&item);
+                if (words == nullptr || words->text != "8") continue;
+                sizes.insert(words->size);
+                ++shown;
+            }
+            EXPECT_EQ(shown, 4U) << "each with its shadow";
+            EXPECT_EQ(sizes.size(), 1U) << scale;
+        }
+    }
 }
 
 TEST(Messages, SayThatTheRimIsTooFar) {
