@@ -208,10 +208,9 @@ void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, c
     const auto words = words_below(picture, p, l);
     const bool warned = !warning_of(picture, p).empty();
     const float top = l.centre.y + warning_top * pen.unit, half = 0.9F * l.ring;
-    if (!words.empty())
-        add_text_in(out, {{l.centre.x - half, top}, {l.centre.x + half, l.centre.y + l.ring}}, words,
-                    (warned ? warning_size : 11.0F) * l.unit, warned ? paints.light_red : paints.soft,
-                    Align::centre);
+    const Panel box{{l.centre.x - half, top}, {l.centre.x + half, l.centre.y + l.ring}};
+    const auto lines = fit(words, (warned ? warning_size : 11.0F) * l.unit, box.high - box.low);
+    if (!words.empty()) add_plate(out, box, top, lines, warned ? paints.light_red : paints.white);
 }
 
 /// Direction of a vector in the player's view, clockwise from straight ahead (rad).

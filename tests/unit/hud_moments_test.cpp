@@ -5,6 +5,7 @@
 #include "game/context/hand_forces.h"
 #include "game/hud/event_words.h"
 #include "game/hud/felt_source.h"
+#include "game/hud/layout.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {
@@ -60,6 +61,24 @@ TEST(Countdown, IsEquallyLargeInBothViews) {
             EXPECT_EQ(shown, 4U) << "each with its shadow";
             EXPECT_EQ(sizes.size(), 1U) << scale;
         }
+    }
+}
+
+TEST(Crosshair, SaysTheMassOfAThingOnAPlate) {
+    auto picture = picture_of(*new_match());
+    auto& target = picture.wizards[0].target;
+    for (const auto& [share, words] : {std::pair{0.1, "light"}, {0.4, "medium"}, {0.9, "heavy"}}) {
+        target = {.kind = TargetKind::take, .mass_share = share};
+        const auto overlay = overlay_of(picture);
+        const auto* label = text_item(overlay, words);
+        ASSERT_NE(label, nullptr);
+        EXPECT_TRUE(std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
+            const auto* plate = std::get_if<render::RectItem>(&item);
+            const float half = width_of(words, label->size) / 2;
+            return plate != nullptr && plate->colour.a > 0.7F && plate->low.x < label->position.x - half &&
+                   plate->high.x > label->position.x + half && plate->low.y <= label->position.y &&
+                   plate->high.y >= label->position.y + label->size;
+        })) << words;
     }
 }
 
