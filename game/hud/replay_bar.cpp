@@ -15,8 +15,9 @@ using render::Overlay;
 using render::RectItem;
 
 // Sizes in units.
-constexpr float side_room = 10, row_high = 17, track_high = 18, keys_high = 15, row_gap = 2;
-constexpr float band_high = 3 * row_gap + row_high + track_high + keys_high + row_gap;
+constexpr float side_room = 10, row_high = 17, track_high = 18, key_words = 10.5F, keys_high = 15,
+                row_gap = 2;
+constexpr int keys_lines_most = 3;
 constexpr float line_high = 6, knob_wide = 5, mark_radius = 5.5F;
 constexpr float least_wide = 260;       // width that every window has at least
 constexpr float largest_share = 0.22F;  // largest share of the window's height
@@ -80,14 +81,41 @@ void add_track(Overlay& out, const ReplayBar& bar, Tick now, const ReplayBarLayo
 
 }  // namespace
 
+namespace {
+
+/// Size of a bar with some lines of keys.
+struct BarSize {
+    int lines{};
+    float unit{};   ///< length of a unit (px)
+    float words{};  ///< em of the keys (px)
+    float high() const { return 4 * row_gap + row_high + track_high + static_cast<float>(lines) * keys_high; }
+};
+
+/// The fewest lines with the largest words on the keys. A line that is not the only one is seldom full.
+BarSize size_of_bar(float wanted, float wide, float high) {
+    constexpr float full = 0.85F;
+    BarSize best;
+    for (int lines = 1; lines <= keys_lines_most; ++lines) {
+        BarSize bar{.lines = lines};
+        bar.unit = std::min({wanted, high * largest_share / bar.high(), wide / least_wide});
+        const float room = static_cast<float>(lines) * (wide - 2 * side_room * bar.unit);
+        bar.words = std::min(key_words * bar.unit, (lines > 1 ? full : 1) * room / replay_keys_wide);
+        if (best.lines == 0 || bar.words > 1.02F * best.words) best = bar;
+    }
+    return best;
+}
+
+}  // namespace
+
 ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window) {
     const auto w = static_cast<float>(window.width), h = static_cast<float>(window.height);
     const float wanted =
         std::max(0.4F, std::min(w / usual_wide, h / usual_high)) * static_cast<float>(text_scale);
+    const auto bar = size_of_bar(wanted, w, h);
     ReplayBarLayout l;
-    l.unit = std::min({wanted, h * largest_share / band_high, w / least_wide});
+    l.unit = bar.unit;
     const float u = l.unit, left = std::min(side_room * u, w / 4), right = w - left;
-    l.band = {{0, h - band_high * u}, {w, h}};
+    l.band = {{0, h - bar.high() * u}, {w, h}};
     float y = l.band.low.y + row_gap * u;
     const float middle = left + 0.3F * (right - left);
     l.clock = {{left, y}, {middle, y + row_high * u}};
@@ -95,7 +123,7 @@ ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window) {
     y += (row_high + row_gap) * u;
     l.track = {{left, y}, {right, y + track_high * u}};
     y += (track_high + row_gap) * u;
-    l.keys = {{left, y}, {right, y + keys_high * u}};
+    l.keys = {{left, y}, {right, y + static_cast<float>(bar.lines) * keys_high * u}};
     return l;
 }
 
@@ -113,7 +141,7 @@ void add_replay_bar(Overlay& out, const ReplayBar& bar, Tick now, const ReplayBa
     add_text_in(out, l.clock, text(clock_of(now), ".", tenth, " / ", clock_of(bar.length)), size,
                 paints.white, Align::left);
     add_text_in(out, l.state, state_words(bar, now), size, paints.white, Align::right);
-    add_text_in(out, l.keys, bar.keys, 10.5F * l.unit, paints.soft, Align::centre);
+    add_text_in(out, l.keys, bar.keys, key_words * l.unit, paints.soft, Align::centre);
 }
 
 }  // namespace thaum::game

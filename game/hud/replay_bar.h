@@ -36,6 +36,9 @@ struct ReplayBarLayout {
     Panel track;  ///< the line of time with its marks; also where the mouse acts
     Panel keys;
 };
+/// Greatest width of the words on the keys in one line (em).
+inline constexpr float replay_keys_wide = 80;
+/// Where one line of keys would be smaller than the rest of the bar, the keys have up to three lines.
 ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window);
 
 /// The tick at a place on the track, from 0 to `length`.

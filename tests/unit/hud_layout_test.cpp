@@ -174,6 +174,24 @@ TEST(HudLayout, TheBarOfAReplayIsBelowTheViewsAndGrowsWithTheText) {
     }
 }
 
+TEST(HudLayout, TheKeysOfAReplayAreAsReadableAsTheRestOfItsBar) {
+    const auto picture = picture_of(*new_match());
+    for (const auto& window : windows) {
+        for (const double scale : {1.0, 1.5, 2.0, 2.5}) {
+            const HudSettings settings{.text_scale = scale, .replay = busy_bar()};
+            const float unit = lay_out_replay_bar(scale, window).unit;
+            render::Overlay overlay;
+            make_overlay(picture, settings, window, overlay);
+            for (const auto& item : overlay.items) {
+                const auto* words = std::get_if<render::TextItem>(&item);
+                if (words == nullptr || words->text.find("Page Up") == std::string::npos) continue;
+                EXPECT_GE(words->size, std::floor(0.8F * 10.5F * unit))
+                    << window.width << " x " << window.height << " at " << scale;
+            }
+        }
+    }
+}
+
 TEST(HudLayout, APlaceOnTheTrackIsATick) {
     const auto bar = lay_out_replay_bar(1, {1280, 720});
     EXPECT_EQ(tick_at(bar, bar.track.low.x, 1000), 0U);

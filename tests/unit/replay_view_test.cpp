@@ -1,6 +1,8 @@
 // Tests of what keys and mouse do in a replay, without window, threads and clock.
 #include "game/app/replay_view.h"
 
+#include "game/hud/layout.h"
+
 #include "unit/live_rig.h"
 #include "unit/replay_rig.h"
 
@@ -76,6 +78,7 @@ TEST(ReplayView, TheEyesCycle) {
 }
 
 TEST(ReplayView, OtherKeysDoNothing) {
+    EXPECT_LE(game::width_of(replay_keys(), 1), game::replay_keys_wide) << "the bar has room for them";
     EXPECT_FALSE(replay_deed_of(rig::key("w")));
     EXPECT_FALSE(replay_deed_of(-1));
 }
