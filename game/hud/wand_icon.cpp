@@ -1,9 +1,11 @@
 #include "game/hud/wand_icon.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/text.h"
+#include "game/hud/event_words.h"
 #include "game/hud/overlay.h"
 #include "render/colour.h"
 
@@ -94,18 +96,44 @@ std::size_t next_in_slots(const std::vector<WandPresentation>& wands, std::size_
     return static_cast<std::size_t>(next - wands.begin());
 }
 
+/// Short labels that the rule of brief_label does not give.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> short_labels{{
+    {"Comma", ","},        {"Period", "."},         {"Minus", "-"},           {"Equal", "="},
+    {"Slash", "/"},        {"Backslash", "\\"},     {"Semicolon", ";"},       {"Apostrophe", "'"},
+    {"Grave", "`"},        {"Left bracket", "["},   {"Right bracket", "]"},   {"World1", "W1"},
+    {"World2", "W2"},      {"Space", "Spc"},        {"Left", "Lft"},          {"Right", "Rgt"},
+    {"Down", "Dwn"},       {"Print screen", "Prt"}, {"Page up", "PgU"},       {"Page down", "PgD"},
+    {"Backspace", "Bsp"},  {"Caps lock", "Cap"},    {"Scroll lock", "Scr"},   {"Num lock", "Num"},
+    {"Left mouse", "LMB"}, {"Right mouse", "RMB"},  {"Middle mouse", "MMB"},  {"Wheel up", "Wh+"},
+    {"Wheel down", "Wh-"}, {"Left stick in", "LS"}, {"Right stick in", "RS"},
+}};
+
 /// Words on the cell of a wand: the control that takes it; the number of its slot if neither it nor the next wand has
 /// a control.
 std::string control_of(const WandStrip& strip, std::size_t wand, std::size_t next) {
     const auto slot = strip.wands[wand].slot;
-    if (slot < strip.controls.size() && !strip.controls[slot].empty()) return strip.controls[slot];
+    if (slot < strip.controls.size() && !strip.controls[slot].empty())
+        return brief_label(strip.controls[slot]);
     if (strip.next_control.empty()) return text(slot + 1);
     if (wand != next) return {};
-    // The key alone, "+" of "Keypad +": there is room for three letters.
-    return std::string(strip.next_control.substr(strip.next_control.rfind(' ') + 1));
+    return brief_label(strip.next_control);
 }
 
 }  // namespace
+
+std::string brief_label(std::string_view label) {
+    constexpr std::size_t most = 3;
+    constexpr std::string_view keypad = "Keypad ";
+    const auto known = std::find_if(short_labels.begin(), short_labels.end(),
+                                    [&](const auto& one) { return one.first == label; });
+    if (known != short_labels.end()) return std::string(known->second);
+    if (label.starts_with(keypad)) label.remove_prefix(keypad.size());
+    const auto last = label.rfind(' ');
+    const auto words = last == std::string_view::npos
+                           ? std::string(label)
+                           : text(label.substr(0, 1), capitalised(label.substr(last + 1)));
+    return words.substr(0, most);
+}
 
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint) {
     constexpr float diagonal = 0.8F;  // length of a wand with some margin (m)

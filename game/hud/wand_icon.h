@@ -1,6 +1,7 @@
 // game/hud/wand_icon.h: flat pictures of wands, drawn from the same parts as their meshes.
 #pragma once
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "game/data/presentation.h"
@@ -11,6 +12,9 @@ namespace thaum::game {
 /// Adds the outline of a wand, from its handle at the lower left to its tip at the upper right. `size` is the
 /// edge of the square that holds it (px).
 void add_wand_icon(render::Overlay& out, const WandLook& look, fvec2 middle, float size, fvec4 paint);
+
+/// A control's name in at most three characters: "PgU" for "Page up", "LSh" for "Left shift", "5" for "Keypad 5".
+std::string brief_label(std::string_view label);
 
 struct WandStrip {
     const std::vector<WandPresentation>& wands;

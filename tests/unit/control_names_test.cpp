@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "game/app/bindings.h"
+#include "game/hud/wand_icon.h"
+
 namespace thaum::app {
 namespace {
 
@@ -52,6 +57,34 @@ TEST(ControlNames, FollowANewBindingAndAreEmptyWithoutOne) {
     bindings.toggled[static_cast<std::size_t>(Action::stir)] = true;
     EXPECT_TRUE(control_names(settings, DeviceKind::keyboard_mouse).stir_toggles);
     EXPECT_FALSE(control_names(settings, DeviceKind::pad).stir_toggles);
+}
+
+TEST(ShortLabels, OfAllKeysAreShortAndNoTwoAreTheSame) {
+    std::map<std::string, std::string> label_of_short;
+    constexpr int most_code = 400;
+    for (int code = 0; code < most_code; ++code) {
+        if (key_name_of(code).empty()) continue;
+        const auto label = label_of(input::Control{input::Control::Source::key, code, 0});
+        const auto brief = game::brief_label(label);
+        EXPECT_FALSE(brief.empty()) << label;
+        EXPECT_LE(brief.size(), 3U) << label;
+        if (label.starts_with("Keypad ")) continue;  // "5", as on the key
+        const auto [other, is_new] = label_of_short.emplace(brief, label);
+        EXPECT_TRUE(is_new) << label << " and " << other->second << " are both " << brief;
+    }
+    EXPECT_GT(label_of_short.size(), 80U);
+}
+
+TEST(ShortLabels, OfButtonsAndWheel) {
+    for (const auto& [label, brief] : {std::pair{"RB", "RB"},
+                                       {"Keypad +", "+"},
+                                       {"Print screen", "Prt"},
+                                       {"Left mouse", "LMB"},
+                                       {"Mouse button 4", "M4"},
+                                       {"Wheel down", "Wh-"},
+                                       {"Pad left", "PLe"},
+                                       {"", ""}})
+        EXPECT_EQ(game::brief_label(label), brief);
 }
 
 }  // namespace
