@@ -1,5 +1,7 @@
 #include "game/app/live_menu.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 #include "game/app/menu_input.h"
 
@@ -129,6 +131,19 @@ void LiveMenu::wheel(double steps) {
 
 // Pads ------------------------------------------------------------------------------------------------------
 
+bool LiveMenu::has_seat(int place) const {
+    const auto& seats = state_.seats;
+    return std::find(seats.begin(), seats.end(), Device{DeviceKind::pad, place}) != seats.end();
+}
+
+/// Whether the pad has joined by a press that still lasts. Further presses are part of the same one, so that somebody
+/// who presses everything at once joins, and does not start the match before the other player has a seat.
+bool LiveMenu::joined_just_now(const Device& device, const render::PadState& before) {
+    bool& joining = joining_.at(static_cast<std::size_t>(device.pad));
+    if (joining && pressed_controls({}, before).empty()) joining = false;
+    return joining;
+}
+
 void LiveMenu::pad(int place, const render::PadState& before, const render::PadState& now,
                    std::int64_t now_ns) {
     if (!now.present) {
@@ -139,8 +154,12 @@ void LiveMenu::pad(int place, const render::PadState& before, const render::PadS
     for (const auto& control : pressed_controls(before, now)) {
         // Other controls that were pressed at the same time are ignored.
         if (waits_for_control()) return give_control(device, control);
-        const bool start_page = state_.pages.back().page == Page::start;
-        if (const auto kind = menu_event_of(control, start_page)) step({.kind = *kind, .device = device});
+        const bool start_page = on_start_page();
+        const auto kind = menu_event_of(control, start_page);
+        if (!kind || (start_page && joined_just_now(device, before))) continue;
+        const bool seated = has_seat(place);
+        step({.kind = *kind, .device = device});
+        joining_.at(static_cast<std::size_t>(place)) = !seated && has_seat(place);
     }
     if (!waits_for_control()) point_by_pad(device, before, now, now_ns);
 }
@@ -148,7 +167,7 @@ void LiveMenu::pad(int place, const render::PadState& before, const render::PadS
 void LiveMenu::point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
                             std::int64_t now_ns) {
     const auto way = menu_direction_of(now);
-    if (way == menu_direction_of(before)) return;
+    if (way == menu_direction_of(before) || (on_start_page() && joined_just_now(device, before))) return;
     if (held_.pad == device.pad) release();
     if (!way) return;
     const MenuEvent event{.kind = *way, .device = device};

@@ -44,6 +44,8 @@ public:
     void wheel(double steps);
     /// The pad with number `place` was in state `before` at the last look.
     void pad(int place, const render::PadState& before, const render::PadState& now, std::int64_t now_ns);
+    /// Whether the pad has a seat on the start screen.
+    bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
     void repeat(std::int64_t now_ns);
     /// Ends the repetition, because a release will not be reported without the focus.
@@ -85,6 +87,8 @@ private:
     void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
                       std::int64_t now_ns);
+    bool on_start_page() const { return !state_.pages.empty() && state_.pages.back().page == Page::start; }
+    bool joined_just_now(const Device& device, const render::PadState& before);
     std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;
 
     MenuState state_;
@@ -93,6 +97,7 @@ private:
     Held held_{};
     std::optional<fvec2> mouse_{};  ///< last position of the mouse while a menu was open (px)
     MenuRequest request_{};
+    std::array<bool, 4> joining_{};  ///< pads that have joined and not been let go of since
     bool settings_changed_ = false;
 };
 

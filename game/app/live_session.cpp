@@ -196,8 +196,14 @@ void LiveSession::look_at_pads(const Pads& pads, std::int64_t now_ns) {
     const auto news = hands_.look(pads, menu_.settings(), menu_.is_open());
     report(news);
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    for (std::size_t i = 0; i < pads.size(); ++i) {
-        if (!news.used[i] && menu_.is_open()) menu_.pad(static_cast<int>(i), before[i], pads[i], now_ns);
+    // Of presses in the same moment, those that take a seat come before those that start the match.
+    std::array<bool, std::tuple_size_v<Pads>> seated{};
+    for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
+    for (const bool turn : {false, true}) {
+        for (std::size_t i = 0; i < pads.size(); ++i) {
+            if (seated[i] == turn && !news.used[i] && menu_.is_open())
+                menu_.pad(static_cast<int>(i), before[i], pads[i], now_ns);
+        }
     }
 }
 

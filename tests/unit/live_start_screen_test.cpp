@@ -88,6 +88,40 @@ TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
     EXPECT_FALSE(screen().menu.seats[0].taken);
 }
 
+/// A pad with every button pressed, and its triggers and sticks at their ends.
+render::PadState whole_pad() {
+    auto pad = rig::pad_with();
+    pad.buttons = 0x7FFF;
+    pad.axes.fill(1);
+    return pad;
+}
+
+TEST_F(LiveStartScreenTest, TwoPadsThatPressEverythingAtOnceBothGetASeat) {
+    const auto idle = rig::pad_with(), some = rig::pad_with({PadButton::a, PadButton::b, PadButton::up});
+    EXPECT_FALSE(step_start({idle, idle}));
+    EXPECT_FALSE(step_start({some, some}));
+    EXPECT_FALSE(step_start({whole_pad(), whole_pad()})) << "triggers come later than buttons";
+    EXPECT_FALSE(step_start({rig::pad_with({PadButton::x}), some}));
+    EXPECT_FALSE(step_start({whole_pad(), whole_pad()})) << "not let go of since";
+    EXPECT_TRUE(screen().menu.seats[0].taken);
+    EXPECT_TRUE(screen().menu.seats[1].taken);
+    EXPECT_FALSE(step_start({idle, idle}));
+    EXPECT_TRUE(step_start({whole_pad(), idle})) << "the second press starts";
+    session_->take_seats({idle, idle});
+    EXPECT_EQ(shared_.seats[0].seat.kind, SeatKind::pad);
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::pad);
+}
+
+TEST_F(LiveStartScreenTest, APadThatJoinsInTheMomentOfTheStartGetsItsSeat) {
+    const auto idle = rig::pad_with(), pressed = rig::pad_with({PadButton::a});
+    step_start({idle, idle});
+    EXPECT_FALSE(step_start({pressed, idle}));
+    step_start({idle, idle});
+    EXPECT_TRUE(step_start({pressed, pressed}));
+    session_->take_seats({idle, idle});
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::pad);
+}
+
 TEST_F(LiveStartScreenTest, EndsByQuitOrWhenItsTimeIsUp) {
     press("escape");
     press("enter");
