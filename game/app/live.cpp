@@ -63,6 +63,11 @@ int countdown_of(const Live& live) {
     return none ? 0 : live.session.menu().settings().countdown_s;
 }
 
+/// Words that match `number` begins with. The start screen has shown them already.
+std::string fault_at_start(const LivePlan& plan, std::uint64_t number) {
+    return number == 1 && !plan.start_screen ? plan.settings_fault : std::string();
+}
+
 /// Plays one match. The error: the simulation thread could not be started.
 Expected<void> play_match(Live& live, MatchStart start) {
     auto& shared = live.shared;
@@ -105,7 +110,7 @@ Expected<void> play_matches(Live& live) {
             std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
         auto played =
             play_match(live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(),
-                              countdown, session.next().take_lessons()});
+                              countdown, fault_at_start(live.plan, number), session.next().take_lessons()});
         if (!played) return played;
         again = session.take_restart() || live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;

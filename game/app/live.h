@@ -108,7 +108,8 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the start screen on a faulty settings file; empty: there is no fault
+    /// words for the players on a faulty settings file, on the start screen or else at the start of the first match;
+    /// empty: there is no fault
     std::string settings_fault{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};

@@ -121,9 +121,16 @@ struct MatchStart {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     Recording recording;
-    int countdown = 0;  ///< time for which the start is shown before the match begins (s)
+    int countdown = 0;    ///< time for which the start is shown before the match begins (s)
+    std::string fault{};  ///< words for both players on a fault, shown for the first seconds; empty: none
     std::optional<game::Lessons> lessons{};  ///< lessons of the Apprentice, which is played on the range
 };
+
+/// Whether a fault that a match begins with is still shown after these ticks of play.
+inline bool shows_fault(const std::string& fault, Tick played) {
+    constexpr Tick shown_for = ticks(10.0);
+    return !fault.empty() && played < shown_for;
+}
 
 /// Body of the simulation thread: plays one match until the session stops, or until the match's end or a
 /// rematch is requested. Then it sets shared.progress.ended. It also sets shared.stop when the plan's time is

@@ -54,6 +54,7 @@ struct SimulationThread {
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
     int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
+    std::string fault{};           ///< words on a fault for the first seconds of the match
     std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
     /// values of MatchRequests::lesson_skips and lesson_repeats at the last look
     std::uint32_t skips_seen = 0, repeats_seen = 0;
@@ -99,6 +100,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.skips_seen = s.shared.requests.lesson_skips;
     s.repeats_seen = s.shared.requests.lesson_repeats;
     s.countdown = start.countdown;
+    s.fault = std::move(start.fault);
     if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
         start_practice(s, std::move(*files), start);
     } else {
@@ -286,6 +288,8 @@ void publish(SimulationThread& s) {
     picture.practice = {};
     picture.caption = {};
     if (auto* practice = practice_of(s.round)) practice->show(picture);
+    if (shows_fault(s.fault, s.round.match->match().played))
+        picture.caption = {.words = s.fault, .fault = true};
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
     s.shared.pictures.publish();
 }

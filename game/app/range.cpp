@@ -123,7 +123,9 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = options.seconds;
-    plan.settings = settings_to_play_with(settings_file(), assets).settings;
+    auto [settings, settings_fault] = settings_to_play_with(settings_file(), assets);
+    plan.settings = std::move(settings);
+    plan.settings_fault = std::move(settings_fault);
     plan.settings_file = settings_file();
     return run_live(plan);
 }

@@ -28,9 +28,10 @@ protected:
     /// Ends the match also if a test has failed.
     ~LiveThreadsTest() override { shared_.stop = true; }
 
-    void start_match(Recording recording) {
+    void start_match(Recording recording, const std::string& fault = {}) {
         session_->take_seats(pads_);
-        simulating_ = std::jthread([this, start = MatchStart{plan_.data, 1, std::move(recording)}]() mutable {
+        MatchStart first{.data = plan_.data, .recording = std::move(recording), .fault = fault};
+        simulating_ = std::jthread([this, start = std::move(first)]() mutable {
             run_simulation(plan_, shared_, std::move(start), [this] { woken_.release(); });
         });
         session_->begin_match(pads_);
@@ -92,6 +93,20 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     while (replay->step()) EXPECT_FALSE(replay->divergence());
     EXPECT_GT(replay->match().now(), 0U);
     EXPECT_EQ(replay->missing_hashes(), "");
+}
+
+TEST_F(LiveThreadsTest, AFaultOfTheSettingsFileIsShownAtTheStartOfAMatch) {
+    start_match({}, "settings.toml, line 2: defaults replace wrong values");
+    press("escape");
+    ASSERT_TRUE(becomes(PlayState::paused));
+    end_match();
+    ASSERT_TRUE(shared_.pictures.take());
+    const auto& caption = shared_.pictures.newest().caption;
+    EXPECT_EQ(caption.words, "settings.toml, line 2: defaults replace wrong values");
+    EXPECT_TRUE(caption.fault);
+    EXPECT_TRUE(shows_fault("a fault", ticks(9.9)));
+    EXPECT_FALSE(shows_fault("a fault", ticks(10.1))) << "not for ever";
+    EXPECT_FALSE(shows_fault("", 0));
 }
 
 /// A round of one second ends in a draw. Its result is shown for eight seconds.
