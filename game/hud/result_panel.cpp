@@ -94,6 +94,27 @@ Sheet best_sheet(const Announcement& a, const std::vector<ResultRow>& rows, cons
     return std::move(*best);
 }
 
+/// Everything that decides which sheet is the best.
+struct SheetKey {
+    std::array<std::string, 3> words;
+    std::vector<ResultRow> rows;
+    PlayerNames names;
+    std::array<float, 3> sizes{};  ///< width and height of the window, wanted unit (px)
+    bool operator==(const SheetKey&) const = default;
+};
+
+/// best_sheet, which tries many widths, once for each panel: a panel is drawn for seconds with the same words.
+const Sheet& kept_sheet(const Announcement& a, const std::vector<ResultRow>& rows, const PlayerNames& names,
+                        const Rect& window, float wanted) {
+    thread_local std::optional<std::pair<SheetKey, Sheet>> kept;
+    SheetKey key{{a.head, a.line, a.keys},
+                 rows,
+                 names,
+                 {static_cast<float>(window.width), static_cast<float>(window.height), wanted}};
+    if (!kept || kept->first != key) kept.emplace(std::move(key), best_sheet(a, rows, names, window, wanted));
+    return kept->second;
+}
+
 /// Adds lines from a place downwards.
 void add_lines(Overlay& out, const FittedWords& words, fvec2 top, float u, fvec4 paint, Align align) {
     for (const auto& line : words.lines) {
@@ -121,7 +142,7 @@ void add_table(Overlay& out, const Sheet& sheet, const std::vector<ResultRow>& r
 /// Adds a panel in the middle of the window, over whatever is there.
 void add_panel(Overlay& out, const Announcement& a, const std::vector<ResultRow>& rows,
                const PlayerNames& names, const Rect& window, float wanted) {
-    const auto sheet = best_sheet(a, rows, names, window, wanted);
+    const auto& sheet = kept_sheet(a, rows, names, window, wanted);
     const float u = unit_of(sheet, window, wanted);
     add_veil(out, window, colour(0x0C0616, 0.6F));
     const fvec2 middle{static_cast<float>(window.x) + 0.5F * static_cast<float>(window.width),

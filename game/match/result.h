@@ -8,6 +8,7 @@ namespace thaum::game {
 struct ResultRow {
     std::string_view cause;
     std::array<std::string, players> words;
+    bool operator==(const ResultRow&) const = default;
 };
 
 using AllMatchStats = decltype(EventLog::match_stats);

@@ -1,6 +1,9 @@
 // Tests of the HUD's layout: at every size of text and window each panel has a place of its own, and words stay in it.
 #include "game/hud/layout.h"
 
+#include <thread>
+#include <tuple>
+
 #include "core/text.h"
 #include "game/hud/menu.h"
 #include "render/font.h"
@@ -383,6 +386,46 @@ TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
         for (std::size_t cause = 2; cause < 6; ++cause) stats[cause] = {};
     EXPECT_GE(size_at(2.5, {640, 480}), 1.8F * size_at(1, {640, 480}));
     EXPECT_GE(size_at(2.5, {1280, 720}), 2 * size_at(1, {1280, 720}));
+}
+
+/// Texts of a panel with their places and sizes.
+std::vector<std::tuple<std::string, float, float, float>> places_of_words(const Picture& picture,
+                                                                          const HudSettings& settings,
+                                                                          render::Size window) {
+    render::Overlay overlay;
+    make_overlay(picture, settings, window, overlay);
+    std::vector<std::tuple<std::string, float, float, float>> words;
+    for (const auto& item : overlay.items) {
+        if (const auto* one = std::get_if<render::TextItem>(&item))
+            words.emplace_back(one->text, one->position.x, one->position.y, one->size);
+    }
+    return words;
+}
+
+TEST(ResultPanel, IsTheSameWhateverPanelWasDrawnBefore) {
+    struct Drawn {
+        Picture picture;
+        HudSettings settings;
+        render::Size window{1280, 720};
+    };
+    std::vector<Drawn> panels(7, {finished(), {}});
+    panels[1].settings.names[0] = "Somebody else";  // who has lost
+    panels[2].window = {640, 480};
+    panels[3].settings.text_scale = 2.5;
+    panels[4].picture.wizards[0].kills += 17;
+    panels[5].picture.match_stats[0][0].shots += 1000;
+    panels[6].picture.paused = true;
+    panels[6].picture.phase = Phase::playing;
+    std::vector<std::vector<std::tuple<std::string, float, float, float>>> all;
+    for (std::size_t i = 0; i < 2 * panels.size(); ++i) {
+        const auto& [picture, settings, window] = panels[i % panels.size()];
+        all.push_back(places_of_words(picture, settings, window));
+        std::vector<std::tuple<std::string, float, float, float>> first;
+        std::thread([&] { first = places_of_words(picture, settings, window); }).join();
+        EXPECT_EQ(all.back(), first) << "a thread that has drawn no panel, " << i;
+        EXPECT_EQ(all.back(), all[i % panels.size()]);
+    }
+    for (std::size_t i = 1; i < panels.size(); ++i) EXPECT_NE(all[i], all[0]) << i;
 }
 
 TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
