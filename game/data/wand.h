@@ -89,7 +89,7 @@ enum class TargetKind : std::uint8_t {
 /// The thing under the crosshair, as a wand sees it.
 struct Target {
     TargetKind kind{};
-    ecs::Entity thing{};  ///< the thing of take, too_far and too_heavy
+    ecs::Entity thing{};  ///< the thing of take, too_far and too_heavy, and of a hook at an anchor
     double mass{};        ///< its mass (kg)
     double mass_share{};  ///< its mass as a share of the largest that the wand takes
 };

@@ -136,6 +136,24 @@ void light_up(std::span<Instance> of) {
     }
 }
 
+/// Whether the viewer's wand would take hold of the thing.
+bool is_target(const Target& target, const ThingPicture& thing) {
+    return (target.kind == TargetKind::take || target.kind == TargetKind::hook) && target.thing &&
+           target.thing.index == thing.entity;
+}
+
+/// Adds a cage of the viewer's mark round an anchor, at least as wide as a share of its distance.
+void add_anchor_mark(const ArenaScene& arena_scene, const ThingPicture& thing, std::uint32_t viewer, vec3 eye,
+                     std::vector<Instance>& out) {
+    constexpr double round_anchor = 3.2, least_share = 0.04;
+    const double radius =
+        std::max(round_anchor * thing.key.size.x, least_share * glm::distance(thing.position, eye));
+    out.push_back(
+        {.mesh = arena_scene.teams[viewer].burst,
+         .model = glm::scale(render::translated(fvec3(thing.position)), fvec3(static_cast<float>(radius))),
+         .glow = 1});
+}
+
 }  // namespace
 
 void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, std::vector<Instance>& out) {
@@ -186,8 +204,10 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
     for (const auto& thing : picture.things) {
         const auto first = out.size();
         add_thing(arena_scene, thing, out);
-        if (target.kind == TargetKind::take && target.thing.index == thing.entity)
-            light_up(std::span(out).subspan(first));
+        if (!is_target(target, thing)) continue;
+        light_up(std::span(out).subspan(first));
+        if (target.kind == TargetKind::hook)
+            add_anchor_mark(arena_scene, thing, viewer, picture.wizards[viewer].eye, out);
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];

@@ -66,13 +66,19 @@ SwingData read(const ConfigTable& root) {
 
 // ---- attaching --------------------------------------------------------------------------------------------
 
+/// Where a rope would be fastened.
+struct Hold {
+    vec3 point{};          ///< (m, world)
+    ecs::Entity anchor{};  ///< none: a point of a fixed body
+};
+
 /// The anchor nearest to the crosshair, else the point of a fixed body under the crosshair; std::nullopt if
 /// neither is within reach.
-std::optional<vec3> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
+std::optional<Hold> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
     const auto& now = std::as_const(context.world);
     const Sight sight = sight_of(context, wizard);
     const vec3 eye = sight.eye, ahead = sight.ahead;
-    std::optional<vec3> found;
+    std::optional<Hold> found;
     double best = data.aim_cos;
     now.view<const Anchor, const Motion>().each([&](ecs::Entity e, const Motion& motion) {
         const vec3 to = motion.position - eye;
@@ -83,13 +89,13 @@ std::optional<vec3> latched_at(const MatchContext& context, const SwingData& dat
         const auto hit = context.physics.read().ray(eye, motion.position, layer::ground, wizard.index);
         if (hit && hit->key != e.index) return;  // the anchor itself is in the ground layer, too
         best = nearness;
-        found = motion.position;
+        found = Hold{motion.position, e};
     });
     if (found) return found;
     const auto hit =
         context.physics.read().ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
     if (!hit || context.physics.read().desc(hit->key).mass > 0) return std::nullopt;
-    return hit->point;
+    return Hold{hit->point, {}};
 }
 
 void unlatch(MatchContext& context, ecs::Entity wizard, SwingHand& hand) {
@@ -102,12 +108,12 @@ void unlatch(MatchContext& context, ecs::Entity wizard, SwingHand& hand) {
 
 void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
     auto& world = use.context.world;
-    const auto point = latched_at(use.context, data, use.wizard);
-    if (!point) return;
+    const auto hold = latched_at(use.context, data, use.wizard);
+    if (!hold) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
-    hand = {.anchor = *point,
+    hand = {.anchor = hold->point,
             .taken_device = std::as_const(world).get<HandState>(use.wizard).device.position};
-    hand.length = glm::distance(*point, sight_of(use.context, use.wizard).eye);
+    hand.length = glm::distance(hold->point, sight_of(use.context, use.wizard).eye);
     hand.rest_length = data.rest_share * hand.length;
     hand.coupling.expected = use.context.physics.read().velocity(use.wizard.index);
 }
@@ -210,8 +216,9 @@ public:
     }
     Target target(const MatchContext& context, ecs::Entity wizard) const override {
         const bool hangs = context.world.get<SwingHand>(wizard).length > 0;
-        const bool reaches = !hangs && latched_at(context, data_, wizard);
-        return {.kind = reaches ? TargetKind::hook : TargetKind::nothing};
+        const auto hold = hangs ? std::nullopt : latched_at(context, data_, wizard);
+        if (!hold) return {};
+        return {.kind = TargetKind::hook, .thing = hold->anchor};
     }
     std::optional<RopeKind> rope() const override {
         return RopeKind{.reach = data_.reach, .aim_cos = data_.aim_cos};

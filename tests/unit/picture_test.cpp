@@ -171,6 +171,30 @@ TEST(TakePicture, SaysWhatTheWandWouldDoWithWhatIsUnderTheCrosshair) {
     EXPECT_EQ(bolt.target().kind, TargetKind::foe);
 }
 
+TEST(TakePicture, SaysWhichAnchorARopeWouldTake) {
+    const Looking swing(match_data(), "swing");
+    auto& world = swing.match->world_to_change();
+    ecs::Entity anchor;
+    vec3 place{};
+    world.view<const Anchor, const Motion>().each([&](ecs::Entity e, const Motion& motion) {
+        if (!anchor) std::tie(anchor, place) = std::pair(e, motion.position);
+    });
+    ASSERT_TRUE(anchor);
+    auto state = swing.match->physics().state(swing.me.index);
+    state.position = place + vec3(0, -5, 3);
+    swing.match->physics().set_state(swing.me.index, state);
+    world.get<Motion>(swing.me).position = state.position;
+    const vec3 to = place - eye_of(swing.match->data().wizard, state.position);
+    auto& gaze = world.get<Gaze>(swing.me);
+    gaze.yaw = std::atan2(-to.x, -to.z);
+    gaze.pitch = std::atan2(to.y, std::hypot(to.x, to.z));
+    EXPECT_EQ(swing.target().kind, TargetKind::hook);
+    EXPECT_EQ(swing.target().thing, anchor);
+    gaze.pitch = -1.2;
+    EXPECT_EQ(swing.target().kind, TargetKind::hook) << "the ground";
+    EXPECT_FALSE(swing.target().thing);
+}
+
 TEST(TakePicture, HoldsTheEnergyOfEveryWand) {
     const auto match = new_match();
     auto& belt = match->world_to_change().get<WandBelt>(wizard_of(match->world(), 0));
