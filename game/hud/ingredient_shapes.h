@@ -1,12 +1,12 @@
-// game/hud/ingredient_shapes.h: the meshes of ingredients. Each shape has an outline of its own, so that nobody needs its
-// colour.
+// game/hud/ingredient_shapes.h: the meshes of ingredients. Each shape has an outline of its own, so that nobody
+// needs its colour.
 #pragma once
 #include "game/brew/brew.h"
 #include "render/mesh.h"
 
 namespace thaum::game {
 
-/// Mesh of an ingredient about its place, at most 0.4 m from it: white, for tinting with the ingredient's colour.
+/// Mesh of an ingredient about its place, within 0.5 m: white, for tinting with the ingredient's colour.
 render::MeshData ingredient_mesh(IngredientShape shape);
 
 /// Share of its own light with which a shape is drawn. Pale ones have little, so that their faces stay visible.
