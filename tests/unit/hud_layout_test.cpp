@@ -418,10 +418,11 @@ TEST(ResultPanel, IsTheSameWhateverPanelWasDrawnBefore) {
     panels[6].picture.phase = Phase::playing;
     std::vector<std::vector<std::tuple<std::string, float, float, float>>> all;
     for (std::size_t i = 0; i < 2 * panels.size(); ++i) {
-        const auto& [picture, settings, window] = panels[i % panels.size()];
-        all.push_back(places_of_words(picture, settings, window));
+        const auto& panel = panels[i % panels.size()];
+        const auto places = [&] { return places_of_words(panel.picture, panel.settings, panel.window); };
+        all.push_back(places());
         std::vector<std::tuple<std::string, float, float, float>> first;
-        std::thread([&] { first = places_of_words(picture, settings, window); }).join();
+        std::thread([&] { first = places(); }).join();
         EXPECT_EQ(all.back(), first) << "a thread that has drawn no panel, " << i;
         EXPECT_EQ(all.back(), all[i % panels.size()]);
     }

@@ -74,7 +74,7 @@ TEST(Crosshair, SaysTheMassOfAThingOnAPlate) {
         ASSERT_NE(label, nullptr);
         EXPECT_TRUE(std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
             const auto* plate = std::get_if<render::RectItem>(&item);
-            const float half = width_of(words, label->size) / 2;
+            const float half = width_of(label->text, label->size) / 2;
             return plate != nullptr && plate->colour.a > 0.7F && plate->low.x < label->position.x - half &&
                    plate->high.x > label->position.x + half && plate->low.y <= label->position.y &&
                    plate->high.y >= label->position.y + label->size;

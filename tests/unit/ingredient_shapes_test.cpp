@@ -35,7 +35,8 @@ Outline outline_of(IngredientShape shape, int turn) {
         std::array<fvec2, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = fvec2(mesh.vertices[mesh.indices[i + k]].position);
         for (int cell = 0; cell < cells * cells; ++cell) {
-            const fvec2 at(static_cast<float>(cell % cells) + 0.5F, static_cast<float>(cell / cells) + 0.5F);
+            const int row = cell / cells;
+            const fvec2 at(static_cast<float>(cell % cells) + 0.5F, static_cast<float>(row) + 0.5F);
             if (is_within(reach * (2.0F / cells * at - 1.0F), corners))
                 outline.set(static_cast<std::size_t>(cell));
         }
