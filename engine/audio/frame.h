@@ -1,0 +1,68 @@
+// audio/frame.h: what is heard, as plain data. One frame covers eight ticks of a match.
+//
+//     simulation -> AudioFrame every 8 ms -> Mixer -> samples -> Speakers, or a WAV file
+//
+// A frame lists the sounds that begin in it and those that last. A frame holds no samples and no pointers, so it
+// can be passed between threads, and equal frames give equal samples.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "audio/sound.h"
+#include "core/maths.h"
+#include "core/units.h"
+
+namespace thaum::audio {
+
+inline constexpr Tick frame_ticks = 8;
+/// Samples of one frame, per channel.
+inline constexpr std::size_t frame_samples = sample_rate * frame_ticks / ticks_per_second;
+static_assert(frame_samples == 384);
+
+inline constexpr std::size_t most_listeners = 2;
+
+/// Ears of one player. `forward` and `up` are orthogonal unit vectors.
+struct Listener {
+    vec3 position{};  ///< (m, world)
+    vec3 forward{0, 0, -1};
+    vec3 up{0, 1, 0};
+};
+
+/// One sound at one place.
+struct Voice {
+    std::uint32_t sound{};  ///< number in the SoundBank
+    std::uint32_t key{};    ///< identifies a lasting voice from frame to frame; a beginning one ignores it
+    std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
+    bool at_ear{};              ///< true: without place, as loud wherever the listener is
+    vec3 position{};            ///< (m, world)
+    double gain{1};             ///< 0 to 1
+    double pitch{1};            ///< speed of playing, 0.25 to 4
+    /// Damping of high tones by walls for each listener, 0 to 1.
+    std::array<double, most_listeners> muffled{};
+};
+
+/// A list of fixed capacity. Voices that do not fit are counted.
+template <std::size_t N>
+struct VoiceList {
+    std::array<Voice, N> voices{};
+    std::uint32_t count{};
+    std::uint32_t left_out{};
+
+    void add(const Voice& voice) {
+        if (count < N)
+            voices[count++] = voice;
+        else
+            ++left_out;
+    }
+    const Voice* begin() const { return voices.data(); }
+    const Voice* end() const { return voices.data() + count; }
+};
+
+struct AudioFrame {
+    std::uint32_t listener_count{1};  ///< 1 or 2
+    std::array<Listener, most_listeners> listeners{};
+    VoiceList<32> begins;  ///< voices that begin in this frame and play to the end of their sound
+    VoiceList<32> lasts;   ///< voices of looping sounds; one that a later frame lacks fades out within it
+};
+
+}  // namespace thaum::audio
