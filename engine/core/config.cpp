@@ -249,6 +249,22 @@ std::optional<vec3> vector_in(Config::State& state, const toml::node& node, std:
     return result;
 }
 
+std::optional<std::vector<double>> numbers_in(Config::State& state, const toml::node& node,
+                                              std::string_view key, Range range, std::size_t most) {
+    const auto* list = node.as_array();
+    if (list == nullptr || list->empty() || list->size() > most) {
+        state.report(&node, text("'", key, "' must be a list of 1 to ", most, " numbers"));
+        return std::nullopt;
+    }
+    std::vector<double> result;
+    for (const auto& item : *list) {
+        const auto value = number_in(state, item, key, range);
+        if (!value) return std::nullopt;
+        result.push_back(*value);
+    }
+    return result;
+}
+
 std::optional<std::size_t> choice_in(Config::State& state, const toml::node& node, std::string_view key,
                                      const std::vector<std::string_view>& names) {
     const auto value = node.value<std::string_view>();
@@ -365,6 +381,12 @@ vec3 ConfigTable::vector(std::string_view key, Range range) const {
 vec3 ConfigTable::vector(std::string_view key, Range range, vec3 fallback) const {
     const auto* node = ask(*state_, table_, key);
     return node == nullptr ? fallback : vector_in(*state_, *node, key, range).value_or(fallback);
+}
+
+std::vector<double> ConfigTable::numbers(std::string_view key, Range range, std::size_t most,
+                                         const std::vector<double>& fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    return node == nullptr ? fallback : numbers_in(*state_, *node, key, range, most).value_or(fallback);
 }
 
 std::size_t ConfigTable::choice(std::string_view key, const std::vector<std::string_view>& names) const {

@@ -65,6 +65,9 @@ public:
     /// Reads an array of three numbers, each within the range.
     vec3 vector(std::string_view key, Range range) const;
     vec3 vector(std::string_view key, Range range, vec3 fallback) const;
+    /// Reads an array of 1 to `most` numbers, each within the range.
+    std::vector<double> numbers(std::string_view key, Range range, std::size_t most,
+                                const std::vector<double>& fallback) const;
     /// Reads a string that must be one of `names`. Returns its index.
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names) const;
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names,

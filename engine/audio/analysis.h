@@ -1,0 +1,43 @@
+// audio/analysis.h: measures of sounds: loudness, spectrogram, and a signature to tell sounds apart.
+#pragma once
+#include <array>
+#include <complex>
+#include <span>
+#include <vector>
+
+namespace thaum::audio {
+
+/// Fourier transform in place. The number of values must be a power of two.
+void fourier(std::span<std::complex<double>> values);
+
+/// Largest absolute sample.
+double peak_of(std::span<const float> samples);
+
+/// Level of the loudest 50 ms (dB below a root mean square of 1); -200 for silence.
+double loudest_db(std::span<const float> samples);
+
+/// Power over time and frequency. The rows are bands of equal width in octaves, the lowest first.
+struct Spectrogram {
+    std::size_t columns{}, rows{};
+    std::vector<double>
+        power;  ///< column by column; the sum over a column is near the mean square of its time
+
+    double at(std::size_t column, std::size_t row) const { return power[column * rows + row]; }
+};
+
+/// Ends of the rows of a spectrogram (Hz).
+inline constexpr double lowest_row_hz = 40, highest_row_hz = 16'000;
+
+Spectrogram spectrogram_of(std::span<const float> samples, std::size_t columns, std::size_t rows);
+
+/// Shape of a sound in time and frequency, without its loudness: for each quarter of the audible part, the level of
+/// each band below the loudest (dB), then the length of the audible part.
+inline constexpr std::size_t signature_bands = 24, signature_quarters = 4;
+using Signature = std::array<double, signature_bands * signature_quarters + 1>;
+
+Signature signature_of(std::span<const float> samples);
+
+/// Root mean square of the differences.
+double distance(const Signature& a, const Signature& b);
+
+}  // namespace thaum::audio

@@ -1,0 +1,73 @@
+#include "audio/oscillator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/maths.h"
+
+namespace thaum::audio {
+namespace {
+
+constexpr std::size_t table_size = 4096;
+const double falling_60_db = det::log(1e-3), octave = det::log(2), silent = det::log(1e-4);
+
+using SineTable = std::array<double, table_size + 2>;
+
+SineTable make_sine_table() {
+    SineTable table{};
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = det::sin(2 * pi * static_cast<double>(i) / table_size);
+    return table;
+}
+
+}  // namespace
+
+double hz_of_key(double key) { return 440 * det::exp(octave * (key - 69) / 12); }
+
+double sine_of_cycles(double cycles) {
+    static const SineTable table = make_sine_table();
+    const double at = cycles * table_size;
+    const auto index = static_cast<std::size_t>(at);
+    return table[index] + (table[index + 1] - table[index]) * (at - static_cast<double>(index));
+}
+
+double gain_at(const Envelope& envelope, double decay, double time) {
+    const double tremolo =
+        envelope.tremolo == 0
+            ? 1
+            : 1 - envelope.tremolo * (0.5 - 0.5 * sine_of_cycles(std::fmod(envelope.tremolo_hz * time, 1.0)));
+    const double level = envelope.level * tremolo;
+    if (decay == 0 && envelope.attack == 0) return level;
+    if (time < envelope.attack) {
+        const double share = time / envelope.attack;
+        return level * share * share * (3 - 2 * share);
+    }
+    const double falling = time - envelope.attack - envelope.hold;
+    return falling <= 0 || decay == 0 ? level : level * det::exp(falling_60_db * falling / decay);
+}
+
+double length_of(const Envelope& envelope, double decay) {
+    return envelope.attack + envelope.hold + decay * silent / falling_60_db;
+}
+
+double hz_at(const Pitch& pitch, double time) {
+    double octaves = 0;
+    if (pitch.sweep_to != pitch.hz)
+        octaves = det::log(pitch.sweep_to / pitch.hz) / octave * std::min(1.0, time / pitch.sweep_s);
+    if (pitch.vibrato != 0)
+        octaves += pitch.vibrato / 12 * sine_of_cycles(std::fmod(pitch.vibrato_hz * time, 1.0));
+    return octaves == 0 ? pitch.hz : pitch.hz * det::exp(octave * octaves);
+}
+
+Canvas::Canvas(double seconds, bool loops)
+    : samples_(static_cast<std::size_t>(std::floor(seconds * sample_rate + 0.5))), loops_(loops) {}
+
+double Canvas::seconds() const { return static_cast<double>(samples_.size()) / sample_rate; }
+
+double fitted_rate(double hz, const Canvas& canvas) {
+    if (!canvas.loops() || hz == 0) return hz;
+    return std::max(1.0, std::floor(hz * canvas.seconds() + 0.5)) / canvas.seconds();
+}
+
+}  // namespace thaum::audio

@@ -1,0 +1,218 @@
+#include "audio/parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths.h"
+
+namespace thaum::audio {
+namespace {
+
+constexpr double sample_s = 1.0 / sample_rate;
+constexpr double highest_hz = 20'000;  // deviations by a vibrato stay below half the sample rate
+
+/// A part on the time axis of its canvas, in samples.
+struct Span {
+    std::size_t start{}, count{};
+    bool lasting{};  ///< the part lasts as long as its loop
+};
+
+/// Span of a part whose longest decay is `decay`.
+Span span_of(const Canvas& canvas, const Envelope& envelope, double decay) {
+    if (decay == 0 && canvas.loops()) return {0, canvas.size(), true};
+    const auto start = static_cast<std::size_t>(envelope.start * sample_rate);
+    const auto rest = canvas.size() - std::min(start, canvas.size());
+    if (decay == 0) return {start, rest, false};
+    const auto whole = static_cast<std::size_t>(length_of(envelope, decay) * sample_rate);
+    return {start, canvas.loops() ? whole : std::min(whole, rest), false};
+}
+
+/// Envelope and pitch whose modulations fit a whole number of times into a lasting part.
+Envelope fitted(Envelope envelope, const Canvas& canvas, const Span& span) {
+    if (!span.lasting) return envelope;
+    envelope.attack = 0;
+    envelope.tremolo_hz = fitted_rate(envelope.tremolo_hz, canvas);
+    return envelope;
+}
+
+Pitch fitted(Pitch pitch, const Canvas& canvas, const Span& span) {
+    if (span.lasting) pitch.vibrato_hz = fitted_rate(pitch.vibrato_hz, canvas);
+    return pitch;
+}
+
+/// Frequency of each block of a part (Hz).
+std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < count; i += control_samples) {
+        const auto middle = static_cast<double>(i + std::min(i + control_samples, count)) / 2;
+        result.push_back(std::min(hz_at(pitch, middle * sample_s), highest_hz));
+    }
+    return result;
+}
+
+/// Calls `use(index, gain, frequency)` for each sample of a part.
+template <class Use>
+void each_sample(const Envelope& envelope, double decay, const std::vector<double>& frequencies,
+                 std::size_t count, Use use) {
+    double gain = gain_at(envelope, decay, 0);
+    for (std::size_t i = 0; i < count; i += control_samples) {
+        const auto end = std::min(i + control_samples, count);
+        const double next = gain_at(envelope, decay, static_cast<double>(end) * sample_s);
+        const double step = (next - gain) / static_cast<double>(end - i);
+        for (std::size_t k = i; k < end; ++k)
+            use(k, gain + step * static_cast<double>(k - i), frequencies[i / control_samples]);
+        gain = next;
+    }
+}
+
+/// Factor that gives a partial a whole number of periods in a lasting part.
+double period_fit(const std::vector<double>& frequencies, std::size_t count, double ratio) {
+    double periods = 0;
+    for (std::size_t i = 0; i < count; i += control_samples)
+        periods += frequencies[i / control_samples] * ratio * sample_s *
+                   static_cast<double>(std::min(i + control_samples, count) - i);
+    return std::max(1.0, std::floor(periods + 0.5)) / periods;
+}
+
+void add_partial(Canvas& canvas, const Envelope& envelope, const std::vector<double>& frequencies,
+                 const Partial& partial) {
+    const double decay = envelope.decay * partial.decay;
+    const Span span = span_of(canvas, envelope, decay);
+    const double fit = span.lasting ? period_fit(frequencies, span.count, partial.ratio) : 1;
+    const double cycles_per_hz = partial.ratio * fit * sample_s;
+    double cycles = 0;
+    each_sample(envelope, decay, frequencies, span.count, [&](std::size_t i, double gain, double hz) {
+        canvas.add(span.start + i, sine_of_cycles(cycles) * gain * partial.level);
+        cycles += hz * cycles_per_hz;
+        if (cycles >= 1) cycles -= std::floor(cycles);
+    });
+}
+
+/// Two state-variable filters in a row, in the form of A. Simper: "Linear trapezoidal state variable filter" (2013).
+class NoiseShaper {
+public:
+    NoiseShaper(NoiseFilter filter, double sharpness) : filter_(filter), damping_(1 / sharpness) {}
+
+    void tune(double hz) {
+        if (hz == hz_) return;
+        hz_ = hz;
+        const double g = det::tan(pi * hz * sample_s);
+        a1_ = 1 / (1 + g * (g + damping_));
+        a2_ = g * a1_;
+        a3_ = g * a2_;
+        scale_ = std::sqrt(1000 / bandwidth());
+    }
+
+    double operator()(double in) { return scale_ * second_.step(*this, first_.step(*this, in)); }
+
+private:
+    struct Stage {
+        double one = 0, two = 0;
+        double step(const NoiseShaper& shaper, double in) {
+            const double difference = in - two;
+            const double band = shaper.a1_ * one + shaper.a2_ * difference;
+            const double low = two + shaper.a2_ * one + shaper.a3_ * difference;
+            one = 2 * band - one;
+            two = 2 * low - two;
+            if (shaper.filter_ == NoiseFilter::low) return low;
+            const double through = shaper.damping_ * band;
+            return shaper.filter_ == NoiseFilter::band ? through : in - through - low;
+        }
+    };
+
+    /// Width of the passed band, roughly (Hz).
+    double bandwidth() const {
+        switch (filter_) {
+            case NoiseFilter::low: return hz_;
+            case NoiseFilter::band: return hz_ * damping_ * (pi / 4);
+            default: return sample_rate / 2.0 - hz_;
+        }
+    }
+
+    NoiseFilter filter_;
+    double damping_, hz_ = 0, a1_ = 0, a2_ = 0, a3_ = 0, scale_ = 0;
+    Stage first_, second_;
+};
+
+/// Adds one decaying sine wave.
+void add_grain(Canvas& canvas, const Grains& grains, std::size_t start, double level, double hz) {
+    const auto count = static_cast<std::size_t>(grains.ring * (4.0 / 3) * sample_rate);
+    const double fall = det::exp(det::log(1e-3) / (grains.ring * sample_rate));
+    const double rise = det::exp(det::log(2) * grains.glide / 12 / (grains.ring * sample_rate));
+    double cycles = 0, turn = hz * sample_s;
+    for (std::size_t i = 0; i < count && (canvas.loops() || start + i < canvas.size()); ++i) {
+        canvas.add(start + i, sine_of_cycles(cycles) * level);
+        cycles += turn;
+        if (cycles >= 1) cycles -= 1;
+        level *= fall;
+        turn = std::min(turn * rise, highest_hz * sample_s);
+    }
+}
+
+/// Time from one grain to the next (s).
+double interval(const Grains& grains, double rate, Random& random) {
+    const double spread = -det::log(1 - random.uniform());
+    return (grains.even + (1 - grains.even) * spread) / rate;
+}
+
+}  // namespace
+
+void add_tone(Canvas& canvas, const Tone& tone) {
+    const Span span = span_of(canvas, tone.envelope, tone.envelope.decay);
+    const Envelope envelope = fitted(tone.envelope, canvas, span);
+    const auto frequencies = frequencies_of(fitted(tone.pitch, canvas, span), span.count);
+    for (const auto& partial : tone.partials) add_partial(canvas, envelope, frequencies, partial);
+}
+
+void add_noise(Canvas& canvas, const Noise& noise, Random random) {
+    const Span span = span_of(canvas, noise.envelope, noise.envelope.decay);
+    const Envelope envelope = fitted(noise.envelope, canvas, span);
+    const auto frequencies = frequencies_of(fitted(noise.pitch, canvas, span), span.count);
+    NoiseShaper shaper(noise.filter, noise.sharpness);
+    if (span.lasting) {
+        // The same noise runs through the filter twice. The second time, the filter ends as it began.
+        Random before = random;
+        for (std::size_t i = 0; i < span.count; ++i) {
+            shaper.tune(frequencies[i / control_samples]);
+            shaper(before.uniform(-1, 1));
+        }
+    }
+    each_sample(envelope, envelope.decay, frequencies, span.count,
+                [&](std::size_t i, double gain, double hz) {
+                    shaper.tune(hz);
+                    canvas.add(span.start + i, shaper(random.uniform(-1, 1)) * gain);
+                });
+}
+
+void add_grains(Canvas& canvas, const Grains& grains, Random random) {
+    const Span span = span_of(canvas, grains.envelope, grains.envelope.decay);
+    const Envelope envelope = fitted(grains.envelope, canvas, span);
+    const double seconds = static_cast<double>(span.count) * sample_s;
+    const double widest = det::log(grains.high_hz / grains.low_hz);
+    double time = span.lasting ? random.uniform() / grains.rate : 0;
+    while (time < seconds) {
+        const double hz = grains.low_hz * det::exp(widest * random.uniform());
+        const double strength = (1 - grains.spread * random.uniform()) * (random.below(2) == 0 ? -1 : 1);
+        const auto at = span.start + static_cast<std::size_t>(time * sample_rate);
+        add_grain(canvas, grains, at, strength * gain_at(envelope, envelope.decay, time), hz);
+        const double rate = grains.rate + (grains.rate_to - grains.rate) * (time / seconds);
+        time += std::max(interval(grains, rate, random), sample_s);
+    }
+}
+
+void add_score(Canvas& canvas, const Score& score) {
+    const double beat_s = 60 / score.beats_per_minute;
+    for (const auto& note : score.notes) {
+        Tone tone;
+        tone.envelope = score.envelope;
+        tone.envelope.start += note.beat * beat_s;
+        tone.envelope.hold = std::max(0.0, note.beats * beat_s - tone.envelope.attack);
+        tone.envelope.level *= note.level;
+        tone.partials = score.partials;
+        const double hz = hz_of_key(note.key);
+        tone.pitch = {hz, hz, 1, score.vibrato_hz, score.vibrato};
+        add_tone(canvas, tone);
+    }
+}
+
+}  // namespace thaum::audio

@@ -1,0 +1,132 @@
+#include "audio/synth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "audio/parts.h"
+#include "core/file.h"
+#include "core/maths.h"
+#include "core/text.h"
+
+namespace thaum::audio {
+namespace {
+
+constexpr std::size_t largest_recipe = 64 << 10, most_sounds = 256;
+constexpr double most_seconds = 120;                     // of all sounds of a folder
+constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // of a sound that does not loop
+constexpr double lowest_hz = 15;  // frequencies below are not heard, only shift the samples
+
+void add_part(Canvas& canvas, const Part& part, Random random) {
+    if (const auto* tone = std::get_if<Tone>(&part)) return add_tone(canvas, *tone);
+    if (const auto* noise = std::get_if<Noise>(&part)) return add_noise(canvas, *noise, random);
+    if (const auto* grains = std::get_if<Grains>(&part)) return add_grains(canvas, *grains, random);
+    add_score(canvas, std::get<Score>(part));
+}
+
+double largest_of(const std::vector<double>& samples) {
+    double peak = 0;
+    for (const double sample : samples) peak = std::max(peak, std::abs(sample));
+    return peak;
+}
+
+/// Compresses loud moments: x / (1 + drive |x|), with the peak at 1 before.
+void compress(Canvas& canvas, double drive) {
+    if (drive == 0) return;
+    const double peak = std::max(largest_of(canvas.samples()), 1e-12);
+    for (double& sample : canvas.samples()) sample = sample / (peak + drive * std::abs(sample));
+}
+
+/// Adds echoes until they are below -60 dB.
+void add_echoes(Canvas& canvas, double delay_s, double share) {
+    if (delay_s == 0 || share <= 0) return;
+    const auto dry = canvas.samples();
+    const auto delay = static_cast<std::size_t>(delay_s * sample_rate);
+    double level = share;
+    for (std::size_t n = 1; level > 1e-3; ++n, level *= share) {
+        if (!canvas.loops() && n * delay >= dry.size()) return;
+        for (std::size_t i = 0; i < dry.size(); ++i) canvas.add(i + n * delay, dry[i] * level);
+    }
+}
+
+/// Removes what is below the range of hearing. A loop runs twice, so that the filter ends as it began.
+void remove_offset(Canvas& canvas) {
+    const double share = 1 - 2 * pi * lowest_hz / sample_rate;
+    const auto dry = canvas.samples();
+    double in = 0, out = 0;
+    for (int run = canvas.loops() ? 0 : 1; run < 2; ++run) {
+        for (std::size_t i = 0; i < dry.size(); ++i) {
+            out = share * (out + dry[i] - in);
+            in = dry[i];
+            canvas.samples()[i] = out;
+        }
+    }
+}
+
+/// Lets a sound begin and end with silence.
+void fade(Canvas& canvas) {
+    if (canvas.loops()) return;
+    auto& samples = canvas.samples();
+    const auto gain = [](double share) { return share * share * (3 - 2 * share); };
+    const auto rise = static_cast<std::size_t>(fade_in_s * sample_rate);
+    const auto fall = static_cast<std::size_t>(fade_out_s * sample_rate);
+    for (std::size_t i = 0; i < rise; ++i)
+        samples[i] *= gain(static_cast<double>(i) / static_cast<double>(rise));
+    for (std::size_t i = 0; i < fall; ++i)
+        samples[samples.size() - 1 - i] *= gain(static_cast<double>(i) / static_cast<double>(fall));
+}
+
+Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    std::filesystem::directory_iterator it(folder, error);
+    for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error)) {
+        if (it->path().extension() == ".toml") files.push_back(it->path());
+    }
+    if (error) return fail(text(folder.string(), ": the folder of sounds cannot be read: ", error.message()));
+    if (files.empty()) return fail(text(folder.string(), ": the folder holds no sounds (NAME.toml)"));
+    if (files.size() > most_sounds)
+        return fail(text(folder.string(), ": the folder holds more than ", most_sounds, " sounds"));
+    std::sort(files.begin(), files.end(),
+              [](const auto& a, const auto& b) { return a.stem().string() < b.stem().string(); });
+    return files;
+}
+
+}  // namespace
+
+Sound make_sound(const Recipe& recipe) {
+    Canvas canvas(recipe.seconds, recipe.loops);
+    for (std::size_t i = 0; i < recipe.parts.size(); ++i)
+        add_part(canvas, recipe.parts[i], random_stream(recipe.seed, i));
+    compress(canvas, recipe.drive);
+    add_echoes(canvas, recipe.echo_s, recipe.echo);
+    remove_offset(canvas);
+    fade(canvas);
+    const double peak = largest_of(canvas.samples());
+    const double scale = peak > 1e-9 ? recipe.level / peak : 0;
+    Sound sound{recipe.name, recipe.description, recipe.group, recipe.loops, recipe.near_m, recipe.reach_m,
+                {}};
+    sound.samples.reserve(canvas.size());
+    for (const double sample : canvas.samples()) sound.samples.push_back(static_cast<float>(sample * scale));
+    return sound;
+}
+
+Expected<SoundBank> load_sounds(const std::filesystem::path& folder) {
+    const auto files = recipes_in(folder);
+    if (!files) return tl::unexpected(files.error());
+    SoundBank bank;
+    double seconds = 0;
+    for (const auto& file : *files) {
+        const auto toml = read_text_file(file, largest_recipe);
+        if (!toml) return tl::unexpected(toml.error());
+        const auto recipe = read_recipe(*toml, file.stem().string());
+        if (!recipe) return fail(text(folder.string(), "/", recipe.error().message));
+        seconds += recipe->seconds;
+        if (seconds > most_seconds)
+            return fail(text(folder.string(), ": all sounds together are longer than ", most_seconds, " s"));
+        bank.sounds.push_back(make_sound(*recipe));
+    }
+    return bank;
+}
+
+}  // namespace thaum::audio
