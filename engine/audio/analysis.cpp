@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t window_samples = 2048;
 /// Bands more than this below the loudest count as silence in a signature (dB).
 constexpr double signature_floor_db = 24;
-/// Part of a sound that counts as audible: down to this below the loudest moment (dB).
-constexpr double audible_db = 30;
+/// Share of a sound's energy in the part that counts as audible.
+constexpr double audible_share = 0.97;
 /// Difference in a signature between a sound and one of twice the length (dB).
 constexpr double octave_of_length_db = 12;
 
@@ -125,22 +125,14 @@ Spectrogram spectrogram_of(std::span<const float> samples, std::size_t columns, 
 
 namespace {
 
-/// Samples up to the last moment that is audible, or all of them.
+/// The beginning of a sound that has nearly all of its energy.
 std::span<const float> audible_part(std::span<const float> samples) {
-    constexpr std::size_t step = sample_rate / 200;
-    std::vector<double> power;
-    for (std::size_t from = 0; from < samples.size(); from += step) {
-        double sum = 0;
-        for (std::size_t i = from; i < std::min(from + step, samples.size()); ++i)
-            sum += static_cast<double>(samples[i]) * static_cast<double>(samples[i]);
-        power.push_back(sum);
-    }
-    if (power.empty()) return samples;
-    const double least =
-        *std::max_element(power.begin(), power.end()) * det::exp(-audible_db / 10 * det::log(10));
-    auto last = power.size();
-    while (last > 1 && power[last - 1] <= least) --last;
-    return samples.first(std::min(samples.size(), last * step));
+    double whole = 0, sum = 0;
+    for (const float sample : samples) whole += static_cast<double>(sample) * static_cast<double>(sample);
+    std::size_t count = 0;
+    for (; count < samples.size() && sum < audible_share * whole; ++count)
+        sum += static_cast<double>(samples[count]) * static_cast<double>(samples[count]);
+    return samples.first(count);
 }
 
 }  // namespace

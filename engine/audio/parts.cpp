@@ -9,6 +9,7 @@ namespace thaum::audio {
 namespace {
 
 constexpr double sample_s = 1.0 / sample_rate;
+constexpr double noise_rms = 0.35;     // of a noise with level 1
 constexpr double highest_hz = 20'000;  // deviations by a vibrato stay below half the sample rate
 
 /// A part on the time axis of its canvas, in samples.
@@ -100,7 +101,8 @@ public:
         a1_ = 1 / (1 + g * (g + damping_));
         a2_ = g * a1_;
         a3_ = g * a2_;
-        scale_ = std::sqrt(1000 / bandwidth());
+        scale_ =
+            noise_rms * std::sqrt(3 * sample_rate / 2.0 / bandwidth());  // white noise has 1/3 as mean square
     }
 
     double operator()(double in) { return scale_ * second_.step(*this, first_.step(*this, in)); }
@@ -189,7 +191,8 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
     const Envelope envelope = fitted(grains.envelope, canvas, span);
     const double seconds = static_cast<double>(span.count) * sample_s;
     const double widest = det::log(grains.high_hz / grains.low_hz);
-    double time = span.lasting ? random.uniform() / grains.rate : 0;
+    // The first grain waits until the part can be heard.
+    double time = span.lasting ? random.uniform() / grains.rate : std::min(envelope.attack, 1 / grains.rate);
     while (time < seconds) {
         const double hz = grains.low_hz * det::exp(widest * random.uniform());
         const double strength = (1 - grains.spread * random.uniform()) * (random.below(2) == 0 ? -1 : 1);

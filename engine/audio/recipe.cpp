@@ -124,7 +124,7 @@ Score read_score(const ConfigTable& table, const Whole& whole) {
     for (std::size_t i = 0; i < std::min(notes.size(), most_notes); ++i) {
         Note note;
         note.beat = notes[i].number("beat", {0, last_beat});
-        note.beats = notes[i].number("beats", {0.05, last_beat});
+        note.beats = notes[i].number("beats", {0.01, last_beat});
         note.key = notes[i].number("key", {16, 120});
         note.level = notes[i].number("level", {0, 4}, 1);
         score.notes.push_back(note);
