@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "audio/oscillator.h"
+#include "audio/detail/oscillator.h"
 #include "core/config.h"
 #include "core/text.h"
 

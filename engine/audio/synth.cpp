@@ -4,7 +4,7 @@
 #include <cmath>
 #include <system_error>
 
-#include "audio/parts.h"
+#include "audio/detail/parts.h"
 #include "core/file.h"
 #include "core/maths.h"
 #include "core/text.h"

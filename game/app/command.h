@@ -32,6 +32,7 @@ Command bench_command();
 Command doctor_command();
 Command plot_command();
 Command lab_command();
+Command sounds_command();
 
 /// Tests whether a desktop is there to open a window on.
 bool display_there();

@@ -209,7 +209,7 @@ cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was sav
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
-for command in play range lab replay shots diff scenario league bench plot doctor; do
+for command in play range lab replay shots diff scenario league bench plot sounds doctor; do
     [[ $command != bench ]] || $benchmarks || continue
     lines=$("$thaum" "$command" --help | wc -l)
     [[ $lines -gt 2 && $lines -le 26 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }

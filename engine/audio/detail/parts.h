@@ -1,6 +1,6 @@
-// audio/parts.h: adds the parts of a recipe to a sound.
+// audio/detail/parts.h: adds the parts of a recipe to a sound.
 #pragma once
-#include "audio/oscillator.h"
+#include "audio/detail/oscillator.h"
 #include "core/random.h"
 
 namespace thaum::audio {

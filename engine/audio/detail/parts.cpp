@@ -1,4 +1,4 @@
-#include "audio/parts.h"
+#include "audio/detail/parts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// audio/oscillator.h: the small parts of the sound generator, all with the same bits on every processor.
+// audio/detail/oscillator.h: the small parts of the sound generator, all with the same bits on every processor.
 //
 // Gains and frequencies are computed at the ends of blocks of samples. Within a block, a gain runs in a straight line
 // and a frequency stays.

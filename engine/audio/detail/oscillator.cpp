@@ -1,4 +1,4 @@
-#include "audio/oscillator.h"
+#include "audio/detail/oscillator.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,134 @@
+// thaum sounds: lists the sounds of the game, and writes them as files and pictures.
+#include <array>
+#include <bit>
+#include <cstdio>
+
+#include "audio/analysis.h"
+#include "audio/synth.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "core/write_rule.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/sound_picture.h"
+#include "game/data/match_data.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::string_view sounds_help =
+    R"(usage: thaum sounds [NAME ...] [OPTIONS]
+
+Lists the sounds of the game: length, largest sample, level of the loudest 50 ms, and what is
+heard. With names, only these. Needs neither a display nor speakers.
+
+  --out DIR       also writes each sound as DIR/NAME.wav, and DIR/NAME.png: the waveform above,
+                  the spectrogram below (40 Hz to 16 kHz; bright: loud)
+  --sheet FILE    also writes one picture (PNG) with the spectrograms of all listed sounds
+
+The sounds are made from the recipes in assets/sounds; SOUNDS.md there explains them.
+)";
+
+using Chosen = std::vector<const audio::Sound*>;
+
+/// The named sounds, or all. The error names the first unknown name.
+Expected<Chosen> choose(const audio::SoundBank& bank, const std::vector<std::string>& names) {
+    Chosen chosen;
+    for (const auto& name : names) {
+        const auto number = bank.find(name);
+        if (!number) return fail(text("no sound '", name, "'; `thaum sounds` lists them"));
+        chosen.push_back(&bank.sounds[*number]);
+    }
+    if (names.empty()) {
+        for (const auto& sound : bank.sounds) chosen.push_back(&sound);
+    }
+    return chosen;
+}
+
+std::string_view name_of(audio::SoundGroup group) {
+    static constexpr std::array<std::string_view, audio::sound_groups> names{"effects", "music", "interface"};
+    return names[static_cast<std::size_t>(group)];
+}
+
+void print_list(const Chosen& sounds) {
+    std::printf("%-20s %-9s %7s %5s %7s  %s\n", "sound", "group", "s", "peak", "dB", "what is heard");
+    for (const auto* sound : sounds) {
+        const double seconds = static_cast<double>(sound->samples.size()) / audio::sample_rate;
+        std::printf("%-20s %-9s %7s %5s %7s  %s\n", sound->name.c_str(),
+                    std::string(name_of(sound->group)).c_str(),
+                    text(fixed(seconds, 2), sound->loops ? "~" : "").c_str(),
+                    fixed(audio::peak_of(sound->samples), 2).c_str(),
+                    fixed(audio::loudest_db(sound->samples), 1).c_str(), sound->description.c_str());
+    }
+    std::printf("~: loops\n");
+}
+
+void append_little(std::string& out, std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>((value >> (8 * i)) & 0xffU));
+}
+
+/// Bytes of a WAV file with one channel of 32-bit floating-point samples.
+std::string wav_bytes(const std::vector<float>& samples) {
+    constexpr std::uint32_t floating = 3, channels = 1, sample_bytes = 4;
+    const auto data = static_cast<std::uint32_t>(samples.size()) * sample_bytes;
+    std::string out = "RIFF";
+    append_little(out, 4 + 24 + 8 + data, 4);
+    out += "WAVEfmt ";
+    append_little(out, 16, 4);
+    append_little(out, floating, 2);
+    append_little(out, channels, 2);
+    append_little(out, audio::sample_rate, 4);
+    append_little(out, audio::sample_rate * sample_bytes, 4);
+    append_little(out, sample_bytes, 2);
+    append_little(out, 8 * sample_bytes, 2);
+    out += "data";
+    append_little(out, data, 4);
+    for (const float sample : samples) append_little(out, std::bit_cast<std::uint32_t>(sample), 4);
+    return out;
+}
+
+Expected<void> write_all_of(const Chosen& sounds, const std::filesystem::path& folder, render::Font& font) {
+    if (auto made = make_folder(folder); !made) return made;
+    for (const auto* sound : sounds) {
+        if (auto done = write_text_file(folder / text(sound->name, ".wav"), wav_bytes(sound->samples)); !done)
+            return done;
+        if (auto done = render::write_png(folder / text(sound->name, ".png"), draw_sound(*sound, font));
+            !done)
+            return done;
+    }
+    return {};
+}
+
+int run_sounds(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {{"--out", 1}, {"--sheet", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    const auto out = arguments->value("--out"), sheet = arguments->value("--sheet");
+    if (sheet) {
+        if (const auto free = check_output(*sheet); !free) return refuse(free.error());
+    }
+    const auto bank = audio::load_sounds(game::find_assets() / "sounds");
+    if (!bank) return refuse(bank.error());
+    const auto sounds = choose(*bank, arguments->plain());
+    if (!sounds) return refuse(sounds.error());
+    print_list(*sounds);
+    if (!out && !sheet) return done;
+    auto font = render::Font::load();
+    if (!font) return refuse(font.error());
+    if (out) {
+        if (const auto written = write_all_of(*sounds, *out, *font); !written) return refuse(written.error());
+    }
+    if (sheet) {
+        if (const auto written = render::write_png(*sheet, draw_sounds(*sounds, *font)); !written)
+            return refuse(written.error());
+    }
+    return done;
+}
+
+}  // namespace
+
+Command sounds_command() {
+    return {"sounds", "list the sounds; write them as files and pictures", sounds_help, run_sounds};
+}
+
+}  // namespace thaum::app
