@@ -36,7 +36,8 @@ double gain_at(const Envelope& envelope, double decay, double time) {
     const double tremolo =
         envelope.tremolo == 0
             ? 1
-            : 1 - envelope.tremolo * (0.5 - 0.5 * sine_of_cycles(std::fmod(envelope.tremolo_hz * time, 1.0)));
+            : 1 - envelope.tremolo *
+                      (0.5 - 0.5 * sine_of_cycles(std::fmod(envelope.tremolo_hz * time + 0.25, 1.0)));
     const double level = envelope.level * tremolo;
     if (decay == 0 && envelope.attack == 0) return level;
     if (time < envelope.attack) {
