@@ -15,7 +15,7 @@ constexpr double longest_s = 16, longest_one_shot_s = 1.5, most_grains = 4000, m
 constexpr Range hz_range{20, 20'000};
 constexpr std::size_t most_parts = 16, most_partials = 16, most_notes = 200;
 
-/// Ends of the table of a recipe that its parts need.
+/// Values of the whole sound that its parts need.
 struct Whole {
     double seconds{};
     bool loops{};

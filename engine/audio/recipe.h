@@ -70,7 +70,7 @@ struct Noise {
 struct Grains {
     Envelope envelope;  ///< gain of a grain by the time of its start
     double rate{};      ///< grains per second at the start of the part
-    double rate_to{};   ///< grains per second at the end of the sound
+    double rate_to{};   ///< grains per second at the end of the part
     double even{};      ///< 0: random intervals; 1: equal intervals
     double low_hz{};    ///< lowest frequency of a grain (Hz)
     double high_hz{};   ///< highest frequency of a grain (Hz)

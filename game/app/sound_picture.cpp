@@ -115,6 +115,12 @@ std::string title_of(const audio::Sound& sound) {
     return text(sound.name, "  ", fixed(seconds, 2), " s", sound.loops ? ", loops" : "");
 }
 
+/// Name and length, narrow enough for a place on the sheet.
+std::string short_title_of(const audio::Sound& sound) {
+    const double seconds = static_cast<double>(sound.samples.size()) / audio::sample_rate;
+    return text(sound.name, " ", fixed(seconds, 2), sound.loops ? "~" : "");
+}
+
 }  // namespace
 
 render::Image draw_sound(const audio::Sound& sound, render::Font& font) {
@@ -138,7 +144,7 @@ render::Image draw_sounds(std::span<const audio::Sound* const> sounds, render::F
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         const int x = gap + static_cast<int>(i) % across * (width + gap);
         const int y = gap + static_cast<int>(i) / across * (height + label + gap);
-        write(image, font, x, y, 11, title_of(*sounds[i]), ink);
+        write(image, font, x, y, 10, short_title_of(*sounds[i]), ink);
         draw_waveform(image, {x, y + label, width, 40}, sounds[i]->samples);
         draw_spectrogram(image, {x, y + label + 42, width, height - 42}, sounds[i]->samples);
     }

@@ -209,6 +209,19 @@ cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was sav
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
+# The sounds as a list, as files and as pictures. A name, a folder or a recipe that is wrong is refused in one line.
+expect 2 "no sound 'horn'; \`thaum sounds\` lists them" sounds boil horn
+expect 2 "cannot create" sounds boil --out /dev/null/out
+expect 2 "/nowhere" sounds boil --sheet /nowhere/sheet.png
+[[ $("$thaum" sounds | grep -c '  ') == 55 ]] || { echo "failed: thaum sounds lists other than 54 sounds"; failures=$((failures + 1)); }
+"$thaum" sounds bolt_shot boil --out "$folder/sounds" --sheet "$folder/sheet.png" >/dev/null
+[[ $(cd "$folder/sounds" && echo *) == "boil.png boil.wav bolt_shot.png bolt_shot.wav" ]] || { echo "failed: the files of two sounds"; failures=$((failures + 1)); }
+# 0.24 s of 48,000 samples of four bytes, after a header of 44 bytes.
+[[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46124 && -s $folder/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
+cp -r "$(dirname "$0")/../../assets" "$folder/assets"
+echo 'loud = true' >>"$folder/assets/sounds/boil.toml"
+THAUM_ASSETS=$folder/assets expect 2 "sounds/boil.toml:" sounds
+
 for command in play range lab replay shots diff scenario league bench plot sounds doctor; do
     [[ $command != bench ]] || $benchmarks || continue
     lines=$("$thaum" "$command" --help | wc -l)

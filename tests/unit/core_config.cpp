@@ -63,6 +63,23 @@ TEST(CoreConfig, ReadsEveryKind) {
     EXPECT_TRUE(config.check().has_value());
 }
 
+TEST(CoreConfig, ReadsListsOfNumbers) {
+    const auto config = parsed("a = [1, 2.5]\nb = [7]");
+    EXPECT_EQ(config.root().numbers("a", {0, 3}, 2, {}), (std::vector<double>{1, 2.5}));
+    EXPECT_EQ(config.root().numbers("b", {0, 9}, 2, {}), (std::vector<double>{7}));
+    EXPECT_EQ(config.root().numbers("none", {0, 9}, 2, {4, 5}), (std::vector<double>{4, 5}));
+    EXPECT_TRUE(config.check().has_value());
+    const auto fault = [](std::string_view body) {
+        return fault_of(body, [](const ConfigTable& t) { t.numbers("x", {0, 10}, 2, {}); });
+    };
+    EXPECT_EQ(fault("x = 3"), "wand.toml:2: 'x' must be a list of 1 to 2 numbers");
+    EXPECT_EQ(fault("x = []"), "wand.toml:2: 'x' must be a list of 1 to 2 numbers");
+    EXPECT_EQ(fault("x = [1, 2, 3]"), "wand.toml:2: 'x' must be a list of 1 to 2 numbers");
+    EXPECT_EQ(fault("x = [1, 11]"), "wand.toml:2: 'x' is 11, must be from 0 to 10");
+    EXPECT_EQ(fault("x = [1, nan]"), "wand.toml:2: 'x' is nan, must be from 0 to 10");
+    EXPECT_EQ(fault("x = [1, true]"), "wand.toml:2: 'x' must be a number");
+}
+
 TEST(CoreConfig, FallbacksStandInForMissingKeys) {
     const auto config = parsed("");
     const auto root = config.root();

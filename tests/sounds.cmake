@@ -1,0 +1,8 @@
+# The sound generator, the sounds of the game, and their pictures.
+thaum_test(test_sounds
+    SOURCES accuracy/audio_synth_test.cpp unit/audio_recipe_test.cpp unit/audio_sounds_test.cpp
+    LINK thaum_audio
+    NOT_SANITIZED GameSounds.EachIsTold*)
+thaum_test(test_sound_pictures
+    SOURCES unit/sound_picture_test.cpp
+    LINK thaum_commands)
