@@ -1,0 +1,44 @@
+// audio/detail/limiter.h: keeps a stereo signal within -1 to 1 without clipping its waves.
+//
+// The signal is delayed by 2 ms. The gain of each sample is the average, over the delay, of the least gain that any
+// sample within the delay needs. So the gain is low enough when a peak comes out, and it has moved there evenly. After
+// a peak it rises slowly. Both channels get the same gain, so that no voice changes its side.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace thaum::audio::detail {
+
+class Limiter {
+public:
+    /// Samples by which the output is later than the input.
+    static constexpr std::size_t delay = 95;
+
+    /// Replaces interleaved stereo samples by the limited, delayed ones. Values that are not numbers become 0. Returns
+    /// true if the gain of some sample was below 1.
+    bool process(std::span<float> stereo);
+    /// Forgets what is in the delay.
+    void clear() { *this = {}; }
+
+private:
+    static constexpr std::size_t window = delay + 1;
+
+    double lowest_needed() const;
+
+    std::array<float, 2 * window> delayed_{};
+    std::array<double, window> needed_ = filled();  ///< gain that each delayed sample needs
+    std::array<double, window> held_ = filled();    ///< gain before averaging
+    double held_sum_{window};
+    double lowest_{1};
+    std::size_t calm_{window};  ///< samples since needed_ or held_ was last below 1
+    std::size_t at_{};
+
+    static constexpr std::array<double, window> filled() {
+        std::array<double, window> ones{};
+        ones.fill(1);
+        return ones;
+    }
+};
+
+}  // namespace thaum::audio::detail

@@ -1,0 +1,91 @@
+// audio/detail/listener_mix.h: the voices that one listener hears.
+//
+// Each block: frees the sources that have ended or faded, finds the gain of every voice, gives the 64 loudest a source,
+// and lets the others fade out within the block. OpenAL moves each gain evenly over the block that it renders, so
+// neither a change nor a fade clicks.
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "audio/detail/checked_frame.h"
+#include "audio/detail/loopback.h"
+
+namespace thaum::audio::detail {
+
+/// Voices of one block, checked.
+struct BlockVoices {
+    std::span<const Voice> lasts;
+    std::span<const Voice> begins;
+};
+
+class ListenerMix {
+public:
+    /// `index` is the listener's number, 0 or 1. The facts must outlive this object.
+    ListenerMix(std::unique_ptr<Loopback> device, std::span<const SoundFacts> sounds, std::uint32_t index);
+
+    /// Renders one block. `clock` is the number of samples since the mixer was made; `faders` holds the gain of each
+    /// group.
+    void block(const Listener& listener, BlockVoices voices, const std::array<double, sound_groups>& faders,
+               std::uint64_t clock, MixReport& report, std::span<float> stereo);
+    /// True if a block without voices would be silent.
+    bool is_silent() const { return playing_count_ == 0 && silent_blocks_ >= 2; }
+    /// Ends all voices at once.
+    void silence();
+    std::uint32_t voices() const { return heard_; }
+
+    bool hrtf() const { return device_->hrtf(); }
+    void set_hrtf(bool wanted) { device_->set_hrtf(wanted); }
+
+private:
+    /// A voice that has a source.
+    struct Playing {
+        Voice voice;
+        std::uint32_t source{};
+        bool lasting{};
+        bool fading{};  ///< ends with the block in which it was set
+        bool chosen{};
+        double gain{};
+        double pitch{};
+        double muffled{};
+        fvec3 place{};
+    };
+    /// A voice that wants a source in this block.
+    struct Candidate {
+        const Voice* voice{};
+        std::int32_t playing{-1};  ///< index of its Playing; -1: it has none yet
+        bool lasting{};
+        double gain{};
+    };
+    /// Playing and fading voices: as many again may fade as play.
+    static constexpr std::size_t most_playing = 2 * most_heard;
+    static constexpr std::size_t most_candidates = most_playing + 32 + most_begins;
+
+    void free_ended();
+    void gather(const Listener& listener, BlockVoices voices, const std::array<double, sound_groups>& faders,
+                MixReport& report);
+    void add(const Candidate& candidate);
+    std::int32_t find_lasting(const Voice& voice) const;
+    double gain_of(const Voice& voice, const Listener& listener,
+                   const std::array<double, sound_groups>& faders) const;
+    void choose(MixReport& report);
+    void fade_the_rest(MixReport& report);
+    void change(Playing& playing, const Candidate& candidate, const Listener& listener);
+    void start(const Candidate& candidate, const Listener& listener, std::uint64_t clock);
+
+    std::unique_ptr<Loopback> device_;
+    std::span<const SoundFacts> sounds_;
+    std::uint32_t index_;
+    std::uint32_t heard_{};
+    std::uint32_t silent_blocks_{2};
+
+    std::array<Playing, most_playing> playing_{};
+    std::size_t playing_count_{};
+    std::array<Candidate, most_candidates> candidates_{};
+    std::size_t candidate_count_{};
+    std::array<std::uint32_t, most_heard> starting_{};
+    std::size_t starting_count_{};
+};
+
+}  // namespace thaum::audio::detail

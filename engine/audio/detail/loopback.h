@@ -1,0 +1,86 @@
+// audio/detail/loopback.h: one loopback device of OpenAL with the sounds of a bank and a fixed pool of sources.
+//
+// A new buffer in a source costs OpenAL an allocation. So there are four sources for each voice that may be heard; each
+// keeps its buffer, and a sound takes a source that has had its buffer before.
+#pragma once
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "audio/detail/openal.h"
+#include "audio/sound.h"
+#include "core/maths.h"
+
+namespace thaum::audio::detail {
+
+class Loopback {
+public:
+    static constexpr std::uint32_t pool_size = 256;
+
+    /// The error is one line.
+    static Expected<std::unique_ptr<Loopback>> open(const SoundBank& bank, bool hrtf);
+    ~Loopback();
+    Loopback(const Loopback&) = delete;
+    Loopback& operator=(const Loopback&) = delete;
+
+    /// True if HRTF is on.
+    bool hrtf() const { return hrtf_; }
+    /// Turns HRTF on or off; hrtf() tells whether it succeeded. Sources go on. Sound may jump.
+    void set_hrtf(bool wanted);
+    /// Renders frame_samples samples for two channels.
+    void render(std::span<float> stereo);
+
+    // Below, `source` is an index of the pool. Each call needs the scope of `enter`.
+    ContextScope enter() const { return {al_, context_}; }
+    /// Returns a free source that has the buffer of the sound.
+    std::uint32_t take(std::uint32_t sound);
+    /// Stops a source and frees it.
+    void give_back(std::uint32_t source);
+    bool has_ended(std::uint32_t source) const;
+    void set_gain(std::uint32_t source, double gain) const;
+    void set_pitch(std::uint32_t source, double pitch) const;
+    void set_place(std::uint32_t source, fvec3 place) const;  ///< (m, right, up and back of the listener)
+    /// Dampens high tones; 0 to 1.
+    void set_muffled(std::uint32_t source, double muffled) const;
+    /// A source that starts later than at sample 0 fades in within the first block.
+    void set_start(std::uint32_t source, std::uint32_t sample) const;
+    void start(std::span<const std::uint32_t> sources) const;
+    /// Changes between the two calls take effect together.
+    void begin_changes() const { defer_(); }
+    void end_changes() const { process_(); }
+
+private:
+    struct Source {
+        ALuint name{};
+        std::uint32_t sound{};
+        bool has_sound{};
+        bool busy{};
+        std::uint64_t freed{};  ///< number of the moment at which it became free
+    };
+
+    explicit Loopback(const OpenAl& al) : al_(al) {}
+    Expected<void> make_context(bool hrtf);
+    Expected<void> upload(const SoundBank& bank);
+    Expected<void> make_sources();
+    void attach(Source& source, std::uint32_t sound);
+    /// Plays all sources silently once, so that OpenAL makes its own memory now.
+    void warm_up();
+    void read_hrtf();
+    std::vector<ALCint> attributes(bool hrtf) const;
+
+    OpenAl al_;
+    ALCdevice* device_{};
+    ALCcontext* context_{};
+    LPALDEFERUPDATESSOFT defer_{};
+    LPALPROCESSUPDATESSOFT process_{};
+    LPALFILTERF set_filter_{};
+    ALuint filter_{};
+    bool hrtf_{};
+    std::uint64_t moment_{};
+    std::vector<ALuint> buffers_;
+    std::vector<bool> loops_;
+    std::array<Source, pool_size> pool_{};
+};
+
+}  // namespace thaum::audio::detail

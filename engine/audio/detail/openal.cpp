@@ -1,0 +1,75 @@
+#include "audio/detail/openal.h"
+
+#include <dlfcn.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <mutex>
+#include <string_view>
+
+#include "core/text.h"
+
+namespace thaum::audio::detail {
+namespace {
+
+/// OpenAL's usual three periods of 1,024 samples would be heard 60 ms late.
+constexpr std::string_view short_periods = "[general]\nperiod_size = 384\nperiods = 3\n";
+
+/// Gives OpenAL its settings as a file in memory. It has no call for them.
+void choose_short_periods() {
+    if (std::getenv("ALSOFT_CONF") != nullptr) return;
+    const int fd = ::memfd_create("thaum-openal", MFD_CLOEXEC);
+    if (fd < 0) return;
+    if (::write(fd, short_periods.data(), short_periods.size()) ==
+        static_cast<ssize_t>(short_periods.size())) {
+        ::setenv("ALSOFT_CONF", text("/proc/self/fd/", fd).c_str(), 1);
+        alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback");  // OpenAL reads the file now
+        ::unsetenv("ALSOFT_CONF");
+    }
+    ::close(fd);
+}
+
+void ignore_alsa_message(const char*, int, const char*, int, const char*, ...) {}
+
+/// ALSA prints several lines for each device that it lacks. OpenAL loads ALSA itself, so it is looked up there.
+void silence_alsa() {
+    void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY | RTLD_NOLOAD);
+    if (alsa == nullptr) return;
+    using Handler = void (*)(const char*, int, const char*, int, const char*, ...);
+    using SetHandler = int (*)(Handler);
+    const auto set_handler = reinterpret_cast<SetHandler>(::dlsym(alsa, "snd_lib_error_set_handler"));
+    if (set_handler != nullptr) set_handler(&ignore_alsa_message);
+    ::dlclose(alsa);
+}
+
+void prepare_openal() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+        choose_short_periods();
+        alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback");
+        silence_alsa();
+    });
+}
+
+template <class Function>
+bool found(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(alcGetProcAddress(nullptr, name));
+    return function != nullptr;
+}
+
+}  // namespace
+
+Expected<OpenAl> find_openal() {
+    prepare_openal();
+    OpenAl al;
+    const bool complete = found(al.open_loopback, "alcLoopbackOpenDeviceSOFT") &&
+                          found(al.render, "alcRenderSamplesSOFT") && found(al.reset, "alcResetDeviceSOFT") &&
+                          found(al.set_thread_context, "alcSetThreadContext") &&
+                          found(al.thread_context, "alcGetThreadContext");
+    if (!complete) return fail("this OpenAL cannot mix into memory; install OpenAL Soft 1.19 or newer");
+    return al;
+}
+
+}  // namespace thaum::audio::detail
