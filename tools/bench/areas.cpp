@@ -12,6 +12,7 @@ std::span<const Area> areas() {
         Area{"coupling", coupling}, Area{"primitives", primitives},
         Area{"haptics", haptics},   Area{"fluid", fluid, fluid_stress},
         Area{"surface", surface},   Area{"field", field},
+        Area{"audio", audio},
     };
     return list;
 }

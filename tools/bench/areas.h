@@ -4,6 +4,7 @@
 
 namespace thaum::bench {
 
+void audio(const Options& options, Report& report);
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
 void physics(const Options& options, Report& report);

@@ -45,6 +45,8 @@ constexpr std::array invariants{
     Invariant{"haptics", "safety_hostile", "violations", 0, 0},
     Invariant{"haptics", "passivity", "energy_j", 0, created_most},
     Invariant{"haptics", "passivity", "scenarios", 1, any},
+    Invariant{"audio", "mix", "allocations", 0, 0},
+    Invariant{"audio", "level", "worst_db", 0, 0.1},
     Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
 };
 
