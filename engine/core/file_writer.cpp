@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/assert.h"
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
@@ -54,6 +55,7 @@ FileWriter::FileWriter(FileWriter&& other) noexcept
       part_(std::move(other.part_)),
       fd_(std::exchange(other.fd_, -1)),
       fault_(other.fault_),
+      written_(other.written_),
       buffer_(std::move(other.buffer_)) {}
 
 FileWriter::~FileWriter() {
@@ -73,6 +75,7 @@ Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
 }
 
 void FileWriter::write(std::span<const std::byte> bytes) {
+    written_ += bytes.size();
     if (buffer_.size() + bytes.size() > buffer_size) flush();
     if (bytes.size() < buffer_size) {
         buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
@@ -82,6 +85,14 @@ void FileWriter::write(std::span<const std::byte> bytes) {
 }
 
 void FileWriter::write(std::string_view text) { write(std::as_bytes(std::span(text.data(), text.size()))); }
+
+void FileWriter::replace_start(std::span<const std::byte> bytes) {
+    THAUM_ASSERT(bytes.size() <= written_, "replaces more bytes than were written");
+    flush();
+    if (fault_ != 0) return;
+    if (::lseek(fd_, 0, SEEK_SET) != 0 || !write_all(fd_, bytes) || ::lseek(fd_, 0, SEEK_END) < 0)
+        fault_ = errno;
+}
 
 void FileWriter::flush() {
     if (fault_ == 0 && !write_all(fd_, buffer_)) fault_ = errno;

@@ -26,6 +26,8 @@ public:
     /// Appends bytes. After a failure (a full disk) writes nothing more; `close` reports the failure.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text);
+    /// Replaces the first bytes of what was written, such as a header with a length that is known only at the end.
+    void replace_start(std::span<const std::byte> bytes);
     /// Flushes the bytes to the disk and renames the file to its target. The error names the path.
     Expected<void> close();
 
@@ -38,7 +40,8 @@ private:
     std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved
     std::string part_;              ///< path of the temporary file, in the target's folder
     int fd_;
-    int fault_ = 0;  ///< errno of the first write that failed
+    int fault_ = 0;              ///< errno of the first write that failed
+    std::uint64_t written_ = 0;  ///< bytes that `write` was given
     Bytes buffer_;
 };
 

@@ -166,6 +166,20 @@ TEST_F(CoreFile, ARecordingIsNeverReplaced) {
     EXPECT_EQ(files(), 3);
 }
 
+TEST_F(CoreFile, TheStartOfAFileCanBeReplacedAtTheEnd) {
+    const auto path = in_folder("a");
+    for (const std::size_t length : {4U, 100U, 200'000U}) {
+        auto file = FileWriter::create(path).value();
+        file.write("size");
+        file.write(std::string(length, '.'));
+        const std::string start = "1234";
+        file.replace_start(std::as_bytes(std::span(start)));
+        file.write("end");
+        ASSERT_TRUE(file.close());
+        EXPECT_EQ(read_text_file(path, 1'000'000), "1234" + std::string(length, '.') + "end");
+    }
+}
+
 TEST_F(CoreFile, ALinkStaysALinkAndRightsStay) {
     const auto goal = in_folder("goal"), link = in_folder("link");
     ASSERT_TRUE(write_text_file(goal, "old"));

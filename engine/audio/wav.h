@@ -1,0 +1,41 @@
+// audio/wav.h: writes stereo samples to a WAV file.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "audio/sound.h"
+#include "core/error.h"
+#include "core/file_writer.h"
+
+namespace thaum::audio {
+
+enum class WavFormat : std::uint8_t {
+    whole_16,  ///< whole numbers of 16 bits, which every program reads
+    float_32,  ///< the mixer's own numbers, bit for bit
+};
+
+/// A file of 48 kHz. Without `close`, no file is left (core/file_writer.h).
+class WavWriter {
+public:
+    /// The error is FileWriter's.
+    static Expected<WavWriter> create(std::filesystem::path path, WavFormat format);
+
+    /// Appends samples, left and right in turn. Values outside -1 to 1 are clipped, those that are no numbers become 0.
+    void write(std::span<const float> stereo);
+    /// Completes the header and the file. The error names the path: FileWriter's, or more than 4 GB of samples.
+    Expected<void> close();
+    /// Length of what was written (s).
+    double seconds() const;
+
+private:
+    WavWriter(FileWriter file, std::filesystem::path path, WavFormat format);
+    Bytes header() const;
+
+    FileWriter file_;
+    std::filesystem::path path_;
+    WavFormat format_;
+    std::uint64_t values_{};  ///< samples of both channels
+};
+
+}  // namespace thaum::audio
