@@ -14,7 +14,7 @@ namespace thaum::audio::detail {
 namespace {
 
 /// OpenAL's usual three periods of 1,024 samples would be heard 60 ms late.
-constexpr std::string_view short_periods = "[general]\nperiod_size = 384\nperiods = 3\n";
+constexpr std::string_view short_periods = "[general]\nfrequency = 48000\nperiod_size = 384\nperiods = 3\n";
 
 /// Gives OpenAL its settings as a file in memory. It has no call for them.
 void choose_short_periods() {

@@ -1,0 +1,39 @@
+// audio/detail/block_stream.h: blocks of samples queued at a source of OpenAL.
+#pragma once
+#include <array>
+#include <span>
+
+#include "audio/detail/openal.h"
+#include "audio/mixer.h"
+
+namespace thaum::audio::detail {
+
+/// Blocks that must wait in a queue so that a device which takes `period` samples (at 48 kHz) at a time finds enough.
+std::size_t blocks_to_queue(double period);
+
+/// All functions act on the context that is current.
+class BlockStream {
+public:
+    static constexpr std::size_t least_queued = 2, most_queued = 24;
+
+    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more.
+    explicit BlockStream(std::size_t queued);
+    void destroy();
+
+    std::size_t wanted();
+    /// Queues a block. Playing begins, also again after a gap, when the queue is full.
+    void write(std::span<const float> block);
+    std::size_t queued() const { return queued_; }
+
+private:
+    void take_back_played();
+    std::size_t waiting() const { return most_queued - free_count_; }
+
+    std::size_t queued_;
+    bool playing_{};
+    ALuint source_{};
+    std::array<ALuint, most_queued> free_{};  ///< buffers that are not in the queue
+    std::size_t free_count_{most_queued};
+};
+
+}  // namespace thaum::audio::detail

@@ -1,0 +1,148 @@
+#include "audio/playback.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/text.h"
+
+namespace thaum::audio {
+namespace {
+
+constexpr double block_s = static_cast<double>(frame_samples) / sample_rate;
+/// Time between looks at a device that plays (s).
+constexpr double playing_rest_s = 0.002;
+/// Time between looks at the queues while nothing plays (s). It empties them before they are full.
+constexpr double silent_rest_s = 0.1;
+/// A device may be faster than its time by this factor. A lying one could keep a whole core busy.
+constexpr double most_speed = 1.25;
+
+}  // namespace
+
+Playback::Playback(Mixer mixer, std::unique_ptr<SoundDevice> device)
+    : status_("no sound: not started"), mixer_(std::move(mixer)), device_(std::move(device)) {}
+
+void Playback::set(const MixSettings& settings) {
+    settings_.to_fill() = settings;
+    settings_.publish();
+}
+
+std::string Playback::status() const {
+    const std::lock_guard lock(told_);
+    return status_;
+}
+
+PlaybackReport Playback::report() const {
+    const std::lock_guard lock(told_);
+    return published_;
+}
+
+void Playback::say(std::string status) {
+    const std::lock_guard lock(told_);
+    status_ = std::move(status);
+}
+
+void Playback::publish_report() {
+    report_.mix = mixer_.report();
+    const std::lock_guard lock(told_);
+    published_ = report_;
+}
+
+double Playback::step(double now_s) {
+    if (settings_.take()) mixer_.set(settings_.newest());
+    if (!open_ && now_s >= next_try_s_) try_open(now_s);
+    if (open_ && !device_->is_connected()) lose(now_s, "the sound device is gone");
+    if (!open_) {
+        drop_waiting();
+        return silent_rest_s;
+    }
+    const auto blocks = allowed(device_->wanted(), now_s);
+    feed(blocks);
+    if (blocks > 0)
+        last_write_s_ = now_s;
+    else if (now_s - last_write_s_ > patience_s)
+        lose(now_s, "the sound device takes no sound");
+    return playing_rest_s;
+}
+
+void Playback::close() {
+    if (open_) device_->close();
+    open_ = false;
+    say("no sound: ended");
+}
+
+void Playback::try_open(double now_s) {
+    if (const auto opened = device_->open(); !opened) {
+        next_try_s_ = now_s + retry_s;
+        return say(text("no sound: ", opened.error().message, "; a new try every ", retry_s, " s"));
+    }
+    open_ = true;
+    ++report_.times_opened;
+    last_step_s_ = last_write_s_ = now_s;
+    credit_ = most_at_once;
+    // Nobody has heard what was played or queued until now.
+    mixer_.silence();
+    drop_waiting();
+    say("sound plays");
+}
+
+void Playback::lose(double now_s, std::string why) {
+    device_->close();
+    open_ = false;
+    ++report_.times_lost;
+    // Another device may be there already, such as the speakers after headphones.
+    next_try_s_ = now_s;
+    say(text("no sound: ", why, "; trying to open it again"));
+    publish_report();
+}
+
+void Playback::drop_waiting() {
+    while (frames_.front() != nullptr) frames_.pop();
+    while (voices_.front() != nullptr) voices_.pop();
+}
+
+/// Number of blocks to write: what the device wants, at most what its time allows.
+std::size_t Playback::allowed(std::size_t wanted, double now_s) {
+    const double passed = std::max(0.0, now_s - last_step_s_);
+    last_step_s_ = now_s;
+    credit_ = std::min<double>(most_at_once, credit_ + passed / block_s * most_speed);
+    const auto blocks = std::min(wanted, static_cast<std::size_t>(credit_));
+    credit_ -= static_cast<double>(blocks);
+    return blocks;
+}
+
+void Playback::feed(std::size_t blocks) {
+    std::array<float, block_values> block{};
+    for (std::size_t i = 0; i < blocks; ++i) {
+        mix_block(blocks - i, block);
+        device_->write(block);
+        ++report_.blocks_written;
+    }
+    if (blocks > 0) publish_report();
+}
+
+void Playback::mix_block(std::size_t blocks_left, std::span<float> block) {
+    for (; voices_.front() != nullptr; voices_.pop()) mixer_.begin(*voices_.front());
+    // Each block gets a frame while there are no more frames than blocks.
+    for (; frames_.size() > blocks_left; frames_.pop()) {
+        const auto& begins = frames_.front()->begins;
+        const auto count = std::min<std::size_t>(begins.count, begins.voices.size());
+        for (std::size_t i = 0; i < count; ++i) mixer_.begin(begins.voices[i]);
+        ++report_.frames_merged;
+    }
+    if (const auto* frame = frames_.front()) {
+        mixer_.play(*frame, block);
+        quiet_.listener_count = frame->listener_count;
+        quiet_.listeners = frame->listeners;
+        frames_.pop();
+        blocks_without_frame_ = 0;
+        return;
+    }
+    ++blocks_without_frame_;
+    if (static_cast<double>(blocks_without_frame_) * block_s > late_after_s)
+        mixer_.play(quiet_, block);
+    else
+        mixer_.run_on(block);
+}
+
+}  // namespace thaum::audio

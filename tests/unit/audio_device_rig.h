@@ -1,0 +1,78 @@
+// Fakes of a sound device, by a clock that the test moves.
+#pragma once
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "audio/sound_device.h"
+#include "unit/audio_rig.h"
+
+namespace thaum::audio::rig {
+
+/// What the test knows and decides about a fake device. It outlives the device.
+struct FakeCard {
+    double now_s{};        ///< the card's clock
+    double speed{1};       ///< of the card's clock, to the test's
+    std::size_t queue{2};  ///< blocks that it takes ahead
+    std::size_t lie{};     ///< if not 0, what it says that it wants
+    bool present{true};    ///< false: it cannot be opened
+    bool connected{true};  ///< false: it is gone
+    bool deaf{};           ///< true: it wants nothing
+    int opened{}, closed{};
+    std::size_t gaps{};
+    std::vector<float> played;        ///< everything that has sounded
+    std::vector<double> played_at_s;  ///< the time at which each block began to sound
+    std::deque<std::vector<float>> waiting;
+    bool playing{};
+    double block_ends_s{};
+
+    /// Plays until the time is `until_s`, on the test's clock.
+    void play_until(double until_s) {
+        now_s = until_s;
+        while (playing && block_ends_s <= now_s) {
+            waiting.pop_front();
+            playing = !waiting.empty();
+            if (playing)
+                start_block(block_ends_s);
+            else
+                ++gaps;
+        }
+    }
+    void start_block(double at_s) {
+        playing = true;
+        played.insert(played.end(), waiting.front().begin(), waiting.front().end());
+        played_at_s.push_back(at_s);
+        block_ends_s = at_s + 0.008 / speed;
+    }
+};
+
+class FakeDevice final : public SoundDevice {
+public:
+    explicit FakeDevice(FakeCard& card) : card_(card) {}
+    Expected<void> open() override {
+        ++card_.opened;
+        if (!card_.present) return fail("no sound device was found");
+        card_.connected = true;
+        card_.waiting.clear();
+        card_.playing = false;
+        return {};
+    }
+    std::size_t wanted() override {
+        if (card_.deaf) return 0;
+        if (card_.lie != 0) return card_.lie;
+        return card_.queue - std::min(card_.queue, card_.waiting.size());
+    }
+    void write(std::span<const float> block) override {
+        card_.waiting.emplace_back(block.begin(), block.end());
+        if (!card_.playing && card_.waiting.size() >= card_.queue) card_.start_block(card_.now_s);
+    }
+    bool is_connected() override { return card_.connected; }
+    void close() override { ++card_.closed; }
+
+private:
+    FakeCard& card_;
+};
+
+}  // namespace thaum::audio::rig
