@@ -60,7 +60,7 @@ expect_same "$place/in_tree" "$place/by_cmake" "find_package: every example"
 
 "$build/tests/install_probe" "$place/in_tree.png" >"$place/in_tree.probe"
 "$place/build-probe/install_probe" "$place/by_cmake.png" >"$place/by_cmake.probe"
-expect_same "$place/in_tree.probe" "$place/by_cmake.probe" "find_package: the physics"
+expect_same "$place/in_tree.probe" "$place/by_cmake.probe" "find_package: the physics and the sound"
 expect_same "$place/in_tree.png" "$place/by_cmake.png" "find_package: the picture"
 
 # ---- pkg-config ------------------------------------------------------------------------------------------------
@@ -73,9 +73,9 @@ mkdir "$place/by_pkg_config"
 "$place/bowl" "$place/by_pkg_config.nrrd" >"$place/by_pkg_config.txt"
 expect_same "$place/in_tree/bowl.nrrd" "$place/by_pkg_config.nrrd" "pkg-config: the bowl"
 # shellcheck disable=SC2046
-"$compiler" -O2 "$source/tests/install/probe.cpp" $(pkg-config --cflags --libs thaum-render) -o "$place/falling"
+"$compiler" -O2 "$source/tests/install/probe.cpp" $(pkg-config --cflags --libs thaum-render thaum-audio) -o "$place/falling"
 "$place/falling" >"$place/falling.txt"
-expect_same "$place/in_tree.probe" "$place/falling.txt" "pkg-config: the physics"
+expect_same "$place/in_tree.probe" "$place/falling.txt" "pkg-config: the physics and the sound"
 
 # ---- the program -----------------------------------------------------------------------------------------------
 

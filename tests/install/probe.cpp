@@ -1,7 +1,10 @@
-// Drops a ball on a box in the installed physics and prints the state's hash. install_probe FILE also writes a
-// picture by the installed renderer's code. It does not compile without the flags that the package carries.
+// Drops a ball on a box in the installed physics and prints the state's hash, then mixes a sound and prints its size.
+// install_probe FILE also writes a picture by the installed renderer's code. It does not compile without the flags that the package carries.
+#include <algorithm>
+#include <array>
 #include <iostream>
 
+#include "audio/mixer.h"
 #include "core/hash.h"
 #include "core/text.h"
 #include "physics/bullet_maths.h"
@@ -15,6 +18,22 @@
 #error "results would depend on the processor"
 #endif
 
+/// Largest sample of a steady tone, heard from the right; -1 if nothing can be mixed.
+float loudest_sample() {
+    using namespace thaum::audio;
+    SoundBank bank;
+    bank.sounds.resize(1);
+    bank.sounds[0].loops = true;
+    bank.sounds[0].samples.assign(1000, 0.5F);
+    auto mixer = Mixer::create(bank, {});
+    if (!mixer) return -1;
+    AudioFrame frame;
+    frame.lasts.add({.position = {1, 0, 0}});
+    std::array<float, block_values> block{};
+    for (int i = 0; i < 4; ++i) mixer->play(frame, block);
+    return *std::max_element(block.begin(), block.end());
+}
+
 int main(int count, char** arguments) {
     using namespace thaum;
     physics::Physics physics;
@@ -23,7 +42,8 @@ int main(int count, char** arguments) {
                 {.position = {0, 1, 0}, .velocity = {1, 0, 0.5}});
     for (int tick = 0; tick < 2000; ++tick) physics.step(0.001);
     std::cout << text("ball at height ", physics.state(2).position.y, " m\nmathematics ",
-                      hex(physics::maths_probe()), "\nhash ", hex(hash_value(physics.state(2))), "\n");
+                      hex(physics::maths_probe()), "\nhash ", hex(hash_value(physics.state(2))),
+                      "\nloudest sample ", loudest_sample(), "\n");
     const render::Image image{2, 1, {255, 0, 0, 0, 0, 255}};
     return count < 2 || render::write_png(arguments[1], image) ? 0 : 1;
 }
