@@ -1,5 +1,5 @@
 if(TARGET thaum_bench)
     thaum_test(test_bench
-        SOURCES unit/bench_test.cpp
+        SOURCES unit/audio_bench_test.cpp unit/bench_test.cpp
         LINK thaum_bench nlohmann_json::nlohmann_json)
 endif()
