@@ -72,7 +72,9 @@ void Playback::close() {
 }
 
 void Playback::try_open(double now_s) {
-    if (const auto opened = device_->open(); !opened) {
+    const auto opened = device_->open();
+    if (abandoned_) return;
+    if (!opened) {
         next_try_s_ = now_s + retry_s;
         return say(text("no sound: ", opened.error().message, "; a new try every ", retry_s, " s"));
     }
@@ -86,9 +88,10 @@ void Playback::try_open(double now_s) {
     say("sound plays");
 }
 
-void Playback::lose(double now_s, std::string why) {
+void Playback::lose(double now_s, std::string_view why) {
     device_->close();
     open_ = false;
+    if (abandoned_) return;
     ++report_.times_lost;
     // Another device may be there already, such as the speakers after headphones.
     next_try_s_ = now_s;

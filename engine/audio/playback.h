@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 #include "audio/mixer.h"
 #include "audio/sound_device.h"
@@ -49,6 +50,8 @@ public:
     /// One line: what plays, or why nothing does.
     std::string status() const;
     PlaybackReport report() const;
+    /// Lets `step` return as soon as a blocking call of the device does, without any further call.
+    void abandon() { abandoned_ = true; }
 
     // The thread that feeds the device.
     /// Does what is due at the time `now_s` and returns the time until the next step (s).
@@ -60,7 +63,7 @@ private:
     static constexpr std::size_t most_at_once = 24;
 
     void try_open(double now_s);
-    void lose(double now_s, std::string why);
+    void lose(double now_s, std::string_view why);
     void drop_waiting();
     std::size_t allowed(std::size_t wanted, double now_s);
     void feed(std::size_t blocks);
@@ -76,6 +79,7 @@ private:
     std::string status_;
     PlaybackReport published_;
 
+    std::atomic<bool> abandoned_{};
     Mixer mixer_;
     std::unique_ptr<SoundDevice> device_;
     PlaybackReport report_;

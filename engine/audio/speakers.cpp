@@ -5,6 +5,7 @@
 #include <csignal>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "core/text.h"
 #include "core/threads.h"
@@ -19,8 +20,10 @@ struct Speakers::State {
 
     Playback playback;
     std::string no_thread;  ///< why there is no thread; empty: there is one
-    std::mutex mutex;       ///< guards the two below
+    std::mutex mutex;       ///< guards the three below
     bool stop = false;
+    bool left_behind =
+        false;  ///< set with `stop`: the program may be ending, so OpenAL is not called any more
     bool ended = false;
     std::condition_variable changed;
 
@@ -34,6 +37,7 @@ struct Speakers::State {
             lock.lock();
             changed.wait_for(lock, rest, [this] { return stop; });
         }
+        if (left_behind) return;
         lock.unlock();
         playback.close();
         lock.lock();
@@ -58,8 +62,13 @@ Speakers::~Speakers() {
     state_->changed.notify_all();
     const bool ended = state_->changed.wait_for(lock, std::chrono::duration<double>(wait_s_),
                                                 [this] { return state_->ended; });
-    lock.unlock();
-    if (!ended) thread_.detach();
+    if (ended) return;
+    state_->left_behind = true;
+    state_->playback.abandon();
+    // Never destroyed: a late return of the device must not find OpenAL half unloaded.
+    static auto* const kept = std::make_unique<std::vector<std::shared_ptr<State>>>().release();
+    kept->push_back(state_);
+    thread_.detach();
 }
 
 bool Speakers::hear(const AudioFrame& frame) { return state_->playback.hear(frame); }

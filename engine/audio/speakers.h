@@ -6,7 +6,8 @@
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its caller for
 // ever. Only this thread calls it, and the destructor waits for the thread for `most_wait_s` only. A thread that has
-// not ended by then is left behind with all that it uses, and ends with the program.
+// not ended by then is left behind with all that it uses: it calls nothing more, and its memory stays until the program
+// ends.
 #pragma once
 #include <memory>
 #include <string>

@@ -17,7 +17,7 @@ using namespace rig;
 
 class Attacker {
 public:
-    explicit Attacker(std::uint64_t seed) : random_(seed) {}
+    explicit Attacker(std::uint64_t seed) : random_{seed} {}
 
     double number() {
         constexpr std::array odd{0.0,

@@ -36,10 +36,11 @@ struct Room {
     }
     /// Time at which the first sample that can be heard sounded (s), or -1.
     double first_sound_s(std::size_t from_value = 0) const {
-        for (std::size_t i = from_value; i < card.played.size(); ++i)
-            if (std::abs(card.played[i]) > 1e-5F)
-                return card.played_at_s[i / block_values] +
-                       static_cast<double>(i % block_values / 2) / sample_rate;
+        for (std::size_t i = from_value; i < card.played.size(); ++i) {
+            if (std::abs(card.played[i]) <= 1e-5F) continue;
+            const std::size_t sample = i % block_values / 2;
+            return card.played_at_s[i / block_values] + static_cast<double>(sample) / sample_rate;
+        }
         return -1;
     }
 };
