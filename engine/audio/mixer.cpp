@@ -102,6 +102,8 @@ void Mixer::State::take(const AudioFrame& frame) {
         if (listed > capacity) ++report.bad_values;
         return std::min<std::size_t>(listed, capacity);
     };
+    report.left_out += frame.lasts.left_out;
+    report.left_out += frame.begins.left_out;
     last_count = 0;
     for (auto voice : std::span(frame.lasts.voices).first(counted(frame.lasts.count, lasts.size())))
         if (detail::check_voice(voice, true, sounds, report.bad_values)) lasts[last_count++] = voice;

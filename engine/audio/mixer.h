@@ -49,10 +49,11 @@ struct MixReport {
     std::uint32_t voices{};                ///< voices of the last block, of all listeners together
     std::uint64_t begun{};                 ///< voices that got a source
     std::uint64_t stolen{};                ///< voices that lost their source to louder ones
-    std::uint64_t left_out{};              ///< audible voices without a source, counted in each block
-    std::uint64_t limited_blocks{};        ///< blocks in which the limiter made the sum quieter
-    std::uint64_t bad_values{};            ///< values that were wrong or too large, and were replaced
-    bool hrtf{};                           ///< true while the first listener is heard through HRTF
+    std::uint64_t
+        left_out{};  ///< audible voices without a source, in each block; voices that a frame had no room for
+    std::uint64_t limited_blocks{};  ///< blocks in which the limiter made the sum quieter
+    std::uint64_t bad_values{};      ///< values that were wrong or too large, and were replaced
+    bool hrtf{};                     ///< true while the first listener is heard through HRTF
 };
 
 /// Share of a sound's loudness that is left at a distance: 1 up to near_m, 0 from reach_m on, between them the inverse

@@ -247,6 +247,10 @@ TEST(Mixer, ALouderVoiceTakesASourceAndTheOtherFades) {
     recorder.play(frame, 10);
     EXPECT_EQ(mixing.report().stolen, 10U);
     EXPECT_EQ(mixing.report().begun, 74U);
+    // A voice that the frame lacks was not stolen.
+    frame.lasts.count = 20;
+    recorder.play(frame, 5);
+    EXPECT_EQ(mixing.report().stolen, 10U);
     EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
 }
 

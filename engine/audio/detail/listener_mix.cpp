@@ -37,7 +37,7 @@ void ListenerMix::block(const Listener& listener, BlockVoices voices,
     gather(listener, voices, faders, report);
     choose(report);
     device_->begin_changes();
-    fade_the_rest(report);
+    fade_the_rest();
     starting_count_ = 0;
     for (const auto& candidate : std::span(candidates_).first(candidate_count_)) {
         if (candidate.playing >= 0)
@@ -132,21 +132,20 @@ void ListenerMix::choose(MixReport& report) {
         return rank(all[a]) != rank(all[b]) ? rank(all[a]) > rank(all[b]) : a < b;
     });
     std::sort(used.begin(), used.begin() + most_heard);
+    for (const auto cut : used.subspan(most_heard)) report.stolen += all[cut].playing >= 0 ? 1 : 0;
     report.left_out += all.size() - most_heard;
     for (std::size_t i = 0; i < most_heard; ++i) candidates_[i] = all[used[i]];
     candidate_count_ = most_heard;
 }
 
 /// Lets the playing voices fade that were not chosen.
-void ListenerMix::fade_the_rest(MixReport& report) {
+void ListenerMix::fade_the_rest() {
     for (const auto& candidate : std::span(candidates_).first(candidate_count_))
         if (candidate.playing >= 0) playing_[static_cast<std::size_t>(candidate.playing)].chosen = true;
-    const bool full = candidate_count_ == most_heard;
     for (auto& playing : std::span(playing_).first(playing_count_)) {
         if (playing.chosen) continue;
         playing.fading = true;
         device_->set_gain(playing.source, 0);
-        if (full) ++report.stolen;
     }
 }
 

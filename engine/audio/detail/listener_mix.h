@@ -70,7 +70,7 @@ private:
     double gain_of(const Voice& voice, const Listener& listener,
                    const std::array<double, sound_groups>& faders) const;
     void choose(MixReport& report);
-    void fade_the_rest(MixReport& report);
+    void fade_the_rest();
     void change(Playing& playing, const Candidate& candidate, const Listener& listener);
     void start(const Candidate& candidate, const Listener& listener, std::uint64_t clock);
 
