@@ -136,7 +136,6 @@ void Mixer::State::mix_listener(std::uint32_t i, std::span<float> sum) {
         mix.block(listeners[i], voices, faders, report.blocks * frame_samples, report, heard);
         add_block(heard, from, target, sum);
         report.voices += mix.voices();
-        if (!present) mix.silence();
     }
     if (switches) switch_hrtf();
 }

@@ -296,6 +296,14 @@ TEST(Mixer, OnlyItsListenersHearAVoice) {
     recorder.play(two_listeners({heard}), 50);
     EXPECT_EQ(recorder.levels(50).left, 0);
     EXPECT_GT(recorder.levels(20).right, 0.2);
+    recorder.play(two_listeners(), 10);
+    recorder.clear();
+    auto rung = at_ear(bell);
+    rung.heard_by = 1;
+    mixing.begin(rung);
+    recorder.play(two_listeners(), 20);
+    EXPECT_EQ(recorder.levels(20).right, 0);
+    EXPECT_GT(recorder.levels(20).left, 0.2);
 }
 
 TEST(Mixer, PlayersComeAndSpeakersChangeWithoutAClick) {

@@ -163,6 +163,21 @@ TEST(Playback, ADeviceThatIsPulledOutAndPutBackPlaysOn) {
     EXPECT_NEAR(most, 0.5 * std::sqrt(0.5), 0.01);
 }
 
+TEST(Playback, WhatWasPlayedBeforeALossIsNotHeardAfterIt) {
+    Room room;
+    room.play({}, 0.1);
+    room.playback.hear(at_ear(bell));
+    room.play({}, 0.05);
+    room.card.present = room.card.connected = false;
+    room.play({}, 0.5);
+    room.card.present = true;
+    room.card.played.clear();
+    room.card.played_at_s.clear();
+    room.play({}, 3);
+    EXPECT_EQ(room.playback.status(), "sound plays");
+    EXPECT_EQ(room.first_sound_s(), -1);
+}
+
 TEST(Playback, ADeviceThatChangesIsOpenedAgainAtOnce) {
     Room room;
     room.play({}, 1);
