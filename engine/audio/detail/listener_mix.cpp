@@ -10,8 +10,8 @@ namespace {
 constexpr double least_gain = 1e-5;
 /// A playing voice keeps its source against one that is louder by less than this.
 constexpr double keep_factor = 1.1;
-/// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of the signal
-/// as its gain changes, for some samples; 2 % cannot be heard as a click.
+/// Largest change of the damping in one block: all of it takes 0.4 s. The filter's output jumps by as much of the
+/// signal as its gain changes, for some samples; 2 % cannot be heard as a click.
 constexpr double most_muffle_change = 0.02;
 /// Samples by which loops of two keys are apart, so that equal sounds do not add up wave by wave.
 constexpr std::uint64_t samples_between_keys = 7919;
