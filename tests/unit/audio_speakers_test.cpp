@@ -135,8 +135,9 @@ TEST(Speakers, ADeviceThatBlocksInItsClosingHoldsNobodyUp) {
     {
         Speakers speakers(mixer(), std::make_unique<WatchedDevice>(watched), 0);
         watched->wait([&] { return watched->written > 3; });
+        watched->change([&] { watched->connected = false; });  // a device that is gone is closed
+        watched->wait([&] { return watched->in_close; });
     }
-    watched->wait([&] { return watched->in_close; });
     EXPECT_FALSE(watched->get(&Watched::destroyed));
     watched->change([&] { watched->blocks_close = false; });
 }
