@@ -1,0 +1,87 @@
+// tactile/body.h: the articulated body on which effects are felt, and its skin as flat charts.
+//
+// Body frame: +x right, +y up, +z front, origin on the floor between the feet. This is the frame of jacket makers and
+// of MPEG haptics. It is left-handed; `to_body_frame` converts a direction of the world. Places are stated for a body
+// at rest: upright, arms down. A Pose moves the parts from there.
+//
+// The torso is an upright elliptic cylinder. Its skin is unrolled into a chart: the way round the body from the
+// middle of the front, positive to the right, and the height. Distances on the chart are distances on the skin.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace thaum::tactile {
+
+/// `whole` is for an actuator that stands for its side of the body, such as a motor of a pad.
+enum class Part : std::uint8_t { front, back, shoulder_left, shoulder_right, arm_left, arm_right, whole };
+inline constexpr std::size_t part_count = 7;
+
+/// Names as in data files, in the order of Part.
+const std::vector<std::string_view>& part_names();
+
+/// Parts that share one chart. The torso is front and back.
+enum class Region : std::uint8_t { torso, shoulder_left, shoulder_right, arm_left, arm_right, whole };
+inline constexpr std::size_t region_count = 6;
+
+Region region_of(Part part);
+
+/// One place on the skin.
+struct BodyPoint {
+    Part part{};
+    vec3 at{};  ///< (m, body frame, at rest)
+};
+
+/// Motion of one part from its place at rest: first turned about the origin, then shifted.
+struct Transform {
+    quat turn{1, 0, 0, 0};
+    vec3 shift{};  ///< (m, body frame)
+};
+
+struct Pose {
+    std::array<Transform, part_count> parts{};
+};
+
+/// A turn about a joint instead of the origin.
+Transform turned_about(vec3 joint, quat turn);
+
+/// Pose of a wizard whose arms are raised forwards from hanging down (rad). Each shoulder follows half as far.
+Pose pose_with_arms(double left, double right);
+
+/// Place of a point of one part in a pose (m, body frame).
+vec3 posed(const Pose& pose, Part part, vec3 at_rest);
+/// Inverse of `posed`.
+vec3 at_rest(const Pose& pose, Part part, vec3 posed);
+
+/// Converts a direction of the world (right-handed, +y up) for a wizard turned left by `yaw` (rad; 0 looks along -z).
+vec3 to_body_frame(vec3 world, double yaw);
+
+/// The skin of the torso as a chart.
+class Torso {
+public:
+    Torso() : Torso(0.16, 0.115) {}
+    /// Half the width and half the depth of the torso, both > 0 (m).
+    Torso(double half_width, double half_depth);
+
+    /// Way round the body and height of the point on the skin nearest in angle (m).
+    vec2 chart(vec3 at) const;
+    /// Inverse of `chart` for points on the skin (m, body frame).
+    vec3 point(vec2 chart) const;
+    /// Point of the skin that faces a direction, at a height (m). A direction without a horizontal part gives the
+    /// middle of the front.
+    vec3 facing(vec3 direction, double height) const;
+    /// Way once round the body (m).
+    double round() const { return 4 * quarter_.back(); }
+
+private:
+    double half_width_{};
+    double half_depth_{};
+    /// Way from the middle of the front for equal steps of the ellipse's angle, up to a quarter turn (m).
+    std::array<double, 33> quarter_{};
+};
+
+}  // namespace thaum::tactile

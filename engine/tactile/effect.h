@@ -1,0 +1,127 @@
+// tactile/effect.h: what is felt when something happens, as data. Files: assets/tactile/effects.
+//
+// An effect is a grating that is drawn over the skin at 1 m/s (paper 004, section 3.2, see grating.h), so a wavelength
+// of 12 mm lasts 12 ms and gives a carrier of 83 Hz. Its force, as a share of the 5 N of the paper's motors, is the
+// strength of the motors. The paper names five parameters: amplitude A, wavelength L, stiffness K, effect pattern and
+// force shaping; here they are `weakest` to `strongest`, `wavelength`, `stiffness`, `pattern` and `envelope`.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+#include "core/units.h"
+#include "tactile/body.h"
+#include "tactile/grating.h"
+
+namespace thaum::tactile {
+
+/// Force that counts as full strength (N): the paper's motors.
+inline constexpr double full_force = 5;
+/// Speed of the skin over the grating (m/s).
+inline constexpr double skin_speed = 1;
+
+/// Time from the first beat of a heart to the second (ms).
+inline constexpr double second_beat_ms = 160;
+/// Amplitude of the second beat as a share of the first one's.
+inline constexpr double second_beat = 0.6;
+
+/// How the force is made. `both` is the mean of the two.
+enum class Method : std::uint8_t { impact, vibration, both };
+
+/// Each purpose has a fader.
+enum class Purpose : std::uint8_t {
+    impact,
+    blast,
+    fall,
+    walk,
+    magic,
+    warning,
+    recoil,
+    fluid,
+    texture,
+    music
+};
+inline constexpr std::size_t purpose_count = 10;
+/// Names as in data files, in the order of Purpose.
+const std::vector<std::string_view>& purpose_names();
+
+/// Course of the strength in time (ms): up, held, down.
+struct Envelope {
+    double attack{};
+    double hold{};
+    double decay{};
+    bool smooth{};  ///< true: a swell without corners; false: straight lines
+
+    double length() const { return attack + hold + decay; }
+    /// Strength at a time since the beginning (ms), 0 to 1.
+    double at(double ms) const;
+    /// Greatest strength within a span of time (ms). Frames take it, so that none misses a short effect.
+    double peak(double from, double to) const;
+};
+
+/// How an effect is laid over the body.
+///
+///     single     about one place
+///     spread     a wave that runs over the skin from a place
+///     sweep      one place that moves to another (apparent motion)
+///     heartbeat  about one place, two beats in each period
+enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat };
+
+struct Effect {
+    std::string name{};
+    std::string description{};  ///< plain words for a table of what is felt
+    Method method{};
+    double weakest{};     ///< amplitude A at strength 0 (m)
+    double strongest{};   ///< amplitude A at strength 1 (m)
+    double wavelength{};  ///< L (m)
+    double stiffness{};   ///< k (N/m)
+    double damping{};     ///< B (N s/m)
+    Envelope envelope{};
+    Pattern pattern{};
+    double speed{};                   ///< speed of a spread over the skin (m/s)
+    double reach{};                   ///< distance at which a spread has faded away (m)
+    double slowest_hz{};              ///< heartbeats a second at strength 0 (Hz)
+    double fastest_hz{};              ///< heartbeats a second at strength 1 (Hz)
+    double length_ms{};               ///< length of a sweep or of heartbeats that nobody holds (ms)
+    std::vector<BodyPoint> places{};  ///< one or two; empty: where the caller says
+    std::optional<BodyPoint> to{};    ///< end of a sweep
+    vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)
+    Purpose purpose{};
+    int priority{};  ///< 0 to 9; a higher one replaces a lower one when all places are taken
+
+    /// Frequency of the carrier (Hz).
+    double carrier() const { return skin_speed / wavelength; }
+    /// Amplitude of the grating for a strength from 0 to 1 (m).
+    double amplitude(double strength) const { return weakest + (strongest - weakest) * strength; }
+    /// Amplitude of the motors, 0 to 1: half of the force's swing over a period, as a share of full_force.
+    double level(double strength) const;
+    /// Time until the last place is silent (ms).
+    double duration_ms() const;
+};
+
+/// Force of an effect at one moment, as a share of full_force.
+struct Signal {
+    double into_skin{};   ///< along the wall's normal
+    double along_skin{};  ///< along the wall; 0 for impacts
+};
+/// For outputs that play the wave itself: the force at a time since the beginning (ms), before any limit.
+Signal signal(const Effect& effect, double strength, double ms);
+
+/// Reads an effect file. An error names file, line and key.
+Expected<Effect> read_effect(const Config& file, std::string name);
+
+/// All effects of a program, sorted by name. An effect's number is its index.
+struct EffectBank {
+    std::vector<Effect> effects;
+
+    /// Returns the number of the effect of this name, or nothing.
+    std::optional<std::uint32_t> find(std::string_view name) const;
+};
+
+/// Reads every .toml file of a folder, each at most 64 KiB.
+Expected<EffectBank> load_effects(const std::filesystem::path& folder);
+
+}  // namespace thaum::tactile

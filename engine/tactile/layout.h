@@ -1,0 +1,72 @@
+// tactile/layout.h: the actuators of one device, and where they sit on the body. Files: assets/tactile/layouts.
+//
+// An effect never names an actuator. It names a place on the body, and a layout says which actuators are near. So
+// every effect plays on every device, from a jacket of 40 motors to the two motors of a pad.
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "core/config.h"
+#include "tactile/body.h"
+
+namespace thaum::tactile {
+
+inline constexpr std::size_t most_actuators = 64;
+
+struct Actuator {
+    std::string name{};
+    BodyPoint place{};
+    double lowest_hz{};   ///< lowest carrier frequency that the actuator plays (Hz)
+    double highest_hz{};  ///< highest carrier frequency (Hz)
+    double limit{1};      ///< largest amplitude sent, 0 to 1
+};
+
+/// A place for the calculation: a region that has actuators, and a point on its chart.
+struct ChartPlace {
+    Region region{};
+    vec2 at{};  ///< (m)
+};
+
+/// Actuators of one device, in the order in which the device expects them. Made by `make_layout`.
+class Layout {
+public:
+    std::string name{};
+    Torso torso{};
+    std::vector<Actuator> actuators{};  ///< 1 to most_actuators
+
+    /// Place where a point of the body is rendered. A part without actuators is rendered on the torso, and on a
+    /// device without a torso by the side of the body alone.
+    ChartPlace chart_place(const BodyPoint& point) const;
+    /// Numbers of the actuators that render a region; never empty for a region of a ChartPlace.
+    std::span<const std::uint8_t> group(Region region) const;
+    /// Place of an actuator on the chart of a region (m).
+    vec2 chart_of(Region region, std::size_t actuator) const;
+    /// Mean distance from an actuator of a region to the nearest other (m): the size of one cell.
+    double pitch(Region region) const { return pitch_[static_cast<std::size_t>(region)]; }
+    /// Difference of two places on the chart of a region (m). The way round the torso is taken the shorter way.
+    vec2 between(Region region, vec2 from, vec2 to) const;
+    /// The nearest actuator to a point in a pose tells the part. The point is then moved back to the body at rest.
+    BodyPoint nearest(const Pose& pose, vec3 point) const;
+    /// Place on the torso that a direction comes from (body frame), at a height (m).
+    BodyPoint facing(vec3 from, double height) const;
+
+private:
+    friend Expected<Layout> make_layout(std::string name, Torso torso, std::vector<Actuator> actuators);
+    void prepare();
+
+    std::array<std::vector<std::uint8_t>, region_count> groups_{};
+    std::array<std::array<vec2, most_actuators>, 2> charts_{};  ///< own region's chart; chart of `whole`
+    std::array<double, region_count> pitch_{};
+};
+
+/// Checks the actuators. The error names the actuator and the fault: none, too many, two in one place, a part on the
+/// wrong side of the body.
+Expected<Layout> make_layout(std::string name, Torso torso, std::vector<Actuator> actuators);
+
+/// Reads a layout file. An error names file, line and key.
+Expected<Layout> read_layout(const Config& file);
+/// Reads a file of at most 64 KiB.
+Expected<Layout> load_layout(const std::filesystem::path& path);
+
+}  // namespace thaum::tactile

@@ -1,0 +1,154 @@
+// tactile/mixer.h: makes one frame for the actuators of one device from all effects that play.
+//
+//     mixer.start(effect, Where::from(direction), strength, tick)      something happened once
+//     mixer.drive(key, effect, Where::own(), strength, tick)           something lasts; called for each frame
+//     outputs.send(mixer.mix(tick))                                    every frame_ticks
+//
+// Energies (amplitude squared) of effects add up at an actuator, because their phases are not related. So the felt
+// place of several effects is the centroid of their places. A frame then passes these limits, in this order: the
+// limit of each actuator; the least gap between two beginnings at one actuator; the sum of all energies.
+//
+// No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places are
+// taken, an event replaces one of lower or equal priority, or is merged. Every such case is counted.
+//
+// A mixer has a fixed size, never allocates, and computes the same bits on every machine.
+#pragma once
+#include "tactile/effect.h"
+#include "tactile/frame.h"
+#include "tactile/phantom.h"
+
+namespace thaum::tactile {
+
+static_assert(most_actuators == frame_capacity);
+
+inline constexpr std::size_t most_playing = 64;
+
+/// Where an effect is felt. An effect with places of its own ignores it.
+struct Where {
+    enum class Kind : std::uint8_t { own, on_part, touched, from } kind{};
+    BodyPoint point{};
+    vec3 direction{};
+    double height{};
+
+    /// At the effect's own places, or at the middle of the chest if it has none.
+    static Where own() { return {}; }
+    /// At a point of a part (body at rest).
+    static Where on(BodyPoint point) { return {Kind::on_part, point, {}, 0}; }
+    /// At a point that something touches (m, body frame, in the current pose).
+    static Where touching(vec3 point) { return {Kind::touched, {Part::whole, point}, {}, 0}; }
+    /// On the side of the torso that faces a direction (body frame, from the body to the source), at a height (m).
+    static Where from(vec3 direction, double height = 1.15) { return {Kind::from, {}, direction, height}; }
+};
+
+struct MixerSettings {
+    double sum_limit{1.5};  ///< largest sum of amplitudes squared; one actuator at full strength has 1
+    Tick gap{40};           ///< least time between two beginnings at one actuator (ticks)
+    Tick time_to_live{48};  ///< time to live of a frame (ticks)
+    Tick driven_for{24};    ///< time for which `drive` holds an effect (ticks)
+};
+
+/// Faders, 0 to 1. Walking is off until the player turns it up.
+struct Faders {
+    std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
+};
+
+/// Numbers since the beginning. offered = started + merged, so no event is lost.
+struct MixerCounts {
+    std::uint64_t offered{};     ///< calls of `start`
+    std::uint64_t started{};     ///< events that play by themselves
+    std::uint64_t merged{};      ///< events merged into a stronger one
+    std::uint64_t delayed{};     ///< started events that wait until the gap is over
+    std::uint64_t replaced{};    ///< effects cut short by one of higher or equal priority
+    std::uint64_t clipped{};     ///< values that were not finite or outside of their range
+    std::uint64_t held{};        ///< beginnings at an actuator that waited until its gap was over
+    std::uint64_t limited{};     ///< frames scaled down by the limit of the sum
+    std::uint64_t not_driven{};  ///< calls of `drive` without a free place
+};
+
+class TactileMixer {
+public:
+    /// Keeps both references. The mixer takes about 160 KB, so keep it on the heap.
+    TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
+
+    void set_faders(const Faders& faders);
+    void set_pose(const Pose& pose) { pose_ = pose; }
+    /// Starts an effect by its number in the bank. `strength` is 0 to 1.
+    void start(std::uint32_t effect, const Where& where, double strength, Tick now);
+    /// Keeps an effect alive under a key other than 0 and sets its strength. Without further calls it fades out.
+    void drive(std::uint32_t key, std::uint32_t effect, const Where& where, double strength, Tick now);
+    /// Makes everything silent at once. Call it, too, when time jumps.
+    void stop();
+    /// The frame that begins at `now`. Call it once every frame_ticks.
+    const TactileFrame& mix(Tick now);
+
+    std::size_t playing() const { return count_; }
+    const MixerCounts& counts() const { return counts_; }
+
+private:
+    /// Places of a sweep for which shares are solved. Between two of them shares are interpolated, which moves the
+    /// centroid along a straight line exactly.
+    static constexpr std::size_t most_places = 9;
+
+    struct Playing {
+        std::uint32_t effect{};
+        std::uint32_t key{};  ///< 0: plays to its end
+        Tick begin{};
+        Tick driven_at{};     ///< last call of `drive`
+        double strength{};    ///< 0 to 1
+        double level{};       ///< amplitude of the motors, 0 to 1
+        double beat_ms{};     ///< time since the last heartbeat (ms)
+        double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held
+        Tick released{};      ///< when the hold ended
+        std::uint8_t main{};  ///< actuator that feels the beginning most
+        std::array<Shares, most_places> places{};  ///< shares; for a spread [0] has distances (m)
+    };
+    /// Part of an effect's time that a frame covers (ms since the beginning).
+    struct Span {
+        double from, to;
+    };
+
+    const Effect& effect_of(const Playing& playing) const { return bank_->effects[playing.effect]; }
+    double checked(double value);
+    BodyPoint point_of(const Where& where);
+    void place(Playing& playing, const Effect& effect, const Where& where);
+    void place_spread(Playing& playing, const BodyPoint& from);
+    void place_sweep(Playing& playing, const Effect& effect, const BodyPoint& from);
+    Playing* running_at(std::uint8_t actuator, Tick now);
+    Playing* free_place(int priority);
+    Playing& least_important();
+    void schedule(Playing& next, Tick now);
+    void remove(std::size_t place);
+
+    Span span_of(const Playing& playing, double ms) const;
+    void release(Playing& playing, Tick now);
+    bool add(Playing& playing, Tick now, double ms);
+    bool add_heartbeat(Playing& playing, bool held, double ms);
+    void add_shares(const Playing& playing, double amplitude, const Shares& shares);
+    void add_spread(const Playing& playing, const Effect& effect, Span span);
+    void add_sweep(const Playing& playing, const Effect& effect, double amplitude, double ms);
+    void limit(Tick now);
+    double pass_gap(std::size_t actuator, double amplitude, Tick now);
+
+    const Layout* layout_;
+    const EffectBank* bank_;
+    MixerSettings settings_;
+    Faders faders_{};
+    Pose pose_{};
+    MixerCounts counts_{};
+    std::array<Playing, most_playing> playing_{};
+    std::array<std::uint8_t, most_playing> order_{};  ///< places in use: the first count_
+    std::size_t count_{};
+    std::array<Tick, most_actuators> free_at_{};  ///< when another event may begin at an actuator
+    // one frame
+    std::array<float, most_actuators> energy_{};
+    std::array<float, most_actuators> strongest_{};  ///< largest energy of one effect; it gives the carrier
+    std::array<bool, most_actuators> on_{};
+    std::array<Tick, most_actuators> may_begin_{};
+    std::array<double, most_actuators> waiting_{};  ///< amplitude that waits until the gap is over
+    bool ringing_{};                                ///< some actuator is on or waits
+    Tick mixed_at_{};
+    bool mixed_{};
+    TactileFrame frame_{};
+};
+
+}  // namespace thaum::tactile
