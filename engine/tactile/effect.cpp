@@ -4,6 +4,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "tactile/tact.h"
 
 namespace thaum::tactile {
 namespace {
@@ -50,7 +51,8 @@ void read_envelope(const ConfigTable& table, Envelope& envelope) {
 }
 
 void read_pattern(const ConfigTable& table, Effect& effect) {
-    effect.pattern = static_cast<Pattern>(table.choice("kind", {"single", "spread", "sweep", "heartbeat"}));
+    effect.pattern =
+        static_cast<Pattern>(table.choice("kind", {"single", "spread", "sweep", "heartbeat", "clip"}));
     effect.sigma_cells = {table.number("across_cells", {0.2, 100}, 0.7),
                           table.number("up_cells", {0.2, 100}, 0.7)};
     switch (effect.pattern) {
@@ -69,6 +71,11 @@ void read_pattern(const ConfigTable& table, Effect& effect) {
             effect.fastest_hz = table.number("fastest_hz", {0.2, 3});
             if (effect.slowest_hz > effect.fastest_hz)
                 table.report("slowest_hz", "'slowest_hz' must not be above 'fastest_hz'");
+            break;
+        case Pattern::clip:
+            effect.clip_file = table.string("file");
+            if (!effect.clip_file.ends_with(".tact") || effect.clip_file.find('/') != std::string::npos)
+                table.report("file", "'file' must be the name of a .tact file in the folder of the effect");
             break;
     }
 }
@@ -115,6 +122,7 @@ double Effect::duration_ms() const {
         case Pattern::spread: return envelope.length() + 1000 * reach / speed;
         case Pattern::sweep: return length_ms;
         case Pattern::heartbeat: return length_ms + envelope.length() + second_beat_ms;
+        case Pattern::clip: return static_cast<double>(clip_frame_ticks * clip.size());
     }
     return envelope.length();
 }
@@ -147,8 +155,8 @@ Expected<Effect> read_effect(const Config& file, std::string name) {
     effect.purpose = static_cast<Purpose>(root.choice("purpose", purpose_names()));
     effect.priority = static_cast<int>(root.integer("priority", {0, 9}));
     read_force(root, effect);
-    read_envelope(root.table("envelope"), effect.envelope);
     read_pattern(root.table("pattern"), effect);
+    if (effect.pattern != Pattern::clip) read_envelope(root.table("envelope"), effect.envelope);
     read_places(root, effect);
     if (auto checked = file.check(); !checked) return tl::unexpected(std::move(checked.error()));
     return effect;
@@ -162,6 +170,25 @@ std::optional<std::uint32_t> EffectBank::find(std::string_view name) const {
     return static_cast<std::uint32_t>(found - effects.begin());
 }
 
+namespace {
+
+Expected<Effect> load_effect(const std::filesystem::path& path) {
+    auto content = read_text_file(path, 1U << 16U);
+    if (!content) return tl::unexpected(std::move(content.error()));
+    const auto file = Config::parse(*content, path.filename().string(), 1);
+    if (!file) return tl::unexpected(file.error());
+    auto effect = read_effect(*file, path.stem().string());
+    if (!effect || effect->pattern != Pattern::clip) return effect;
+    const auto json = read_text_file(path.parent_path() / effect->clip_file, most_tact_bytes);
+    if (!json) return tl::unexpected(json.error());
+    auto imported = import_tact(*json);
+    if (!imported) return fail(text(effect->clip_file, ": ", imported.error().message));
+    effect->clip = std::move(imported->clip.frames);
+    return effect;
+}
+
+}  // namespace
+
 Expected<EffectBank> load_effects(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     std::error_code fault;
@@ -174,11 +201,7 @@ Expected<EffectBank> load_effects(const std::filesystem::path& folder) {
         return fail(text(folder.string(), ": ", files.size(), " effects: keep at most ", most_effects));
     EffectBank bank;
     for (const auto& path : files) {
-        auto content = read_text_file(path, 1U << 16U);
-        if (!content) return tl::unexpected(std::move(content.error()));
-        const auto file = Config::parse(*content, path.filename().string(), 1);
-        if (!file) return tl::unexpected(file.error());
-        auto effect = read_effect(*file, path.stem().string());
+        auto effect = load_effect(path);
         if (!effect) return tl::unexpected(std::move(effect.error()));
         bank.effects.push_back(std::move(*effect));
     }

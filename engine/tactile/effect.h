@@ -14,6 +14,7 @@
 #include "core/config.h"
 #include "core/units.h"
 #include "tactile/body.h"
+#include "tactile/clip.h"
 #include "tactile/grating.h"
 
 namespace thaum::tactile {
@@ -68,7 +69,8 @@ struct Envelope {
 ///     spread     a wave that runs over the skin from a place
 ///     sweep      one place that moves to another (apparent motion)
 ///     heartbeat  about one place, two beats in each period
-enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat };
+///     clip       as recorded in a .tact file; envelope and places are not used
+enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat, clip };
 
 struct Effect {
     std::string name{};
@@ -89,6 +91,8 @@ struct Effect {
     std::vector<BodyPoint> places{};  ///< one or two; empty: where the caller says
     std::optional<BodyPoint> to{};    ///< end of a sweep
     vec2 sigma_cells{0.7};            ///< width along the chart's two directions (cells of the layout)
+    std::string clip_file{};          ///< name of the .tact file beside the effect's own file
+    std::vector<ClipFrame> clip{};    ///< frames of a clip
     Purpose purpose{};
     int priority{};  ///< 0 to 9; a higher one replaces a lower one when all places are taken
 
@@ -110,7 +114,8 @@ struct Signal {
 /// For outputs that play the wave itself: the force at a time since the beginning (ms), before any limit.
 Signal signal(const Effect& effect, double strength, double ms);
 
-/// Reads an effect file. An error names file, line and key.
+/// Reads an effect file. An error names file, line and key. The frames of a clip are not read; `load_effects` reads
+/// them.
 Expected<Effect> read_effect(const Config& file, std::string name);
 
 /// All effects of a program, sorted by name. An effect's number is its index.
@@ -121,7 +126,7 @@ struct EffectBank {
     std::optional<std::uint32_t> find(std::string_view name) const;
 };
 
-/// Reads every .toml file of a folder, each at most 64 KiB.
+/// Reads every .toml file of a folder, each at most 64 KiB, and the .tact files that they name.
 Expected<EffectBank> load_effects(const std::filesystem::path& folder);
 
 }  // namespace thaum::tactile

@@ -1,6 +1,7 @@
 #include "tactile/mixer.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "core/assert.h"
 #include "core/text.h"
@@ -13,6 +14,15 @@ constexpr double least_amplitude = 1.0 / 256;
 /// Longest time between two frames that is made up for (ms).
 constexpr double longest_frame = 1000;
 
+/// True for a jacket whose actuators are the cells of a clip, in their order.
+bool has_cells_of_a_clip(const Layout& layout) {
+    if (layout.actuators.size() != clip_cells) return false;
+    for (std::size_t i = 0; i < clip_cells; ++i) {
+        if (layout.actuators[i].place.part != clip_place(i).part) return false;
+    }
+    return true;
+}
+
 constexpr BodyPoint chest{Part::front, {0, 1.2, 0.115}};
 
 }  // namespace
@@ -22,6 +32,15 @@ TactileMixer::TactileMixer(const Layout& layout, const EffectBank& bank, const M
     for (std::size_t i = 0; i < most_playing; ++i) order_[i] = static_cast<std::uint8_t>(i);
     frame_.count = layout.actuators.size();
     frame_.time_to_live = settings.time_to_live;
+    const bool has_clips = std::any_of(bank.effects.begin(), bank.effects.end(),
+                                       [](const Effect& effect) { return effect.pattern == Pattern::clip; });
+    const bool jacket = has_cells_of_a_clip(layout);
+    for (std::size_t i = 0; i < clip_cells && has_clips; ++i) {
+        if (jacket)
+            clip_shares_[i][i] = 1;
+        else
+            clip_shares_[i] = phantom(layout, layout.chart_place(clip_place(i)), vec2(0)).shares;
+    }
 }
 
 double TactileMixer::checked(double value) {
@@ -57,6 +76,7 @@ BodyPoint TactileMixer::point_of(const Where& where) {
 }
 
 void TactileMixer::place(Playing& playing, const Effect& effect, const Where& where) {
+    if (effect.pattern == Pattern::clip) return place_clip(playing, effect);
     const bool own = !effect.places.empty();
     const BodyPoint first = own ? effect.places[0] : point_of(where);
     if (effect.pattern == Pattern::sweep) return place_sweep(playing, effect, first);
@@ -101,6 +121,18 @@ void TactileMixer::place_sweep(Playing& playing, const Effect& effect, const Bod
         const auto found = phantom(*layout_, at, effect.sigma_cells);
         playing.places[k] = found.shares;
         if (k == 0) playing.main = found.strongest;
+    }
+}
+
+/// A clip begins at the strongest cell of its first frame that is not still.
+void TactileMixer::place_clip(Playing& playing, const Effect& effect) {
+    for (const auto& frame : effect.clip) {
+        const auto strongest = std::max_element(frame.strength.begin(), frame.strength.end());
+        if (*strongest == 0) continue;
+        const auto& shares = clip_shares_[static_cast<std::size_t>(strongest - frame.strength.begin())];
+        const auto main = std::max_element(shares.begin(), shares.end());
+        playing.main = static_cast<std::uint8_t>(main - shares.begin());
+        return;
     }
 }
 
@@ -269,6 +301,24 @@ void TactileMixer::add_sweep(const Playing& playing, const Effect& effect, doubl
     add_shares(playing, amplitude, between);
 }
 
+void TactileMixer::add_clip(const Playing& playing, const Effect& effect, double amplitude, Span span) {
+    constexpr auto frame_ms = static_cast<double>(clip_frame_ticks);
+    Shares energies{};
+    const auto last = static_cast<std::size_t>(span.to / frame_ms);
+    for (auto f = static_cast<std::size_t>(span.from / frame_ms); f <= last && f < effect.clip.size(); ++f) {
+        Shares in_frame{};
+        for (std::size_t cell = 0; cell < clip_cells; ++cell) {
+            const float strength = static_cast<float>(effect.clip[f].strength[cell]) / 100;
+            if (strength == 0) continue;
+            for (std::size_t i = 0; i < layout_->actuators.size(); ++i)
+                in_frame[i] += strength * strength * clip_shares_[cell][i];
+        }
+        for (std::size_t i = 0; i < layout_->actuators.size(); ++i)
+            energies[i] = std::max(energies[i], in_frame[i]);
+    }
+    add_shares(playing, amplitude, energies);
+}
+
 /// Returns false when the heart has beaten for the last time.
 bool TactileMixer::add_heartbeat(Playing& playing, bool held, double ms) {
     const auto& effect = effect_of(playing);
@@ -297,13 +347,14 @@ void TactileMixer::release(Playing& playing, Tick now) {
     playing.released = now;
 }
 
-/// Adds what one effect gives to this frame. Returns false when it has ended.
+/// Adds what one effect gives to this frame. Returns false when it has ended, or lies in the future because time has
+/// jumped back.
 bool TactileMixer::add(Playing& playing, Tick now, double ms) {
-    if (playing.begin > now) return true;
+    const Tick ahead = 2 * settings_.gap;  // an event waits no longer than that
+    if (playing.begin > now) return playing.begin - now <= ahead;
     const auto& effect = effect_of(playing);
-    if (playing.key != 0 && playing.held_ms < 0 && now > playing.driven_at + settings_.driven_for) {
-        release(playing, now);
-    }
+    const bool driven = now <= playing.driven_at + settings_.driven_for && playing.driven_at <= now + ahead;
+    if (playing.key != 0 && playing.held_ms < 0 && !driven) release(playing, now);
     const double age = static_cast<double>(now) - static_cast<double>(playing.begin);
     if (effect.pattern == Pattern::heartbeat) {
         const bool held = playing.key != 0 ? playing.held_ms < 0 : age < effect.length_ms;
@@ -318,10 +369,14 @@ bool TactileMixer::add(Playing& playing, Tick now, double ms) {
                        playing.places[0]);
             break;
         case Pattern::spread: add_spread(playing, effect, span); break;
+        case Pattern::clip:
+            add_clip(playing, effect, fader * playing.level, {std::max(0.0, age - ms), age});
+            break;
         case Pattern::sweep:
             add_sweep(playing, effect, fader * playing.level * effect.envelope.peak(span.from, span.to), age);
             break;
     }
+    if (effect.pattern == Pattern::clip) return age - ms < effect.duration_ms();
     const bool over = playing.key == 0 ? span.from >= effect.duration_ms()
                                        : span.from >= effect.duration_ms() + effect.envelope.length();
     return !over;
@@ -384,6 +439,20 @@ const TactileFrame& TactileMixer::mix(Tick now) {
     }
     limit(now);
     return frame_;
+}
+
+std::vector<TactileFrame> rendered(const Effect& effect, const Layout& layout, double strength,
+                                   const Where& where) {
+    const EffectBank bank{{effect}};
+    const auto mixer = std::make_unique<TactileMixer>(layout, bank);
+    Faders full;
+    full.values.fill(1);
+    mixer->set_faders(full);
+    mixer->start(0, where, strength, 0);
+    std::vector<TactileFrame> frames;
+    for (Tick tick = 0; frames.empty() || mixer->playing() > 0; tick += frame_ticks)
+        frames.push_back(mixer->mix(tick));
+    return frames;
 }
 
 }  // namespace thaum::tactile

@@ -67,7 +67,7 @@ struct MixerCounts {
 
 class TactileMixer {
 public:
-    /// Keeps both references. The mixer takes about 160 KB, so keep it on the heap.
+    /// Keeps both references. The mixer takes about 170 KB, so keep it on the heap.
     TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
 
     void set_faders(const Faders& faders);
@@ -125,6 +125,8 @@ private:
     bool add_heartbeat(Playing& playing, bool held, double ms);
     void add_shares(const Playing& playing, double amplitude, const Shares& shares);
     void add_spread(const Playing& playing, const Effect& effect, Span span);
+    void place_clip(Playing& playing, const Effect& effect);
+    void add_clip(const Playing& playing, const Effect& effect, double amplitude, Span span);
     void add_sweep(const Playing& playing, const Effect& effect, double amplitude, double ms);
     void limit(Tick now);
     double pass_gap(std::size_t actuator, double amplitude, Tick now);
@@ -138,7 +140,8 @@ private:
     std::array<Playing, most_playing> playing_{};
     std::array<std::uint8_t, most_playing> order_{};  ///< places in use: the first count_
     std::size_t count_{};
-    std::array<Tick, most_actuators> free_at_{};  ///< when another event may begin at an actuator
+    std::array<Tick, most_actuators> free_at_{};    ///< when another event may begin at an actuator
+    std::array<Shares, clip_cells> clip_shares_{};  ///< shares of each cell of a clip
     // one frame
     std::array<float, most_actuators> energy_{};
     std::array<float, most_actuators> strongest_{};  ///< largest energy of one effect; it gives the carrier
@@ -150,5 +153,9 @@ private:
     bool mixed_{};
     TactileFrame frame_{};
 };
+
+/// All frames of one effect on a layout, for files and tests. Faders are full.
+std::vector<TactileFrame> rendered(const Effect& effect, const Layout& layout, double strength,
+                                   const Where& where = Where::own());
 
 }  // namespace thaum::tactile

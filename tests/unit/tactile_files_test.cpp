@@ -150,6 +150,8 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
         {bolt, "kind", "kind = \"burst\"", "kind"},
         {bolt, "kind", "kind = \"single\"\nspeed_m_per_s = 1", "speed_m_per_s"},
         {bolt, "kind", "kind = \"single\"\nacross_cells = 0.1", "across_cells"},
+        {bolt, "kind", "kind = \"clip\"\nfile = \"../death.tact\"", "'file'"},
+        {bolt, "kind", "kind = \"clip\"\nfile = \"death.toml\"", "'file'"},
         {blast, "speed_m_per_s", "speed_m_per_s = 0", "speed_m_per_s"},
         {heart, "slowest_hz", "slowest_hz = 2.9", "'slowest_hz'"},
         {fall, "places", R"(places = [{ part = "front" }])", "at_m"},

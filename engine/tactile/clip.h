@@ -1,0 +1,44 @@
+// tactile/clip.h: a recorded course of strengths on a jacket of 4x5 cells in front and 4x5 at the back.
+//
+// This is what a .tact file holds (tact.h): 50 frames a second, a strength for each cell. A clip plays on every
+// layout, because each cell is a place on the body.
+#pragma once
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile/body.h"
+#include "tactile/frame.h"
+
+namespace thaum::tactile {
+
+inline constexpr std::size_t clip_side = 20;  ///< cells of the front, and of the back
+inline constexpr std::size_t clip_cells =
+    40;  ///< front, then back; rows from the top, each from the wearer's left
+inline constexpr Tick clip_frame_ticks = 20;
+inline constexpr std::size_t most_clip_frames = 3000;  ///< one minute
+
+struct ClipFrame {
+    std::array<std::uint8_t, clip_cells> strength{};  ///< 0 to 100
+
+    bool operator==(const ClipFrame&) const = default;
+};
+
+struct Clip {
+    std::string name;
+    std::vector<ClipFrame> frames;  ///< at most most_clip_frames
+
+    bool operator==(const Clip&) const = default;
+};
+
+/// Place of a cell on the body.
+BodyPoint clip_place(std::size_t cell);
+
+/// Records frames of a jacket with the clip's 40 cells in its order. Each clip frame gets the largest amplitude within
+/// its time. Frames beyond the first minute are left out.
+Clip clip_of(std::string name, std::span<const TactileFrame> frames);
+
+}  // namespace thaum::tactile

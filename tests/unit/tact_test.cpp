@@ -1,0 +1,275 @@
+// .tact files: what is read, what is refused, and that writing and reading give the same clip. .hjif files.
+#include "tactile/tact.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tactile/hjif.h"
+#include "unit/tactile_rig.h"
+
+namespace thaum::tactile {
+namespace {
+
+Clip random_clip(Random& random, std::size_t frames) {
+    Clip clip{"a clip \"with\" \xc3\xa9", {}};
+    clip.frames.resize(frames);
+    for (auto& frame : clip.frames) {
+        if (random.below(3) == 0) continue;  // silence in between
+        for (auto& s : frame.strength)
+            s = random.below(2) == 0 ? 0 : static_cast<std::uint8_t>(random.below(101));
+    }
+    clip.frames[frames / 2].strength[3] = 100;
+    return clip;
+}
+
+std::string fault_of(const std::string& json) {
+    const auto imported = import_tact(json);
+    return imported ? "" : imported.error().message;
+}
+
+Clip clip_in(const std::string& json) {
+    const auto imported = import_tact(json);
+    EXPECT_TRUE(imported.has_value()) << (imported ? "" : imported.error().message);
+    return imported ? imported->clip : Clip{};
+}
+
+/// A file with one effect of 100 ms for the front.
+std::string file_with(const std::string& mode, const std::string& extra = "") {
+    return R"({"project":{"name":"p","tracks":[{"enable":true,"effects":[{"startTime":0,"offsetTime":100,"modes":{)"
+           R"("VestFront":)" +
+           mode + "}}]}]}" + extra + "}";
+}
+
+std::string dots(const std::string& steps, bool connected = false) {
+    return std::string(R"({"mode":"DOT_MODE","dotMode":{"dotConnected":)") + (connected ? "true" : "false") +
+           R"(,"feedback":[)" + steps + "]}}";
+}
+
+std::vector<int> course_of(const Clip& clip, std::size_t cell) {
+    std::vector<int> course;
+    for (const auto& frame : clip.frames) course.push_back(frame.strength[cell]);
+    return course;
+}
+
+TEST(Tact, ImportOfAnExportIsTheSameClip) {
+    Random random = random_stream(7, 1);
+    for (int round = 0; round < 50; ++round) {
+        const auto clip = random_clip(random, 1 + random.below(round == 0 ? 3000 : 60));
+        const auto json = export_tact(clip);
+        const auto imported = import_tact(json);
+        ASSERT_TRUE(imported.has_value()) << imported.error().message;
+        EXPECT_EQ(imported->clip, clip);
+        EXPECT_EQ(imported->clipped, 0U);
+        EXPECT_EQ(imported->skipped, 0U);
+        EXPECT_EQ(export_tact(imported->clip), json);
+        // Players read the frames of `feedback`, so both halves must say the same.
+        auto half = nlohmann::json::parse(json);
+        half["project"]["tracks"].clear();
+        auto baked = clip_in(half.dump());
+        baked.frames.resize(clip.frames.size());
+        EXPECT_EQ(baked, clip);
+    }
+}
+
+TEST(Tact, TheShippedClipIsRead) {
+    const auto bank = shipped_effects();
+    const auto& death = bank.effects[*bank.find("death")];
+    ASSERT_EQ(death.clip.size(), 30U);
+    EXPECT_EQ(death.duration_ms(), 600);
+    EXPECT_EQ(death.clip[0].strength[1], 100);
+    EXPECT_EQ(death.clip[0].strength[17], 0);
+    EXPECT_GT(death.clip[15].strength[37], 30);
+}
+
+TEST(Tact, DotsFadeByTheirPlaybackType) {
+    const auto step = [](const std::string& type) {
+        return file_with(dots(R"({"startTime":0,"endTime":100,"playbackType":")" + type +
+                              R"(","pointList":[{"index":7,"intensity":"0.800"}]})"));
+    };
+    EXPECT_EQ(course_of(clip_in(step("NONE")), 7), (std::vector<int>{80, 80, 80, 80, 80}));
+    EXPECT_EQ(course_of(clip_in(step("FADE_IN")), 7), (std::vector<int>{0, 16, 32, 48, 64}));
+    EXPECT_EQ(course_of(clip_in(step("FADE_OUT")), 7), (std::vector<int>{80, 64, 48, 32, 16}));
+    EXPECT_EQ(course_of(clip_in(step("FADE_IN_OUT")), 7), (std::vector<int>{0, 32, 64, 64, 32}));
+}
+
+TEST(Tact, ConnectedDotsFadeIntoTheNextStep) {
+    const auto clip =
+        clip_in(file_with(dots(R"({"startTime":0,"endTime":100,"pointList":[{"index":2,"intensity":"1.000"}]},
+        {"startTime":100,"endTime":100,"pointList":[{"index":5,"intensity":0.5}]})",
+                               true)));
+    EXPECT_EQ(course_of(clip, 2), (std::vector<int>{100, 80, 60, 40, 20, 0}));
+    EXPECT_EQ(course_of(clip, 5), (std::vector<int>{0, 10, 20, 30, 40, 50}));
+}
+
+TEST(Tact, APointOnAPathIsFeltBetweenTheCells) {
+    const std::string path = R"({"mode":"PATH_MODE","pathMode":{"feedback":[{"playbackType":"NONE",
+        "movingPattern":"CONST_SPEED","pointList":[{"x":"0.100","y":"0.300","intensity":"1.000","time":0},
+        {"x":"0.900","y":"0.700","intensity":"1.000","time":90}]}]}})";
+    const auto clip = clip_in(file_with(path));
+    ASSERT_EQ(clip.frames.size(), 5U);
+    for (std::size_t f = 0; f < 5; ++f) {
+        double energy = 0, x = 0, y = 0;
+        for (std::size_t i = 0; i < clip_side; ++i) {
+            const double e = clip.frames[f].strength[i] * clip.frames[f].strength[i];
+            energy += e;
+            x += e * static_cast<double>(i % 4) / 3;
+            y += e * static_cast<double>(i / 4) / 4;
+        }
+        EXPECT_NEAR(x / energy, 0.1 + 0.8 * static_cast<double>(f) / 5, 0.01) << f;
+        EXPECT_NEAR(y / energy, 0.3 + 0.4 * static_cast<double>(f) / 5, 0.01) << f;
+        EXPECT_NEAR(std::sqrt(energy), 100, 1.5) << f;
+    }
+}
+
+TEST(Tact, PathsWithTimesMoveByThem) {
+    const auto path = [](const std::string& pattern) {
+        return file_with(
+            R"({"mode":"PATH_MODE","pathMode":{"feedback":[{"movingPattern":")" + pattern +
+            R"(","pointList":[{"x":0,"y":0,"time":0},{"x":0.3333333333,"y":0,"time":80},{"x":1,"y":0,"time":100}]}]}})");
+    };
+    EXPECT_LT(course_of(clip_in(path("CONST_TDM")), 1)[1], 60) << "slow on the first part";
+    EXPECT_GT(course_of(clip_in(path("CONST_SPEED")), 1)[1], 70);
+}
+
+TEST(Tact, ForeignPartsAreSkippedAndWrongValuesClipped) {
+    const auto imported = import_tact(
+        R"({"project":{"tracks":[{"effects":[{"startTime":0,"offsetTime":20,"modes":{"ForearmL":{},"VestBack":)" +
+        dots(
+            R"({"startTime":0,"endTime":20,"pointList":[{"index":25,"intensity":"7"},{"index":-1,"intensity":"loud"},
+             {"index":3,"intensity":1e300}]})") +
+        R"(}},{"modes":7}]},{"enable":false,"effects":[{"modes":{"VestBack":{}}}]}]}})");
+    ASSERT_TRUE(imported.has_value()) << imported.error().message;
+    EXPECT_EQ(imported->clip.frames.size(), 1U);
+    EXPECT_EQ(imported->clip.frames[0].strength[39], 100);
+    EXPECT_EQ(imported->clip.frames[0].strength[20], 100) << "a strength that is no number counts as full";
+    EXPECT_EQ(imported->clip.frames[0].strength[23], 100);
+    EXPECT_EQ(imported->clipped, 4U);
+    EXPECT_EQ(imported->skipped, 3U);
+}
+
+TEST(Tact, FramesAreReadWhereTheTracksHaveNothing) {
+    const auto clip = clip_in(file_with(dots(""), R"(,"name":"n","feedback":{"0":[{"position":"VestFront",
+        "values":[0,50]}],"40":[{"position":"VestBack","values":[200,"30"]},{"position":"Head","values":[9]}],"x":[]})"));
+    ASSERT_EQ(clip.frames.size(), 3U);
+    EXPECT_EQ(clip.frames[0].strength[1], 50);
+    EXPECT_EQ(clip.frames[2].strength[20], 100);
+    EXPECT_EQ(clip.frames[2].strength[21], 30);
+    EXPECT_EQ(clip.name, "p");
+}
+
+TEST(Tact, WhatIsNoEffectIsRefusedInOneLine) {
+    EXPECT_EQ(fault_of(""), "the file is not a JSON object");
+    EXPECT_EQ(fault_of("[]"), "the file is not a JSON object");
+    EXPECT_EQ(fault_of("{\"project\":"), "the file is not a JSON object");
+    EXPECT_EQ(fault_of("{}"), "the file has nothing for the vest (VestFront or VestBack)");
+    EXPECT_EQ(fault_of(std::string(100'000, '[')), "the file is nested deeper than 32 levels");
+    EXPECT_EQ(fault_of(std::string(5U << 20U, ' ')), "the file has more than 4 MiB");
+    EXPECT_EQ(fault_of(file_with(dots(R"({"startTime":0,"endTime":90000,"pointList":[{"index":1}]})"))), "")
+        << "a length beyond the limit is clipped";
+    EXPECT_EQ(fault_of(R"({"feedback":{"99999":[{"position":"VestFront","values":[9]}]}})"),
+              "the effect is longer than a minute");
+}
+
+TEST(Tact, AFileCannotMakeUsDrawForever) {
+    std::string steps = R"({"startTime":0,"endTime":60000,"pointList":[{"index":1}]})";
+    const std::string one = "," + steps;
+    for (int i = 0; i < 10'000; ++i) steps += one;
+    EXPECT_EQ(fault_of(file_with(dots(steps))), "the file has more to draw than an effect can need");
+}
+
+TEST(TactClip, PlaysOnEveryLayoutAndExactlyOnAJacket) {
+    for (const auto* name : layout_names) {
+        TactileRig rig(name);
+        const auto& clip = rig.bank.effects[rig.effect("death")].clip;
+        rig.start("death", Where::own());
+        std::vector<Tick> lit;
+        for (int f = 0; f < 90; ++f) {
+            const auto& frame = rig.frame();
+            if (!frame.is_silent()) lit.push_back(frame.tick);
+            EXPECT_LE(energy_of(frame), 1.5);
+            if (name != std::string("x40") || f != 60) continue;
+            // Below the limit of the sum: each motor has the strength of its cell.
+            for (std::size_t i = 0; i < 40; ++i) {
+                const int strength = std::max(clip[23].strength[i], clip[24].strength[i]);  // 472 to 480 ms
+                EXPECT_NEAR(frame.amplitude[i], 0.9 * strength / 100, 1e-6) << i;
+            }
+        }
+        ASSERT_FALSE(lit.empty()) << name;
+        EXPECT_EQ(lit.front(), 1000U);
+        EXPECT_GT(lit.back(), 1450U);
+    }
+}
+
+TEST(TactClip, FramesOfAJacketBecomeAClip) {
+    const auto layout = shipped_layout("x40");
+    const auto bank = shipped_effects();
+    const auto frames =
+        rendered(bank.effects[*bank.find("bolt_hit")], layout, 1, Where::on(layout.actuators[6].place));
+    const auto clip = clip_of("bolt", frames);
+    EXPECT_EQ(clip.frames.size(), 4U) << "60 ms and the rest of the last frame";
+    const auto strongest = std::max_element(clip.frames[0].strength.begin(), clip.frames[0].strength.end());
+    EXPECT_EQ(strongest - clip.frames[0].strength.begin(), 6);
+    EXPECT_NEAR(*strongest, 100 * static_cast<double>(frames[0].amplitude[6]), 1);
+    EXPECT_EQ(clip_in(export_tact(clip)), clip);
+}
+
+TEST(Hjif, HasWhatTheReferenceSoftwareAsksFor) {
+    const auto layout = shipped_layout("x40");
+    const auto bank = shipped_effects();
+    const auto frames = rendered(bank.effects[*bank.find("blast_hit")], layout, 0.5);
+    const auto json = nlohmann::json::parse(export_hjif(layout, frames, "a blast", "2026-11-26"));
+    for (const auto* key : {"version", "profile", "level", "date", "description", "timescale"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const auto* key : {"avatars", "perceptions", "syncs"}) EXPECT_TRUE(json.at(key).is_array()) << key;
+    EXPECT_EQ(json.at("timescale"), 1000);
+    const auto& perception = json.at("perceptions").at(0);
+    EXPECT_TRUE(perception.at("id").is_number_integer() && perception.at("avatar_id").is_number_integer());
+    EXPECT_TRUE(perception.at("description").is_string() && perception.at("effect_library").is_array());
+    EXPECT_EQ(perception.at("perception_modality"), "Vibrotactile");
+    ASSERT_EQ(perception.at("channels").size(), 40U);
+    for (std::size_t i = 0; i < 40; ++i) {
+        const auto& channel = perception.at("channels").at(i);
+        EXPECT_EQ(channel.at("id"), i);
+        EXPECT_TRUE(channel.at("description").is_string());
+        for (const auto* key : {"gain", "mixing_coefficient", "body_part_mask"})
+            EXPECT_TRUE(channel.at(key).is_number()) << key;
+        EXPECT_EQ(channel.at("body_part_target"), (nlohmann::json{"Chest", i < 20 ? "Front" : "Back"}));
+        EXPECT_EQ(channel.at("bands").size(), 1U);
+        EXPECT_EQ(channel.at("bands").at(0).at("band_type"), "VectorialWave");
+        EXPECT_TRUE(channel.at("bands").at(0).at("lower_frequency_limit").is_number_integer());
+    }
+}
+
+/// Amplitude of an actuator at a time, as a player of the file would compute it: linear between keyframes.
+double played(const nlohmann::json& channel, double ms) {
+    for (const auto& effect : channel.at("bands").at(0).at("effects")) {
+        const auto& keys = effect.at("keyframes");
+        for (std::size_t k = 1; k < keys.size(); ++k) {
+            const double from =
+                effect.at("position").get<double>() + keys[k - 1].at("relative_position").get<double>();
+            const double to =
+                effect.at("position").get<double>() + keys[k].at("relative_position").get<double>();
+            if (ms < from || ms >= to) continue;
+            const double a = keys[k - 1].at("amplitude_modulation"), b = keys[k].at("amplitude_modulation");
+            return a + (b - a) * (ms - from) / (to - from);
+        }
+    }
+    return 0;
+}
+
+TEST(Hjif, PlaysTheFrames) {
+    const auto layout = shipped_layout("pad");
+    const auto bank = shipped_effects();
+    const auto frames = rendered(bank.effects[*bank.find("heartbeat")], layout, 1);
+    const auto json = nlohmann::json::parse(export_hjif(layout, frames, "a heart", "2026-11-26"));
+    ASSERT_GT(frames.size(), 100U);
+    for (const auto& frame : frames) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto& channel = json.at("perceptions").at(0).at("channels").at(i);
+            EXPECT_NEAR(played(channel, static_cast<double>(frame.tick)), frame.amplitude[i], 1e-4);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace thaum::tactile
