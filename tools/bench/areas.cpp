@@ -6,12 +6,19 @@ namespace thaum::bench {
 
 std::span<const Area> areas() {
     static constexpr std::array list{
-        Area{"ecs", ecs},           Area{"tick", tick, soak},
-        Area{"physics", physics},   Area{"replay", replay},
-        Area{"skip", skip},         Area{"render", render},
-        Area{"coupling", coupling}, Area{"primitives", primitives},
-        Area{"haptics", haptics},   Area{"fluid", fluid, fluid_stress},
-        Area{"surface", surface},   Area{"field", field},
+        Area{"ecs", ecs},
+        Area{"tick", tick, soak},
+        Area{"physics", physics},
+        Area{"replay", replay},
+        Area{"skip", skip},
+        Area{"render", render},
+        Area{"coupling", coupling},
+        Area{"primitives", primitives},
+        Area{"haptics", haptics},
+        Area{"fluid", fluid, fluid_stress},
+        Area{"surface", surface},
+        Area{"field", field},
+        Area{"tactile", tactile_mixer},
         Area{"audio", audio},
     };
     return list;

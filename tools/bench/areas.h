@@ -27,6 +27,7 @@ void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
 /// Surface of the brew.
 void surface(const Options& options, Report& report);
+void tactile_mixer(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 /// Part of the area `render`.
 void brew_pictures(const Options& options, Report& report);

@@ -47,6 +47,11 @@ constexpr std::array invariants{
     Invariant{"haptics", "passivity", "scenarios", 1, any},
     Invariant{"audio", "mix", "allocations", 0, 0},
     Invariant{"audio", "level", "worst_db", 0, 0.1},
+    Invariant{"tactile", "mix", "allocations", 0, 0},
+    Invariant{"tactile", "mix", "playing", 64, 64},
+    Invariant{"tactile", "silent", "allocations", 0, 0},
+    Invariant{"tactile", "hostile", "violations", 0, 0},
+    Invariant{"tactile", "hostile", "lost", 0, 0},
     Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
 };
 
