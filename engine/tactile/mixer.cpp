@@ -53,6 +53,16 @@ void TactileMixer::set_faders(const Faders& faders) {
     for (std::size_t i = 0; i < purpose_count; ++i) faders_.values[i] = checked(faders.values[i]);
 }
 
+void TactileMixer::set_pose(const Pose& pose) {
+    const bool finite = std::all_of(pose.parts.begin(), pose.parts.end(), [](const Transform& t) {
+        return is_finite(t.shift) && std::isfinite(t.turn.w + t.turn.x + t.turn.y + t.turn.z);
+    });
+    if (finite)
+        pose_ = pose;
+    else
+        ++counts_.clipped;
+}
+
 // ---- beginnings ------------------------------------------------------------------------------------------------
 
 BodyPoint TactileMixer::point_of(const Where& where) {

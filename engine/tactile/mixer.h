@@ -71,7 +71,8 @@ public:
     TactileMixer(const Layout& layout, const EffectBank& bank, const MixerSettings& settings = {});
 
     void set_faders(const Faders& faders);
-    void set_pose(const Pose& pose) { pose_ = pose; }
+    /// A pose that is not finite is counted and ignored.
+    void set_pose(const Pose& pose);
     /// Starts an effect by its number in the bank. `strength` is 0 to 1.
     void start(std::uint32_t effect, const Where& where, double strength, Tick now);
     /// Keeps an effect alive under a key other than 0 and sets its strength. Without further calls it fades out.

@@ -48,6 +48,16 @@ TEST(TactileHostile, BadStrengthsPlacesAndFadersAreClippedAndCounted) {
     }
 }
 
+TEST(TactileHostile, APoseThatIsNotFiniteIsIgnored) {
+    TactileRig rig("sleeves");
+    const vec3 wrist = posed(pose_with_arms(0, 1), Part::arm_right, {0.22, 0.9, 0});
+    rig.mixer->set_pose(pose_with_arms(0, 1));
+    rig.mixer->set_pose(pose_with_arms(0, nan));
+    EXPECT_EQ(rig.mixer->counts().clipped, 1U);
+    rig.start("bolt_hit", Where::touching(wrist));
+    EXPECT_GT(rig.frame().amplitude[19], 0.2);
+}
+
 TEST(TactileHostile, RandomCallsKeepAllLimits) {
     for (const auto* name : layout_names) {
         TactileRig rig(name);
@@ -79,6 +89,17 @@ TEST(TactileHostile, RandomCallsKeepAllLimits) {
             ASSERT_LE(rig.mixer->playing(), most_playing);
         }
         EXPECT_GT(rig.mixer->counts().clipped, 1000U);
+    }
+}
+
+TEST(TactileHostile, EventsOfTheFutureTakeNoPlace) {
+    TactileRig rig("x40");
+    for (const Tick ahead : {Tick{81}, Tick{100'000}, ~Tick{0} / 2}) {
+        rig.mixer->start(rig.effect("bolt_hit"), Where::own(), 1, rig.now + ahead);
+        rig.mixer->drive(1, rig.effect("stir"), Where::own(), 1, rig.now + ahead);
+        EXPECT_TRUE(rig.frame().is_silent());
+        EXPECT_EQ(rig.mixer->playing(), 0U) << ahead;
+        rig.mixer->stop();
     }
 }
 

@@ -40,6 +40,10 @@ TEST(TactileMixerTest, EnergiesOfEffectsAddUp) {
     const auto& frame = rig.frame();
     EXPECT_NEAR(frame.amplitude[0], 0.5, 1e-6);
     EXPECT_NEAR(frame.carrier_hz[0], 200, 1e-3) << "the carrier is that of the stronger";
+    rig.mixer->stop();
+    rig.start("b", Where::on(at(rig, 0)), 0.4);
+    rig.start("a", Where::on(at(rig, 0)), 0.3);
+    EXPECT_NEAR(rig.frame().carrier_hz[0], 200, 1e-3) << "in either order";
     EXPECT_EQ(frame.count, 1U);
     EXPECT_EQ(frame.time_to_live, 48U);
 }
@@ -153,6 +157,29 @@ TEST(TactileMixerTest, BeginningsAtACellAreAtLeastFortyMillisecondsApart) {
         }
         EXPECT_GT(beginnings, 20) << name;
     }
+}
+
+TEST(TactileMixerTest, ASecondWaveAtACellWaitsUntilItsGapIsOverAndIsFeltInFull) {
+    auto wave = plain_effect("wave", {.hold = 4});
+    wave.pattern = Pattern::spread;
+    wave.speed = 1;
+    wave.reach = 10;
+    TactileRig rig(apart(11), bank_of({wave}));
+    rig.start("wave", Where::on(at(rig, 0)), 0.2);  // reaches the middle, 150 mm away, after 150 ms
+    std::vector<Tick> felt;
+    float greatest = 0;
+    for (int f = 0; f < 50; ++f) {
+        if (f == 3) rig.start("wave", Where::on(at(rig, 10)), 0.6);  // from the other side, after 174 ms
+        const auto& frame = rig.frame();
+        if (frame.amplitude[5] == 0) continue;
+        felt.push_back(frame.tick - 1000);
+        greatest = std::max(greatest, frame.amplitude[5]);
+    }
+    ASSERT_EQ(felt.front(), 152U);
+    ASSERT_GE(felt.size(), 2U);
+    EXPECT_EQ(*std::find_if(felt.begin(), felt.end(), [](Tick t) { return t > 165; }), 192U);
+    EXPECT_NEAR(greatest, 0.6 * (1 - 0.15 / 10), 1e-5);
+    EXPECT_EQ(rig.mixer->counts().held, 1U) << "no other cell meets both waves within a gap";
 }
 
 TEST(TactileMixerTest, AHundredHitsInATickAreAllFelt) {
