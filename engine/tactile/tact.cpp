@@ -178,7 +178,8 @@ PathPoint on_path(const std::vector<PathPoint>& path, const std::vector<double>&
 std::vector<double> times_of(const std::vector<PathPoint>& path, bool by_time) {
     std::vector<double> reached(path.size());
     for (std::size_t i = 1; i < path.size(); ++i) {
-        const double way = std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+        const double across = path[i].x - path[i - 1].x, down = path[i].y - path[i - 1].y;
+        const double way = std::sqrt(across * across + down * down);
         reached[i] = reached[i - 1] + (by_time ? std::max(0.0, path[i].time - path[i - 1].time) : way);
     }
     const double whole = reached.empty() ? 0 : reached.back();

@@ -25,8 +25,8 @@ TEST(TactileFrameTest, IsSilentAfterItsTimeToLive) {
     frame.time_to_live = 48;
     frame.count = 2;
     frame.amplitude[1] = 0.5F;
-    for (const Tick now : {1000, 1001, 1047}) EXPECT_EQ(frame_at(frame, now).amplitude[1], 0.5F);
-    for (const Tick now : {0, 999, 1048, 1'000'000}) EXPECT_TRUE(frame_at(frame, now).is_silent()) << now;
+    for (const Tick now : {1000U, 1001U, 1047U}) EXPECT_EQ(frame_at(frame, now).amplitude[1], 0.5F);
+    for (const Tick now : {0U, 999U, 1048U, 1000000U}) EXPECT_TRUE(frame_at(frame, now).is_silent()) << now;
     EXPECT_TRUE(frame_at(frame, ~Tick{0}).is_silent());
 }
 
