@@ -1,6 +1,7 @@
 #include "tactile/clip.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thaum::tactile {
 
@@ -8,9 +9,9 @@ BodyPoint clip_place(std::size_t cell) {
     // Cells of a jacket of usual size (m); the skin between two columns is about 100 mm, between two rows 90 mm.
     constexpr std::array across{-0.145, -0.05, 0.05, 0.145};
     constexpr double top = 1.29, row = 0.09, outer_depth = 0.055, inner_depth = 0.11;
-    const std::size_t column = cell % 4;
+    const std::size_t column = cell % 4, row_number = cell % clip_side / 4;
     const double depth = column == 0 || column == 3 ? outer_depth : inner_depth;
-    const vec3 at(across[column], top - row * static_cast<double>(cell % clip_side / 4), depth);
+    const vec3 at(across[column], top - row * static_cast<double>(row_number), depth);
     return cell < clip_side ? BodyPoint{Part::front, at} : BodyPoint{Part::back, {at.x, at.y, -at.z}};
 }
 
@@ -25,7 +26,7 @@ Clip clip_of(std::string name, std::span<const TactileFrame> frames) {
                 const double percent =
                     std::clamp(100.0 * static_cast<double>(frame.amplitude[i]), 0.0, 100.0);
                 auto& strength = clip.frames[at].strength[i];
-                strength = std::max(strength, static_cast<std::uint8_t>(percent + 0.5));
+                strength = std::max(strength, static_cast<std::uint8_t>(std::lround(percent)));
             }
         }
     }

@@ -27,7 +27,7 @@ Values body_part_target(Part part) {
 Values keyframe(Tick at, double amplitude, double hz) {
     return {{"relative_position", at},
             {"amplitude_modulation", std::round(amplitude * 1e4) / 1e4},
-            {"frequency_modulation", static_cast<int>(hz + 0.5)}};
+            {"frequency_modulation", static_cast<int>(std::lround(hz))}};
 }
 
 /// One effect for each run of frames in which the actuator is on.

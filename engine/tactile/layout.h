@@ -1,6 +1,6 @@
 // tactile/layout.h: the actuators of one device, and where they sit on the body. Files: assets/tactile/layouts.
 //
-// An effect never names an actuator. It names a place on the body, and a layout says which actuators are near. So
+// An effect never names an actuator. It names a place on the body, and a layout has the actuators near it. So
 // every effect plays on every device, from a jacket of 40 motors to the two motors of a pad.
 #pragma once
 #include <filesystem>
@@ -46,7 +46,7 @@ public:
     double pitch(Region region) const { return pitch_[static_cast<std::size_t>(region)]; }
     /// Difference of two places on the chart of a region (m). The way round the torso is taken the shorter way.
     vec2 between(Region region, vec2 from, vec2 to) const;
-    /// The nearest actuator to a point in a pose tells the part. The point is then moved back to the body at rest.
+    /// Point of the body at rest for a point of a posed body (m, body frame). It gets the part of the nearest actuator.
     BodyPoint nearest(const Pose& pose, vec3 point) const;
     /// Place on the torso that a direction comes from (body frame), at a height (m).
     BodyPoint facing(vec3 from, double height) const;

@@ -5,8 +5,8 @@
 //     outputs.send(mixer.mix(tick))                                    every frame_ticks
 //
 // Energies (amplitude squared) of effects add up at an actuator, because their phases are not related. So the felt
-// place of several effects is the centroid of their places. A frame then passes these limits, in this order: the
-// limit of each actuator; the least gap between two beginnings at one actuator; the sum of all energies.
+// place of several effects is the centroid of their places. A frame then passes three limits, in this order: the
+// limit of each actuator, the least gap between two beginnings at one actuator, and the limit of all energies.
 //
 // No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places are
 // taken, an event replaces one of lower or equal priority, or is merged. Every such case is counted.

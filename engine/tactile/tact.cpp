@@ -101,7 +101,7 @@ public:
         }
         if (frames.size() <= frame) frames.resize(frame + 1);
         auto& kept = frames[frame].strength[cell];
-        kept = std::max(kept, static_cast<std::uint8_t>(100 * std::clamp(strength, 0.0, 1.0) + 0.5));
+        kept = std::max(kept, static_cast<std::uint8_t>(std::lround(100 * std::clamp(strength, 0.0, 1.0))));
     }
     /// Frames whose beginnings lie in a span of time (ms); at least the one in which it begins.
     std::pair<std::size_t, std::size_t> span(double from, double to) const {
@@ -364,10 +364,12 @@ Json baked(const Clip& clip) {
 
 Json cells_of_layout() {
     auto cells = Json::array();
-    for (std::size_t i = 0; i < clip_side; ++i)
+    for (std::size_t i = 0; i < clip_side; ++i) {
+        const std::size_t column = i % 4, row = i / 4;
         cells.push_back({{"index", i},
-                         {"x", fixed(static_cast<double>(i % 4) / 3, 3)},
-                         {"y", fixed(static_cast<double>(i / 4) / 4, 3)}});
+                         {"x", fixed(static_cast<double>(column) / 3, 3)},
+                         {"y", fixed(static_cast<double>(row) / 4, 3)}});
+    }
     return cells;
 }
 

@@ -111,9 +111,10 @@ TEST(Tact, APointOnAPathIsFeltBetweenTheCells) {
         double energy = 0, x = 0, y = 0;
         for (std::size_t i = 0; i < clip_side; ++i) {
             const double e = clip.frames[f].strength[i] * clip.frames[f].strength[i];
+            const std::size_t column = i % 4, row = i / 4;
             energy += e;
-            x += e * static_cast<double>(i % 4) / 3;
-            y += e * static_cast<double>(i / 4) / 4;
+            x += e * static_cast<double>(column) / 3;
+            y += e * static_cast<double>(row) / 4;
         }
         EXPECT_NEAR(x / energy, 0.1 + 0.8 * static_cast<double>(f) / 5, 0.01) << f;
         EXPECT_NEAR(y / energy, 0.3 + 0.4 * static_cast<double>(f) / 5, 0.01) << f;
