@@ -158,24 +158,27 @@ TactileMixer::Playing* TactileMixer::running_at(std::uint8_t actuator, Tick now)
     return latest;
 }
 
-/// The effect of lowest priority that plays, the oldest of several.
-TactileMixer::Playing& TactileMixer::least_important() {
-    auto* least = &playing_[order_[0]];
-    for (std::size_t i = 1; i < count_; ++i) {
+/// The effect of lowest priority, the oldest of several; null: none. `felt`: only of those that have been in a frame.
+TactileMixer::Playing* TactileMixer::least_important(bool felt) {
+    Playing* least = nullptr;
+    for (std::size_t i = 0; i < count_; ++i) {
         auto& p = playing_[order_[i]];
-        const int rank = effect_of(p).priority, least_rank = effect_of(*least).priority;
-        if (rank < least_rank || (rank == least_rank && p.begin < least->begin)) least = &p;
+        if (felt && !p.felt) continue;
+        const int rank = effect_of(p).priority,
+                  least_rank = least == nullptr ? 0 : effect_of(*least).priority;
+        if (least == nullptr || rank < least_rank || (rank == least_rank && p.begin < least->begin))
+            least = &p;
     }
-    return *least;
+    return least;
 }
 
-/// A place for an effect of this priority; null: all are taken by more important ones.
+/// A place for an effect of this priority; null: all are taken by more important ones, or by ones not felt yet.
 TactileMixer::Playing* TactileMixer::free_place(int priority) {
     if (count_ < most_playing) return &playing_[order_[count_++]];
-    auto& least = least_important();
-    if (effect_of(least).priority > priority) return nullptr;
+    auto* least = least_important(true);
+    if (least == nullptr || effect_of(*least).priority > priority) return nullptr;
     ++counts_.replaced;
-    return &least;
+    return least;
 }
 
 /// Lets an event begin, now or when the gap of its actuator is over, or merges it.
@@ -193,7 +196,7 @@ void TactileMixer::schedule(Playing& next, Tick now) {
     if (in_gap) next.begin = free_at;
     auto* place = free_place(effect_of(next).priority);
     if (place == nullptr) {  // what plays stays, as strong as the event at least
-        auto& kept = running != nullptr ? *running : least_important();
+        auto& kept = running != nullptr ? *running : *least_important(false);
         ++counts_.merged;
         kept.level = std::max(kept.level, next.level);
         return;
@@ -362,6 +365,7 @@ void TactileMixer::release(Playing& playing, Tick now) {
 bool TactileMixer::add(Playing& playing, Tick now, double ms) {
     const Tick ahead = 2 * settings_.gap;  // an event waits no longer than that
     if (playing.begin > now) return playing.begin - now <= ahead;
+    playing.felt = true;
     const auto& effect = effect_of(playing);
     const bool driven = now <= playing.driven_at + settings_.driven_for && playing.driven_at <= now + ahead;
     if (playing.key != 0 && playing.held_ms < 0 && !driven) release(playing, now);

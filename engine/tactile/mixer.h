@@ -9,7 +9,7 @@
 // limit of each actuator, the least gap between two beginnings at one actuator, and the limit of all energies.
 //
 // No event is lost. Two events at one actuator within the gap are merged into the stronger one. If all places are
-// taken, an event replaces one of lower or equal priority, or is merged. Every such case is counted.
+// taken, an event replaces one of lower or equal priority that has been felt, or is merged. Every such case is counted.
 //
 // A mixer has a fixed size, never allocates, and computes the same bits on every machine.
 #pragma once
@@ -101,6 +101,7 @@ private:
         double held_ms{};     ///< time on the envelope at which the decay began (ms); below 0: still held
         Tick released{};      ///< when the hold ended
         std::uint8_t main{};  ///< actuator that feels the beginning most
+        bool felt{};          ///< has been in a frame
         std::array<Shares, most_places> places{};  ///< shares; for a spread [0] has distances (m)
     };
     /// Part of an effect's time that a frame covers (ms since the beginning).
@@ -116,7 +117,7 @@ private:
     void place_sweep(Playing& playing, const Effect& effect, const BodyPoint& from);
     Playing* running_at(std::uint8_t actuator, Tick now);
     Playing* free_place(int priority);
-    Playing& least_important();
+    Playing* least_important(bool felt);
     void schedule(Playing& next, Tick now);
     void remove(std::size_t place);
 

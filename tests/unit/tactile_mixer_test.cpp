@@ -215,6 +215,7 @@ TEST(TactileMixerTest, WhenAllPlacesAreTakenTheMoreImportantPlays) {
     high.priority = 8;
     TactileRig rig(apart(64), bank_of({high, low}), {.gap = 0});
     for (std::size_t i = 0; i < 64; ++i) rig.start("low", Where::on(at(rig, i)), 0.1);
+    rig.frame();
     rig.start("high", Where::on(at(rig, 40)), 1);
     EXPECT_EQ(rig.mixer->playing(), 64U);
     EXPECT_EQ(rig.mixer->counts().replaced, 1U);
@@ -227,6 +228,21 @@ TEST(TactileMixerTest, WhenAllPlacesAreTakenTheMoreImportantPlays) {
     EXPECT_GT(rig.frame().amplitude[3], 0.3);
     const auto& counts = rig.mixer->counts();
     EXPECT_EQ(counts.offered, counts.started + counts.merged);
+}
+
+TEST(TactileMixerTest, AnEventThatHasNotBeenFeltIsNotReplaced) {
+    auto low = plain_effect("low", {.hold = 500}), high = plain_effect("high", {.hold = 500});
+    low.priority = 2;
+    high.priority = 8;
+    low.sigma_cells = high.sigma_cells = vec2(0.2);
+    TactileRig rig(apart(64), bank_of({high, low}), {.gap = 0});
+    for (std::size_t i = 0; i < 64; ++i) rig.start("low", Where::on(at(rig, i)), 0.1);
+    rig.start("high", Where::on(at(rig, 9)), 1);
+    EXPECT_EQ(rig.mixer->counts().replaced, 0U);
+    EXPECT_EQ(rig.mixer->counts().merged, 1U);
+    const auto& frame = rig.frame();
+    for (std::size_t i = 0; i < 64; ++i) EXPECT_GT(frame.amplitude[i], 0.05) << i;
+    EXPECT_GT(frame.amplitude[9], 0.5) << "the hard hit is felt at its place";
 }
 
 TEST(TactileMixerTest, FadersScaleTheirPurpose) {
