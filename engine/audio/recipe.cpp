@@ -146,6 +146,9 @@ void read_whole(const ConfigTable& root, Recipe& recipe) {
     recipe.description = root.string("description");
     if (recipe.description.empty() || recipe.description.size() > 100)
         root.report("description", "the description must have 1 to 100 letters");
+    recipe.caption = root.string("caption", "");
+    if (recipe.caption.size() > 32) root.report("caption", "the caption must have at most 32 letters");
+    recipe.important = root.boolean("important", false);
     recipe.group = static_cast<SoundGroup>(root.choice("group", {"effects", "music", "interface"}));
     recipe.loops = root.boolean("loops", false);
     recipe.near_m = root.number("near_m", {0.1, 100}, 1.5);

@@ -102,6 +102,8 @@ using Part = std::variant<Tone, Noise, Grains, Score>;
 struct Recipe {
     std::string name;
     std::string description;
+    std::string caption;  ///< words on the screen for people who do not hear the sound; empty: none
+    bool important{};     ///< true: the caption is shown even to those who want few
     SoundGroup group{};
     bool loops{};
     double near_m{1.5};  ///< (m)

@@ -19,6 +19,8 @@ inline constexpr std::size_t sound_groups = 3;
 struct Sound {
     std::string name;
     std::string description;  ///< plain words for a table of what is heard
+    std::string caption{};    ///< words on the screen for people who do not hear the sound; empty: none
+    bool important{};         ///< true: the caption is shown even to those who want few
     SoundGroup group{};
     bool loops{};  ///< true for a sound without an end; its last sample leads to its first without a step
     double near_m{1.5};  ///< distance within which the sound is not louder (m)

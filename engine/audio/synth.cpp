@@ -104,8 +104,15 @@ Sound make_sound(const Recipe& recipe) {
     fade(canvas);
     const double peak = largest_of(canvas.samples());
     const double scale = peak > 1e-9 ? recipe.level / peak : 0;
-    Sound sound{recipe.name, recipe.description, recipe.group, recipe.loops, recipe.near_m, recipe.reach_m,
-                {}};
+    Sound sound{.name = recipe.name,
+                .description = recipe.description,
+                .caption = recipe.caption,
+                .important = recipe.important,
+                .group = recipe.group,
+                .loops = recipe.loops,
+                .near_m = recipe.near_m,
+                .reach_m = recipe.reach_m,
+                .samples = {}};
     sound.samples.reserve(canvas.size());
     for (const double sample : canvas.samples()) sound.samples.push_back(static_cast<float>(sample * scale));
     return sound;

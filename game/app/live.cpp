@@ -126,6 +126,14 @@ Expected<LiveArms> open_arms_of(const LivePlan& plan) {
     return open_arms(plan.seats, plan.data->device);
 }
 
+/// Loads what is felt on the body. A fault is told, and then nothing is felt.
+std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
+    auto body = LiveBody::load(assets);
+    if (body) return std::move(*body);
+    std::fprintf(stderr, "nothing is felt on the body: %s\n", body.error().message.c_str());
+    return std::nullopt;
+}
+
 // The report ------------------------------------------------------------------------------------------------
 
 /// Prints how an arm did, with its name if there are several.
@@ -169,6 +177,8 @@ int run_live(const LivePlan& plan) {
     auto arms = open_arms_of(plan);
     if (!arms) return refuse(arms.error());
     shared.arms = std::move(*arms);
+    shared.sound = LiveSound::start(plan.assets, plan.settings);
+    shared.body = load_body(plan.assets);
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return refuse(drawing.error());

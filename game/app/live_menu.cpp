@@ -36,11 +36,33 @@ void LiveMenu::close() {
 
 /// Applies an event. A request ends the menu or its match. Presses that come before the session carries it out
 /// are not meant for the menu.
+namespace {
+
+/// The chosen row of the page that is shown; std::nullopt: there is no page.
+std::optional<std::size_t> chosen_row(const MenuState& state) {
+    return state.pages.empty() ? std::nullopt : std::optional(state.pages.back().cursor);
+}
+
+}  // namespace
+
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;
+    const auto row_before = chosen_row(state_);
+    const auto depth_before = state_.pages.size();
+    const auto seats_before = state_.seats;
     state_ = app::step(std::move(state_), event, context_);
     if (state_.request != MenuRequest::none) request_ = state_.request;
+    const bool chosen = state_.request != MenuRequest::none || state_.pages.size() > depth_before ||
+                        state_.settings != before || state_.seats != seats_before;
+    if (chosen)
+        sound_ = event.kind == Kind::back ? MenuSound::back : MenuSound::choose;
+    else if (state_.pages.size() < depth_before)
+        sound_ = MenuSound::back;
+    else if (chosen_row(state_) != row_before)
+        sound_ = MenuSound::move;
+    else if (!state_.note.empty())
+        sound_ = MenuSound::refused;
     if (state_.settings == before) return;
     settings_changed_ = true;
     if (settings_file_.empty()) return;

@@ -6,6 +6,7 @@
 
 #include "game/app/live_pause.h"
 #include "game/app/live_seats.h"
+#include "game/app/live_sound.h"
 
 namespace thaum::app {
 
@@ -53,6 +54,8 @@ public:
 
     /// Returns the last request and forgets it. Until then devices' further events have no effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
+    /// Sound of the last event, once.
+    MenuSound take_sound() { return std::exchange(sound_, MenuSound::none); }
     /// Whether settings have changed since the last call.
     bool take_settings_change() { return std::exchange(settings_changed_, false); }
 
@@ -99,6 +102,7 @@ private:
     MenuRequest request_{};
     std::array<bool, 4> joining_{};  ///< pads that have joined and not been let go of since
     bool settings_changed_ = false;
+    MenuSound sound_{};
 };
 
 }  // namespace thaum::app

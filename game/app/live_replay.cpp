@@ -18,6 +18,8 @@ constexpr std::int64_t most_behind_ns =
 struct ReplayThread {
     const ShownReplay& replay;
     LiveShared& shared;
+    MatchSound sound;
+    MatchBody body;
     std::int64_t start_ns = 0;  ///< deadline of tick 0 at the present speed (ns)
     double speed = 1;
     bool at_end = false;
@@ -72,6 +74,8 @@ void publish(ReplayThread& r) {
     picture.mark = recent_mark(r.playback());
     picture.practice = {};
     picture.caption = caption_of(r);
+    r.sound.show(picture);
+    r.body.show(picture);
     r.shared.pictures.publish();
     r.shared.replay.now = picture.tick;
 }
@@ -100,6 +104,8 @@ void play(ReplayThread& r) {
     const auto every = static_cast<Tick>(std::max(1.0, std::round(publish_period_ns / r.tick_ns())));
     do {
         r.at_end = !r.playback().step();
+        r.sound.follow(r.playback().match());
+        r.body.follow(r.playback().match());
     } while (!r.at_end && r.now() % every != 0 && monotonic_ns() >= r.due_ns(r.now() + 1));
     if (r.at_end || r.now() % every == 0) publish(r);
 }
@@ -108,7 +114,11 @@ void play(ReplayThread& r) {
 
 void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<void()>& wake) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + idle_ns);
-    ReplayThread r{.replay = *plan.replay, .shared = shared, .speed = plan.replay->speed};
+    ReplayThread r{.replay = *plan.replay,
+                   .shared = shared,
+                   .sound = MatchSound(shared.sound.get()),
+                   .body = MatchBody(shared.felt()),
+                   .speed = plan.replay->speed};
     begin_clock(r);
     publish(r);
     while (!shared.stop) {

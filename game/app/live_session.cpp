@@ -261,7 +261,11 @@ PauseFacts LiveSession::pause_facts() const {
 void LiveSession::apply_settings() {
     shared_.requests.dummy = static_cast<game::DummyKind>(menu_.state().dummy);
     shared_.requests.range = menu_.state().range;
-    if (menu_.take_settings_change()) hands_.rebind(menu_.settings());
+    const auto sound = menu_.take_sound();
+    if (shared_.sound != nullptr) shared_.sound->play(sound);
+    if (!menu_.take_settings_change()) return;
+    hands_.rebind(menu_.settings());
+    if (shared_.sound != nullptr) shared_.sound->apply(menu_.settings());
 }
 
 void LiveSession::carry_out_request() {
@@ -339,6 +343,7 @@ Screen LiveSession::screen() const {
                           .menu = menu_.is_open(),
                           .names = names(),
                           .captions = {settings.players[0].captions, settings.players[1].captions},
+                          .heard = {settings.players[0].heard, settings.players[1].heard},
                           .prompts = {settings.players[0].prompts, settings.players[1].prompts},
                           .replay = viewer_ ? std::optional(viewer_->bar()) : std::nullopt},
                   .quality = settings.quality,

@@ -8,9 +8,11 @@
 #include "core/triple_buffer.h"
 #include "game/app/live.h"
 #include "game/app/live_arm.h"
+#include "game/app/live_body.h"
 #include "game/app/live_pause.h"
 #include "game/app/live_recording.h"
 #include "game/app/live_seats.h"
+#include "game/app/live_sound.h"
 #include "game/app/replay_view.h"
 #include "game/bots/apprentice.h"
 #include "game/hud/menu.h"
@@ -81,10 +83,14 @@ struct MatchProgress {
 };
 
 struct LiveShared {
+    const LiveBody* felt() const { return body ? &*body : nullptr; }
     LiveShared() : pictures(game::make_picture()), screen(Screen{}) {}
 
     TakenSeats seats;  ///< changed only while no simulation thread runs
-    LiveArms arms;     ///< real arms; the list and their players change only while no simulation thread runs
+    std::optional<LiveBody>
+        body;  ///< std::nullopt: nothing is felt on the body; set before the threads start
+    std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the threads start
+    LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
     TripleBuffer<game::Picture> pictures;
     TripleBuffer<Screen> screen;  ///< filled by the main thread

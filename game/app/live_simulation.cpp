@@ -50,6 +50,8 @@ struct SimulationThread {
     LiveShared& shared;
     const std::function<void()>& wake;  ///< called when shared.progress has changed
     Round round{};
+    MatchSound sound;
+    MatchBody body;
     std::int64_t start_ns = 0;  ///< deadline of the match's tick 0 (ns)
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
@@ -288,6 +290,8 @@ void publish(SimulationThread& s) {
     picture.practice = {};
     picture.caption = {};
     if (auto* practice = practice_of(s.round)) practice->show(picture);
+    s.sound.show(picture);
+    s.body.show(picture);
     if (shows_fault(s.fault, s.round.match->match().played))
         picture.caption = {.words = s.fault, .fault = true};
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
@@ -302,6 +306,8 @@ void run_tick(SimulationThread& s) {
     follow_lessons(round);
     give_orders(s);
     const auto now = round.match->now();
+    s.sound.follow(*round.match);
+    s.body.follow(*round.match);
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
@@ -353,7 +359,9 @@ void count_down(SimulationThread& s) {
     const auto end = monotonic_ns() + s.countdown * ns_per_second;
     for (auto now = monotonic_ns(); now < end; now = monotonic_ns()) {
         if (s.shared.stop || s.shared.requests.end) break;
-        s.countdown = static_cast<int>((end - now + ns_per_second - 1) / ns_per_second);
+        const auto left = static_cast<int>((end - now + ns_per_second - 1) / ns_per_second);
+        if (left != s.countdown) s.sound.count_down();
+        s.countdown = left;
         drop_input(s);
         publish(s);
         sleep_until_ns(now + static_cast<std::int64_t>(idle_publish_period) * ns_per_tick);
@@ -364,6 +372,7 @@ void count_down(SimulationThread& s) {
 
 /// Begins the match that start_round has made, after its countdown.
 void begin_match(SimulationThread& s) {
+    s.sound.listen(s.shared.seats[0].hands != nullptr, s.shared.seats[1].hands != nullptr);
     if (s.countdown > 0) count_down(s);
     for (auto& arm : s.shared.arms) arm->servo.begin_match();
     s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * ns_per_tick;
@@ -397,7 +406,11 @@ void run_session(SimulationThread& s) {
 void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
                     const std::function<void()>& wake) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
-    SimulationThread session{.plan = plan, .shared = shared, .wake = wake};
+    SimulationThread session{.plan = plan,
+                             .shared = shared,
+                             .wake = wake,
+                             .sound = MatchSound(shared.sound.get()),
+                             .body = MatchBody(shared.felt())};
     if (start_round(session, std::move(start))) {
         begin_match(session);
         run_session(session);

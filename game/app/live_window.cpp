@@ -53,6 +53,7 @@ bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& wind
         window.window.poll(events, session.patience_s());
         const bool starts = session.step_start_screen(window.window.pads(), monotonic_ns());
         follow_fullscreen(session, window);
+        if (shared.sound != nullptr) shared.sound->tell_status();
         if (starts) return true;
         if (closes(window.window)) shared.stop = true;
     }
@@ -73,6 +74,7 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
         if (closes(view)) shared.stop = true;
         session.step_match(session.needs_pads() ? std::optional(view.pads()) : std::nullopt, monotonic_ns());
         follow_fullscreen(session, window);
+        if (shared.sound != nullptr) shared.sound->tell_status();
         view.capture_cursor(session.captures_cursor());
         tell_pause(window, session.menu().is_open());
     }

@@ -130,9 +130,13 @@ void reset_page(MenuState& s) {
             what = text(label_of_sheet(s.sheet), ": controls");
             break;
         case Page::settings:
-            for (const auto& setting : all_settings()) reset(setting, s.settings);
+        case Page::sound: {
+            const bool sound = s.pages.back().page == Page::sound;
+            for (const auto& setting : all_settings())
+                if (setting.of_sound == sound) reset(setting, s.settings);
             what = "settings of this page";
             break;
+        }
         case Page::player:
             s.settings.players[s.player] = {};
             what = text(player_words(s.settings, s.player), ": settings");
@@ -180,6 +184,7 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::repeat_step: s.request = MenuRequest::repeat_step; break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
+        case RowKind::sound: open(s, Page::sound); break;
         case RowKind::quit: s.request = MenuRequest::quit; break;
         case RowKind::go_on: s.request = MenuRequest::go_on; break;
         case RowKind::restart: s.request = MenuRequest::restart; break;

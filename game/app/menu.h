@@ -25,6 +25,7 @@ enum class Page : std::uint8_t {
     sheets,    ///< list of the sheets of bindings
     bindings,  ///< bindings of one sheet
     settings,
+    sound,     ///< settings of the sounds
     player,    ///< settings of one player
     cauldron,  ///< faders for the cauldron's forces on one hand
 };

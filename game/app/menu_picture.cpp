@@ -25,6 +25,7 @@ std::string title_of(const MenuState& s) {
         case Page::sheets: return "Controls";
         case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
         case Page::settings: return "Settings";
+        case Page::sound: return "Sound";
         case Page::player: return "Each player's own settings";
         case Page::cauldron: return "Cauldron feedback";
     }

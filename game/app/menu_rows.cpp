@@ -38,9 +38,10 @@ void add_page_rows(Rows& rows) {
     rows.push_back({RowKind::controls,
                     0,
                     {.label = "Controls", .help = "Shows and changes which key or button does what."}});
-    rows.push_back({RowKind::settings,
-                    0,
-                    {.label = "Settings", .help = "Changes picture, words, look, forces and recordings."}});
+    rows.push_back(
+        {RowKind::settings,
+         0,
+         {.label = "Settings", .help = "Changes picture, sound, words, look, forces and recordings."}});
 }
 
 template <class Words>
@@ -249,10 +250,26 @@ Row row_of(RowKind kind, std::size_t index, const SettingOf<Of>& setting, const 
             setting.next_match};
 }
 
-void add_setting_rows(const MenuState& s, Rows& rows) {
+/// Adds the settings of the sounds, or all others.
+void add_settings(const MenuState& s, bool of_sound, Rows& rows) {
     const auto settings = all_settings();
     for (std::size_t i = 0; i < settings.size(); ++i)
-        rows.push_back(row_of(RowKind::setting, i, settings[i], s.settings));
+        if (settings[i].of_sound == of_sound)
+            rows.push_back(row_of(RowKind::setting, i, settings[i], s.settings));
+}
+
+void add_sound_rows(const MenuState& s, Rows& rows) {
+    add_settings(s, true, rows);
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+void add_setting_rows(const MenuState& s, Rows& rows) {
+    add_settings(s, false, rows);
+    rows.push_back(
+        {RowKind::sound,
+         0,
+         {.label = "Sound", .help = "Changes how loud effects, music and menus are, and for whose ears."}});
     rows.push_back({RowKind::player_page,
                     0,
                     {.label = "Each player's own settings",
@@ -317,6 +334,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
         case Page::sheets: add_sheet_rows(rows); break;
         case Page::bindings: add_binding_rows(s, context, rows); break;
         case Page::settings: add_setting_rows(s, rows); break;
+        case Page::sound: add_sound_rows(s, rows); break;
         case Page::player: add_player_rows(s, rows); break;
         case Page::cauldron: add_cauldron_rows(s, rows); break;
     }

@@ -19,6 +19,7 @@ enum class RowKind : std::uint8_t {
     brew,
     controls,
     settings,
+    sound,
     quit,
     go_on,
     restart,

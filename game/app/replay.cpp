@@ -11,6 +11,8 @@
 #include "game/app/command.h"
 #include "game/app/feel.h"
 #include "game/app/recorded_names.h"
+#include "game/app/replay_body.h"
+#include "game/app/replay_sound.h"
 #include "game/app/shots.h"
 #include "game/app/watch.h"
 #include "game/match/header_text.h"
@@ -22,8 +24,7 @@ namespace {
 constexpr std::string_view replay_help =
     R"(usage: thaum replay LOG [OPTIONS]
 
-Replays a recorded match. The log holds the input of the devices; everything else
-is computed again, without bots and devices.
+Replays a recorded match: everything but the input is computed again, without bots.
 
   (no option)         watch the match in a window, whose bar names the keys
   --at S --speed X    start at second S; 0.25 to 16 times as fast. Without a display:
@@ -34,6 +35,8 @@ is computed again, without bots and devices.
   --state FILE.csv    place, speed, health, energy and gaze of both players
   --every N             at every Nth tick (1)
   --forces FILE.csv   both hands' devices, one row a tick of play: position and force
+  --tactile FILE.csv  what both bodies feel, one row a frame of 8 ticks: 40 cells
+  --wav FILE.wav      what both players hear; --ears N: player N alone (1 or 2)
   --feel DEVICE       plays the forces of --player N (1) on a force feedback arm, in real
                       time. DEVICE: the arm's name or number in `thaum doctor`
   --shots DIR         pictures (PNG), by default every 10 s
@@ -42,20 +45,20 @@ is computed again, without bots and devices.
   --size WxH            in px (1280x720)
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
 
---verify, --events, --state, --forces and --shots can be combined. Every replay is
-compared with the log's hashes. At a difference it prints the tick, leaves no
-tables, and exits with code 1. An existing FILE is replaced, but never LOG, a data
-file or another recording.
+Options with files, --verify and --shots can be combined. Every replay is compared
+with the log's hashes. At a difference it prints the tick, leaves no files, and exits
+with code 1. An existing FILE is replaced, but never LOG, data or a recording.
 )";
 
 /// Wanted results of one pass over the log.
 struct Pass {
     bool verify = false;
-    std::optional<std::filesystem::path> events{}, state{}, forces{};
+    std::optional<std::filesystem::path> events{}, state{}, forces{}, tactile{}, wav{};
+    std::optional<std::uint32_t> ears{};  ///< player who hears `wav`; std::nullopt: both
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
 
-    bool any() const { return verify || events || state || forces || shots; }
+    bool any() const { return verify || events || state || forces || tactile || wav || shots; }
 };
 
 void warn(const std::string& line) {
@@ -83,11 +86,22 @@ struct Table {
 };
 
 struct Outputs {
-    Table events{}, state{}, forces{};
+    Table events{}, state{}, forces{}, tactile{};
     Tick felt = 0;  ///< number of ticks of play whose forces have been written
     game::EventTable what_happened{};
     std::optional<Shots> shots{};
+    std::optional<ReplaySound> sound{};
+    std::optional<ReplayBody> body{};
 };
+
+Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outputs& out) {
+    if (!pass.tactile) return {};
+    if (auto opened = out.tactile.open(pass.tactile, ReplayBody::header()); !opened) return opened;
+    auto body = ReplayBody::create(playback.match().data(), game::find_assets());
+    if (!body) return tl::unexpected(body.error());
+    out.body.emplace(std::move(*body));
+    return {};
+}
 
 Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback) {
     Outputs out;
@@ -97,10 +111,16 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
         return tl::unexpected(opened.error());
     if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened)
         return tl::unexpected(opened.error());
+    if (auto opened = open_body(pass, playback, out); !opened) return tl::unexpected(opened.error());
     if (pass.shots) {
         auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
         if (!shots) return tl::unexpected(shots.error());
         out.shots.emplace(std::move(*shots));
+    }
+    if (pass.wav) {
+        auto sound = ReplaySound::create(*pass.wav, pass.ears, playback.match().data(), game::find_assets());
+        if (!sound) return tl::unexpected(sound.error());
+        out.sound.emplace(std::move(*sound));
     }
     return out;
 }
@@ -116,6 +136,9 @@ Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Out
     if (out.forces.file && out.felt != played) game::append_forces(playback.match(), out.forces.rows);
     out.felt = played;
     out.forces.put();
+    if (out.body) out.body->follow(playback.match(), out.tactile.rows);
+    out.tactile.put();
+    if (out.sound) out.sound->follow(playback.match());
     return out.shots ? out.shots->follow(playback) : Expected<void>();
 }
 
@@ -124,7 +147,9 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
     out.events.put();
     if (auto closed = out.events.close(); !closed) return closed;
     if (auto closed = out.state.close(); !closed) return closed;
-    return out.forces.close();
+    if (auto closed = out.forces.close(); !closed) return closed;
+    if (auto closed = out.tactile.close(); !closed) return closed;
+    return out.sound ? out.sound->close() : Expected<void>();
 }
 
 /// Tests whether the replay has diverged from the recorded match, and prints the difference.
@@ -234,11 +259,15 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
-/// Rejects two tables with the same file, which would overwrite each other.
+/// Rejects two outputs with the same file, which would overwrite each other.
 Expected<void> check_distinct(const Pass& pass) {
-    const auto same = [](const auto& a, const auto& b) { return a && b && same_target(*a, *b); };
-    if (same(pass.events, pass.state) || same(pass.events, pass.forces) || same(pass.state, pass.forces))
-        return fail("--events, --state and --forces need one file for each");
+    const std::array files{&pass.events, &pass.state, &pass.forces, &pass.tactile, &pass.wav};
+    for (std::size_t a = 0; a < files.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            if (*files[a] && *files[b] && same_target(**files[a], **files[b]))
+                return fail("--events, --state, --forces, --tactile and --wav need one file for each");
+        }
+    }
     return {};
 }
 
@@ -248,10 +277,13 @@ Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
         if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
     }
     if (arguments.has("--every") && !pass.state) return fail("--every needs --state");
+    if (arguments.has("--ears") && !pass.wav) return fail("--ears needs --wav");
     if (arguments.has("--player") && !arguments.has("--feel")) return fail("--player needs --feel");
     for (const auto* word : {"--at", "--speed", "--out", "--dump", "--feel"}) {
         if (arguments.has(word) && pass.any())
-            return fail(text(word, " does not go with --verify, --events, --state, --forces and --shots"));
+            return fail(text(
+                word,
+                " does not go with --verify, --events, --state, --forces, --tactile, --wav and --shots"));
     }
     return {};
 }
@@ -262,6 +294,13 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     if (const auto file = arguments.value("--events")) pass.events = *file;
     if (const auto file = arguments.value("--state")) pass.state = *file;
     if (const auto file = arguments.value("--forces")) pass.forces = *file;
+    if (const auto file = arguments.value("--tactile")) pass.tactile = *file;
+    if (const auto file = arguments.value("--wav")) pass.wav = *file;
+    if (arguments.has("--ears")) {
+        const auto ears = arguments.whole("--ears", 1, game::players, 1);
+        if (!ears) return tl::unexpected(ears.error());
+        pass.ears = static_cast<std::uint32_t>(*ears - 1);
+    }
     const auto every = arguments.whole("--every", 1, Tick{1} << 27U, 1);
     if (!every) return tl::unexpected(every.error());
     pass.state_every = *every;
@@ -322,7 +361,7 @@ int run_replay(const std::vector<std::string>& words) {
         {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},          {"--out", 1},
         {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},         {"--shots", 1},
         {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}, {"--feel", 1},
-        {"--player", 1}, {"--header"}};
+        {"--player", 1}, {"--header"},        {"--tactile", 1},       {"--wav", 1},           {"--ears", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});

@@ -248,6 +248,12 @@ ChoiceOf<Settings> quality_setting() {
             }};
 }
 
+ChoiceOf<PlayerSettings> heard_setting() {
+    return {{"off", "important", "all"},
+            [](const PlayerSettings& p) { return static_cast<std::size_t>(p.heard); },
+            [](PlayerSettings& p, std::size_t i) { p.heard = static_cast<game::HeardWish>(i); }};
+}
+
 ChoiceOf<PlayerSettings> prompts_setting() {
     return {{game::prompt_wishes.begin(), game::prompt_wishes.end()},
             [](const PlayerSettings& p) { return static_cast<std::size_t>(p.prompts); },
@@ -259,12 +265,10 @@ ChoiceOf<PlayerSettings> force_setting() {
             [](PlayerSettings& p, std::size_t i) { p.force = i; }};
 }
 
-}  // namespace
-
-std::span<const Setting> all_settings() {
+std::vector<Setting> general_settings() {
     using Number = NumberOf<Settings>;
     using Flag = FlagOf<Settings>;
-    static const std::vector<Setting> settings{
+    return {
         {"split", "Split", "Puts the two views one above the other, or side by side.",
          ChoiceOf<Settings>{
              {"top_bottom", "side_by_side"},
@@ -289,6 +293,37 @@ std::span<const Setting> all_settings() {
         {"logs_kept", "Recordings to keep", "Keeps this many recorded matches, and deletes older ones.",
          WholeOf<Settings>{&Settings::logs_kept, 1, 100000, 10, ""}},
     };
+}
+
+std::vector<Setting> sound_settings() {
+    using Number = NumberOf<Settings>;
+    using Flag = FlagOf<Settings>;
+    return {
+        {"sound_master", "All sounds", "Makes everything louder or softer.",
+         Number{&Settings::sound_master, 0, 1, 0.1, 100, " %"}, false, true},
+        {"sound_effects", "Effects", "Makes the sounds of the match louder or softer.",
+         Number{&Settings::sound_effects, 0, 1, 0.1, 100, " %"}, false, true},
+        {"sound_music", "Music", "Makes the music louder or softer.",
+         Number{&Settings::sound_music, 0, 1, 0.1, 100, " %"}, false, true},
+        {"sound_interface", "Menus and signals",
+         "Makes the sounds of menus, clock and wands in hand louder or softer.",
+         Number{&Settings::sound_interface, 0, 1, 0.1, 100, " %"}, false, true},
+        {"headphones", "Headphones", "Lets one player hear above, below and behind; for headphones only.",
+         Flag{&Settings::headphones}, false, true},
+        {"ears_apart", "Players apart", "Gives player 1 the left loudspeaker and player 2 the right one.",
+         Flag{&Settings::ears_apart}, false, true},
+    };
+}
+
+}  // namespace
+
+std::span<const Setting> all_settings() {
+    static const std::vector<Setting> settings = [] {
+        auto all = general_settings();
+        const auto sounds = sound_settings();
+        all.insert(all.end(), sounds.begin(), sounds.end());
+        return all;
+    }();
     return settings;
 }
 
@@ -298,6 +333,7 @@ std::span<const PlayerSetting> player_settings() {
     static const std::vector<PlayerSetting> settings{
         {"captions", "Captions", "Tells in words what the hand feels, the brew does and gifts give.",
          Flag{&PlayerSettings::captions}},
+        {"heard", "Sounds in words", "Tells in words what is heard and from where.", heard_setting()},
         {"prompts", "Control prompts", "Names the control for what can be done at this place.",
          prompts_setting()},
         {"sensitivity", "Mouse speed", "Turns the view further for the same way of the mouse.",

@@ -38,6 +38,7 @@ inline constexpr std::size_t gentle_force = 2;
 struct PlayerSettings {
     std::string name{};    ///< name on the screen (player_name.h); empty: the name of the team
     bool captions = true;  ///< words in the view about what happens to the player
+    game::HeardWish heard = game::HeardWish::important;  ///< which sounds are told in words
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     /// time over which a turn by stick or keys grows to its full speed (s)
@@ -73,6 +74,11 @@ struct Settings {
     std::optional<render::Quality> quality{};
     bool bloom = true;
     double frames_per_second = 60;
+    /// Loudness of all sounds and of each group (0 to 1).
+    double sound_master = 0.8, sound_effects = 1, sound_music = 0.5, sound_interface = 0.7;
+    bool headphones = false;  ///< true: a single listener hears directions as with own ears (HRTF)
+    bool ears_apart =
+        false;  ///< true: of two players, the first has the left loudspeaker, the second the right one
     std::array<PlayerSettings, 2> players{};
     std::array<Faders, 2> cauldron{};  ///< faders of each player
     int countdown_s = 3;               ///< time from the start screen to the start of a match (s)
@@ -141,6 +147,7 @@ struct SettingOf {
     std::string_view help;   ///< one sentence on what it changes
     std::variant<NumberOf<Of>, WholeOf<Of>, FlagOf<Of>, ChoiceOf<Of>> kind;
     bool next_match = false;  ///< true: a change takes effect with the next match
+    bool of_sound = false;    ///< true: the row is on the page "Sound"
 };
 using Setting = SettingOf<Settings>;
 using PlayerSetting = SettingOf<PlayerSettings>;

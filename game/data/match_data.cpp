@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_data_file = 1U << 20U;
 /// Top-level tables of data files that no match reads, so their values are not hashed: how events and things
 /// are shown, and the places of practice.
-constexpr std::array<std::string_view, 3> unhashed_tables{"event", "look", "range"};
+constexpr std::array<std::string_view, 4> unhashed_tables{"event", "look", "range", "sound"};
 
 /// Reads data files, stores the hash of each file's values, and applies overrides.
 class Loader {
@@ -178,6 +178,7 @@ auto noting(std::optional<Config>& kept, Read read) {
 /// Loads all wands of this program, and how they and all events are shown.
 void load_wands(MatchData& data, Loader& loader) {
     std::vector<std::optional<Config>> files;
+    std::vector<WandSounds> sounds;
     auto shown = std::make_shared<Presentation>();
     shown->events = loader.load("events.toml", read_event_rows, false);
     shown->events.resize(event_kinds().kinds.size());  // empty after an error
@@ -185,6 +186,7 @@ void load_wands(MatchData& data, Loader& loader) {
         const auto read = [&](const Config& file) {
             auto wand = read_wand(kind, file);
             read_hit_rows(file.root(), kind.hits, shown->events);
+            sounds.push_back(read_wand_sounds(file.root()));
             refuse_taken_slot(data.wands, wand, file);
             return wand;
         };
@@ -197,6 +199,7 @@ void load_wands(MatchData& data, Loader& loader) {
         shown->wands.push_back({.name = std::string(wand_kinds()[i].name),
                                 .slot = wand.stats.slot,
                                 .look = wand.look,
+                                .sounds = i < sounds.size() ? sounds[i] : WandSounds(),
                                 .energy_cap = wand.stats.energy_cap,
                                 .energy_cost = wand.stats.energy_cost});
     }

@@ -90,6 +90,16 @@ void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, Ev
     if (!hits.empty() || wand.has("event")) read_rows(wand.table("event"), known, rows);
 }
 
+WandSounds read_wand_sounds(const ConfigTable& wand) {
+    const auto table = wand.table("sound");
+    const auto name = [&](std::string_view key) { return table.string(key, ""); };
+    return {.fire = name("fire"),
+            .burst = name("burst"),
+            .take = name("take"),
+            .ready = name("ready"),
+            .hold = name("hold")};
+}
+
 const EventRow& row_of(const EventRows& rows, EventKind kind) {
     static const EventRow none;
     const auto number = static_cast<std::size_t>(kind);

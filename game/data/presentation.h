@@ -10,8 +10,8 @@
 //     feed = ""         # line in the feed of all players
 //     feed_alone = ""   # that line if nobody else caused the event
 //     feed_fall = ""    # that line if nobody did, only a fall; default: feed_alone
-//     sound = ""        # name of a sound; not used yet
-//     tactile = ""      # name of an effect on the hand; not used yet
+//     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
+//     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
 // Words may contain {by}, {whom}, {cause}, {power_up}, {amount} and {gain}.
 #pragma once
@@ -56,11 +56,23 @@ struct EventRow {
 /// Rows of all kinds of event, indexed by EventKind.
 using EventRows = std::vector<EventRow>;
 
-/// How one wand is shown.
+/// Names of a wand's sounds (assets/sounds), from the table `sound` of its data file. Empty: no sound.
+struct WandSounds {
+    std::string fire;   ///< a shot or a throw
+    std::string burst;  ///< a shot of the wand bursts
+    std::string take;   ///< the wand takes hold of a thing or a place
+    std::string ready;  ///< lasts while the wand is charged or drawn; its pitch rises
+    std::string
+        hold;  ///< lasts while the wand holds a thing or hangs on a rope; louder and lower with the force
+};
+WandSounds read_wand_sounds(const ConfigTable& wand);
+
+/// How one wand is shown and heard.
 struct WandPresentation {
     std::string name;
     std::uint32_t slot{};
     WandLook look;
+    WandSounds sounds;
     double energy_cap{}, energy_cost{};  ///< energy of a full wand, and least energy of one use
 };
 

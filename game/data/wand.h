@@ -128,6 +128,8 @@ public:
     virtual bool moves_by_wheel() const { return false; }
     /// Returns the thing under the crosshair that a use of the wand would take hold of, or why it would not.
     virtual Target target(const MatchContext&, ecs::Entity) const { return {}; }
+    /// Force by which the wand holds that point: a thing's weight, or a rope's tension (N); 0 if there is none.
+    virtual double holding_force(const ecs::World&, ecs::Entity) const { return 0; }
     /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
     virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
     /// A shot after readying the wand to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.

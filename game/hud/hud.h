@@ -5,6 +5,7 @@
 #include "game/hud/figures.h"
 #include "game/hud/prompts.h"
 #include "game/hud/replay_bar.h"
+#include "game/sound/heard.h"
 #include "render/context.h"
 
 namespace thaum::game {
@@ -29,6 +30,8 @@ struct HudSettings {
     PlayerNames names{};
     /// true: the player's view has words about what happens to the player
     std::array<bool, players> captions{true, true};
+    std::array<HeardWish, players> heard{};        ///< which sounds each player sees in words
+    bool figure = true;                            ///< shows what a body feels
     std::array<ControlNames, players> controls{};  ///< controls of each person
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
     PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says

@@ -22,7 +22,9 @@ constexpr float ring_least = 26, ring_most = 66;
 
 // A tall view has its messages above the corner panels, a flat one between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
-constexpr float flat_least_high = 204, flat_least_wide = 410;
+constexpr float flat_least_wide = 410;
+// With room for a sound in words and for the figure: below the score, below the notices under it, and below the feed.
+constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
 constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring, or from the score
 
@@ -61,7 +63,10 @@ float wanted_unit(const Arrangement& how, const render::Rect& view, render::Size
 float unit_of(const Arrangement& how, const render::Rect& view, float wanted, std::size_t wands) {
     const auto w = static_cast<float>(view.width), h = static_cast<float>(view.height);
     const float tall = std::min(w / tall_least_wide, h / tall_least_high);
-    const float flat = std::min(w / least_flat_width(how, wands), h / flat_least_high);
+    const float least_high = how.alone      ? flat_alone_high
+                             : how.beside() ? flat_beside_high
+                                            : flat_stacked_high;
+    const float flat = std::min(w / least_flat_width(how, wands), h / least_high);
     return std::min(wanted, how.alone && how.lesson ? tall : std::max(tall, flat));
 }
 
@@ -70,7 +75,7 @@ struct InUnits {
     float wide{}, high{};
     bool tall{};
 
-    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{};
+    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{};
     float ring{}, columns{};
 };
 
@@ -135,8 +140,8 @@ void place_feed(const Arrangement& how, InUnits& out) {
     out.feed = {{from, top}, {from + wide, bottom}};
 }
 
-/// The curve of the forces, as large as the left side lets it be.
-void place_forces(const Arrangement& how, InUnits& out) {
+/// The curve of the forces, as large as the left side lets it be, or only the name of the strongest.
+void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     const float top = how.beside()  ? under_notices
                       : how.lower() ? edge
                       : how.upper() ? edge + 2 * line
@@ -144,16 +149,41 @@ void place_forces(const Arrangement& how, InUnits& out) {
     const float high = out.name.low.y - edge / 2 - top;
     const float wide = out.wide / 2 - std::max(out.ring, how.lower() ? score_half_wide : 0) - 2 * edge;
     const float scale = std::max(0.1F, std::min({1.0F, high / forces_high, wide / forces_wide}));
-    out.forces = {{edge, top}, fvec2(edge, top) + scale * fvec2(forces_wide, forces_high)};
+    const fvec2 size = curve ? fvec2(forces_wide, forces_high) : fvec2(force_word_wide, force_word_high);
+    out.forces = {{edge, top}, fvec2(edge, top) + scale * size};
 }
 
-InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands) {
+/// Sounds in words: below the forces, left of the ring.
+void place_heard(const Arrangement& how, InUnits& out) {
+    const float top = out.forces.high.y + edge / 2;
+    const float bottom = std::min(out.name.low.y, out.messages.low.y) - edge / 2;
+    const float wide = out.wide / 2 - std::max(out.ring, how.lower() ? score_half_wide : 0) - 2 * edge;
+    const bool room = bottom - top >= heard_line_high - 0.01F;
+    out.heard = {{edge, top}, {edge + (room ? wide : 0), room ? bottom : top}};
+}
+
+/// The figure of the body: above the wands at the right, as large as the room below feed and notices lets it be.
+void place_figure(const Arrangement& how, InUnits& out) {
+    if (how.alone && how.lesson) return;
+    const float least = how.beside() ? under_notices : how.alone ? under_score : 0;
+    const float top = std::max(out.feed.high.y, least) + edge / 2;
+    const float bottom = std::min(out.strip.low.y, out.tall ? out.messages.low.y : out.high) - edge / 2;
+    const float beside_messages = out.strip.high.x - out.strip.low.x;
+    const float wide = out.tall ? out.wide / 2 - out.ring - 2 * edge : beside_messages;
+    const float scale = std::max(0.1F, std::min({1.0F, (bottom - top) / figure_high, wide / figure_wide}));
+    const fvec2 high(out.wide - edge, bottom);
+    out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
+}
+
+InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands, bool curve) {
     InUnits out{.wide = size.x, .high = size.y, .tall = size.y > tall_least_high - 1};
     place_corners(how, wands, out);
     place_middle(how, out);
     place_name(out);
     place_feed(how, out);
-    place_forces(how, out);
+    place_forces(how, curve, out);
+    place_heard(how, out);
+    place_figure(how, out);
     return out;
 }
 
@@ -162,9 +192,10 @@ Panel placed(const Panel& box, const render::Rect& view, float unit) {
     return {corner + unit * box.low, corner + unit * box.high};
 }
 
-ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float unit, std::size_t wands) {
+ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float unit, std::size_t wands,
+                       bool curve) {
     const fvec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
-    const auto units = in_units(how, size / unit, wands);
+    const auto units = in_units(how, size / unit, wands, curve);
     const auto box = [&](const Panel& b) { return placed(b, view, unit); };
     return {.view = view,
             .unit = unit,
@@ -176,7 +207,9 @@ ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float u
             .strip_columns = units.columns,
             .feed = box(units.feed),
             .messages = box(units.messages),
-            .forces = box(units.forces)};
+            .forces = box(units.forces),
+            .figure = box(units.figure),
+            .heard = box(units.heard)};
 }
 
 /// Places the panels of the whole window.
@@ -287,9 +320,9 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
         if (view.width <= 0 || view.height <= 0) continue;
         const float wanted = wanted_unit(how, view, window, settings.text_scale);
         out.unit = unit_of(how, view, wanted, wands);
-        out.views[how.player] = view_layout(how, view, out.unit, wands);
+        out.views[how.player] = view_layout(how, view, out.unit, wands, settings.forces);
         out.lesson_size = lesson_words * wanted;
-        if (how.alone) out.lesson = lesson_of(*out.views[how.player]);
+        if (how.alone && lesson) out.lesson = lesson_of(*out.views[how.player]);
     }
     place_shared(how, window, out);
     out.count_size = count_size_of(out.views);

@@ -3,7 +3,8 @@
 //
 //     feed      |  score  |                the feed is in the outer corner beside the score
 //     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
-//               ring around the crosshair
+//     heard     ring around the crosshair  heard: sounds in words
+//                                 figure   what the body feels; not in a window with words of a lesson
 //               messages                   captions, prompts, the brew in words
 //     name, health           strip         the strip of wands
 //
@@ -27,7 +28,9 @@ struct ViewLayout {
     float strip_columns{};  ///< wands in one row of the strip
     Panel feed;
     Panel messages;
-    Panel forces;
+    Panel forces;  ///< the curve of the forces, or only the name of the strongest
+    Panel figure;  ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
+    Panel heard;   ///< empty if the curve of the forces leaves no room
 };
 
 /// All panels of a window.
@@ -35,10 +38,11 @@ struct HudLayout {
     std::array<std::optional<ViewLayout>, players> views;  ///< std::nullopt: the view is not shown
     float unit{};  ///< length of a unit in panels of the whole window (px)
     Panel score;
-    Panel notices;                ///< lines for both players
-    std::optional<Panel> lesson;  ///< words of the Apprentice's step; std::nullopt: there are two views
-    float count_size{};           ///< em of the seconds to the start, the same in all views (px)
-    float lesson_size{};          ///< em of these words where they have room (px)
+    Panel notices;  ///< lines for both players
+    /// Words of the Apprentice's step; std::nullopt: none, or there are two views.
+    std::optional<Panel> lesson;
+    float count_size{};   ///< em of the seconds to the start, the same in all views (px)
+    float lesson_size{};  ///< em of these words where they have room (px)
     std::optional<ReplayBarLayout> replay{};
 };
 
@@ -47,6 +51,12 @@ inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head
 
 /// Size of the forces' panel where the view has room for it (units).
 inline constexpr float forces_wide = 186, forces_high = 76;
+/// Part of that panel that the name of the strongest force takes while there is no curve (units).
+inline constexpr float force_word_wide = 96, force_word_high = 27;
+/// Size of the figure where the view has room for it (units): front and back, a gap between them.
+inline constexpr float figure_wide = 66, figure_high = 46;
+/// Height of a line of sounds in words (units).
+inline constexpr float heard_line_high = 20;
 
 /// `lesson`: there are words of a lesson. In an only view the other panels then grow only as far as its words have room.
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands, bool lesson = false);

@@ -13,6 +13,7 @@
 #include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
 #include "game/match/result.h"
+#include "game/sound/heard.h"
 #include "haptics/safety.h"
 
 namespace thaum::game {
@@ -67,6 +68,9 @@ struct PowerUpPicture {
     vec3 position{};    ///< position on the ground
     double returned{};  ///< 1: present; below 1: elapsed share of the absence
 };
+
+/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top left of the wearer, then the back.
+inline constexpr std::size_t figure_cells = 40;
 
 /// Time for which a mark shows the direction of a hurt.
 inline constexpr double mark_seconds = 1.2;
@@ -135,7 +139,12 @@ struct PlayerPicture {
     std::optional<vec3> spring{};
     std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
-    std::uint32_t hurts{};  ///< number of entries in `marks`
+    std::uint32_t
+        heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
+    std::array<HeardLine, 8> heard{};
+    std::array<float, figure_cells> felt{};  ///< strength in each cell, 0 to 1; the session fills it in
+    double since_felt_s{1e6};                ///< time since a cell was last on
+    std::uint32_t hurts{};                   ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};
 };
 

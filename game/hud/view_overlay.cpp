@@ -419,8 +419,8 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
     constexpr double least = 0.05;  // share of the limit below which nothing is said
     const double share = std::min(force.share(), 1.0);
     if (force.source.empty() || share < least) return;
-    const float u = (l.forces.high.x - l.forces.low.x) / forces_wide;
-    const fvec2 low = l.forces.low, high = low + u * fvec2(96, 27);
+    const float u = (l.forces.high.x - l.forces.low.x) / force_word_wide;
+    const fvec2 low = l.forces.low, high = low + u * fvec2(force_word_wide, force_word_high);
     out.items.emplace_back(RectItem{low, high, paints.panel, 6 * u});
     const fvec2 bar = low + u * fvec2(6, 19), size = u * fvec2(84, 4);
     out.items.emplace_back(RectItem{bar, bar + size, paints.track, 2 * u});
@@ -428,6 +428,69 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
                                     opaque(force_colour(share)), 2 * u});
     add_text_in(out, {low + u * fvec2(6, 2), {high.x - 6 * u, low.y + 19 * u}}, force.source, 12 * u,
                 paints.white, Align::left);
+}
+
+/// Adds the figure of the body while it feels something: white cells on dark, larger where more is felt.
+void add_figure(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
+    constexpr double shown_s = 0.8;  // time for which the figure stays
+    constexpr float columns = 4, rows = 5, inset = 3, label = 9;
+    const float u = (l.figure.high.x - l.figure.low.x) / figure_wide;
+    if (p.since_felt_s > shown_s || !(u > 0)) return;
+    out.items.emplace_back(RectItem{l.figure.low, l.figure.high, paints.panel, 4 * u});
+    const float torso = (figure_wide - 3 * inset) / 2;
+    const fvec2 cell = fvec2(torso / columns, (figure_high - 2 * inset - label) / rows);
+    for (std::size_t i = 0; i < figure_cells; ++i) {
+        const bool back = i >= figure_cells / 2;
+        const auto in_side = static_cast<float>(i % (figure_cells / 2));
+        const float row = std::floor(in_side / columns), column = in_side - row * columns;
+        const fvec2 corner(inset + (back ? torso + inset : 0), inset);
+        const fvec2 middle = l.figure.low + u * (corner + cell * fvec2(column + 0.5F, row + 0.5F));
+        const float most = 0.5F * u * std::min(cell.x, cell.y);
+        out.items.emplace_back(ArcItem{middle, 0, 0.3F * most, 0, whole_turn, paints.track});
+        if (p.felt.at(i) > 0.01F)
+            out.items.emplace_back(ArcItem{middle, 0, most * (0.45F + 0.55F * std::min(1.0F, p.felt.at(i))),
+                                           0, whole_turn, paints.white});
+    }
+    if (8 * u < 6) return;  // too small to read
+    for (const bool back : {false, true}) {
+        const fvec2 low =
+            l.figure.low + u * fvec2(inset + (back ? torso + inset : 0), figure_high - inset - label);
+        add_text_in(out, {low, low + u * fvec2(torso, label)}, back ? "back" : "front", 8 * u, paints.soft,
+                    Align::centre);
+    }
+}
+
+bool wants(HeardWish wish, const HeardLine& line) {
+    return wish == HeardWish::all || (wish == HeardWish::important && line.important);
+}
+
+/// Adds sounds in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to two lines.
+void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
+    const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
+    const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
+    float bottom = l.heard.high.y;
+    for (std::uint32_t i = p.heard_lines; i > 0; --i) {
+        const auto& heard = p.heard.at(i - 1);
+        if (!wants(wish, heard)) continue;
+        const auto side = heard_from_words.at(static_cast<std::size_t>(heard.from));
+        const auto words = side.empty() ? std::string(heard.words) : text(heard.words, ", ", side);
+        const float left = bottom - l.heard.low.y;
+        if (left < heard_line_high * u - 0.5F) return;
+        const auto fitted = fit(words, 13 * u, {room, std::min(left, most_high)});
+        float wide = 0;
+        for (const auto& line : fitted.lines)
+            wide = std::max(wide, std::min(room, width_of(line, fitted.size)));
+        const float top = bottom - fitted.height();
+        out.items.emplace_back(RectItem{
+            {l.heard.low.x, top}, {l.heard.low.x + wide + 2 * inset, bottom - u}, paints.panel, 4 * u});
+        fvec2 corner(l.heard.low.x + inset, top);
+        for (const auto& line : fitted.lines) {
+            add_text_in(out, {corner, corner + fvec2(room, fitted.line_height())}, line, fitted.size,
+                        heard.important ? paints.white : paints.soft, Align::left);
+            corner.y += fitted.line_height();
+        }
+        bottom = top;
+    }
 }
 
 void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
@@ -463,6 +526,8 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
                 Align::left);
     add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, l);
+    if (plays) add_heard(out, p, settings.heard[player], l);
+    if (plays && settings.figure) add_figure(out, p, l);
     if (settings.forces)
         add_force_plot(out, p.force, l);
     else if (plays && !p.dead)

@@ -488,6 +488,12 @@ public:
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
     }
+    double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
+        constexpr double gravity = 9.81;
+        const auto held = world.get<LiftHand>(wizard).held;
+        const auto* body = held ? world.find<Body>(held) : nullptr;
+        return body != nullptr ? body->mass * gravity : 0;
+    }
     Target target(const MatchContext& context, ecs::Entity wizard) const override {
         return target_of(context, data_, wizard);
     }

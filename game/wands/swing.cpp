@@ -214,6 +214,9 @@ public:
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     }
+    double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
+        return world.get<SwingHand>(wizard).tension;
+    }
     Target target(const MatchContext& context, ecs::Entity wizard) const override {
         const bool hangs = context.world.get<SwingHand>(wizard).length > 0;
         const auto hold = hangs ? std::nullopt : latched_at(context, data_, wizard);

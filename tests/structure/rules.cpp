@@ -25,15 +25,16 @@ const std::map<std::string, int, std::less<>> floors = {
 
 /// Floor of each folder of the game. A folder may include itself and folders on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
-    {"components", 0},                              // plain data of the World
-    {"arena", 1},                                   // shape of the arena
-    {"brew", 2},                                    // the cauldron's fluid
-    {"data", 3},                                    // contents of data files
-    {"context", 4},                                 // shared by all systems
-    {"cauldron", 5},                                // systems of the brew
-    {"wands", 6},      {"player", 6}, {"hand", 7},  // forces on hands and arms
-    {"match", 8},                                   // order of the systems, logs, results
-    {"bots", 9},       {"hud", 9},    {"lab", 9},  {"scenario", 10}, {"app", 11},
+    {"components", 0},                               // plain data of the World
+    {"arena", 1},                                    // shape of the arena
+    {"brew", 2},                                     // the cauldron's fluid
+    {"data", 3},                                     // contents of data files
+    {"context", 4},                                  // shared by all systems
+    {"cauldron", 5},                                 // systems of the brew
+    {"wands", 6},      {"player", 6},  {"hand", 7},  // forces on hands and arms
+    {"match", 8},                                    // order of the systems, logs, results
+    {"sound", 9},      {"tactile", 9},               // what players hear and feel
+    {"bots", 10},      {"hud", 10},    {"lab", 10}, {"scenario", 11}, {"app", 12},
 };
 
 /// Allowed includes between parts on the same floor: from, to.

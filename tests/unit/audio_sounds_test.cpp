@@ -45,11 +45,12 @@ TEST(GameSounds, AllAreThere) {
         "heartbeat "
         "hit_metal hit_soft hit_stone hit_wizard hit_wizard_hard hit_wood ingredient_dropped "
         "ingredient_taken "
-        "jump land last_seconds lift_hold lift_throw lob_burst lob_draw lob_shot menu_back menu_choose "
+        "jump land last_seconds lift_hold lift_take lift_throw lob_burst lob_draw lob_shot menu_back "
+        "menu_choose "
         "menu_move "
         "menu_refused music_calm music_final music_pulse music_tension power_heart power_spark power_vial "
         "respawn "
-        "round_drawn round_lost round_won shield_hit splash spoilt step_metal step_stone step_wood stir "
+        "round_drawn round_lost round_won splash spoilt step_metal step_stone step_wood stir "
         "swing_latch swing_rope wand_change wand_dry wrested ");
     std::string loops;
     for (const auto& sound : bank().sounds)

@@ -88,6 +88,8 @@ std::vector<NamedBox> boxes_of(const HudLayout& layout) {
         add("feed", v.feed);
         add("messages", v.messages);
         add("forces", v.forces);
+        add("heard", v.heard);
+        if (!layout.lesson) add("figure", v.figure);
         add("ring", {v.centre - fvec2(v.ring), v.centre + fvec2(v.ring)});
     }
     return boxes;
@@ -250,6 +252,10 @@ Picture talkative() {
         p.warning = EventKind::dry;
         p.force.arm = ArmCondition::felt;
         p.force.cause = haptics::SafetyCause::shut_off;
+        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
+        p.heard.fill({.words = "ingredient drops in", .from = HeardFrom::behind, .important = true});
+        p.felt.fill(0.5F);
+        p.since_felt_s = 0;
         p.hurts = 1;
     }
     picture.cauldron.contents[0] = "ember";
@@ -299,13 +305,28 @@ std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& fo
     return all;
 }
 
+TEST(HudLayout, ASoundInWordsHasRoomAtAnySize) {
+    each_case([&](HudSettings settings, render::Size window, const std::string& name) {
+        const auto layout = lay_out(settings, window, 5);
+        for (const auto& view : layout.views) {
+            if (!view) continue;
+            EXPECT_GE(view->heard.high.y - view->heard.low.y, heard_line_high * view->unit - 0.5F) << name;
+            const fvec2 room(
+                view->heard.high.x - view->heard.low.x - 12 * view->unit,
+                std::min(view->heard.high.y - view->heard.low.y, 2 * heard_line_high * view->unit));
+            EXPECT_GE(fit("step, behind", 13 * view->unit, room).size, std::floor(8.5F * view->unit)) << name;
+        }
+    });
+}
+
 TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
     auto font = render::Font::load();
     if (!font) GTEST_SKIP() << font.error().message;
     const auto picture = talkative();
     std::size_t said = 0;
     each_case([&](HudSettings settings, render::Size window, const std::string& name) {
-        settings.forces = true;
+        settings.forces = name.size() % 2 == 0;  // with the curve, and without it
+        settings.heard = {HeardWish::all, HeardWish::all};
         settings.prompts = {PromptWish::always, PromptWish::always};
         for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
         for (auto& one : settings.device_messages) one = "The arm's motors are too warm: let them rest";

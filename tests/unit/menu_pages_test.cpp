@@ -12,22 +12,43 @@ namespace {
 
 // ---- settings ---------------------------------------------------------------------------------------------
 
-TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
-    auto s = choose(start_page(), "Settings");
-    const auto count = picture_of(s, context()).rows.size();
-    EXPECT_EQ(count, all_settings().size() + 4) << "two pages of players, reset and back";
-    for (std::size_t i = 0; i < all_settings().size(); ++i) {
-        const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
-        const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
-        auto changed = step(s, more, context());
+/// Index in all_settings() of each setting on a page.
+std::vector<std::size_t> settings_of(bool sound) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < all_settings().size(); ++i)
+        if (all_settings()[i].of_sound == sound) found.push_back(i);
+    return found;
+}
+
+/// Changes each row of the page and expects that its setting changes, and no other.
+void expect_rows_change(const MenuState& page, const std::vector<std::size_t>& settings) {
+    for (std::size_t row = 0; row < settings.size(); ++row) {
+        const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = row};
+        const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = row};
+        auto changed = step(page, more, context());
         // The value was at the end of its range.
-        if (changed.settings == s.settings) changed = step(s, less, context());
-        const auto edits = changes(s.settings, changed.settings);
-        ASSERT_EQ(edits.size(), 1U) << all_settings()[i].key;
-        EXPECT_EQ(edits[0].key, all_settings()[i].key);
+        if (changed.settings == page.settings) changed = step(page, less, context());
+        const auto edits = changes(page.settings, changed.settings);
+        const auto& setting = all_settings()[settings[row]];
+        ASSERT_EQ(edits.size(), 1U) << setting.key;
+        EXPECT_EQ(edits[0].key, setting.key);
         EXPECT_EQ(edits[0].table, "");
     }
+}
+
+TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
+    const auto s = choose(start_page(), "Settings");
+    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(false).size() + 5)
+        << "sound, two pages of players, reset and back";
+    expect_rows_change(s, settings_of(false));
     EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
+}
+
+TEST(SoundPage, EveryRowChangesItsSettingAndNoOther) {
+    const auto s = choose(choose(start_page(), "Settings"), "Sound");
+    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(true).size() + 2) << "reset and back";
+    expect_rows_change(s, settings_of(true));
+    EXPECT_EQ(choose(s, "Back").pages.size(), 2U);
 }
 
 TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
@@ -37,9 +58,11 @@ TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
     s.settings.cauldron[1][0].on = false;
     s.settings.session[0].clear();
     const auto kept = s.settings;
-    for (const auto& setting : all_settings()) change(setting, s.settings, 1);
+    for (const auto& setting : all_settings()) change(setting, s.settings, setting.of_sound ? -1 : 1);
     EXPECT_NE(s.settings, kept);
     s = choose(s, "Reset to defaults");
+    EXPECT_NE(s.settings, kept) << "sounds have a page of their own";
+    s = choose(choose(s, "Sound"), "Reset to defaults");
     EXPECT_EQ(s.settings, kept);
     EXPECT_EQ(s.note, "settings of this page reset to defaults");
 }

@@ -7,6 +7,8 @@ namespace thaum::bench {
 void audio(const Options& options, Report& report);
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
+/// Part of the area `tick`: a duel that is heard and felt.
+void tick_duel_felt(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
 void primitives(const Options& options, Report& report);
 void replay(const Options& options, Report& report);

@@ -343,6 +343,7 @@ void tick(const Options& options, Report& report) {
     tick_alloc(options, report);
     tick_duel_haptic(options, report);
     tick_duel_cauldron(options, report);
+    tick_duel_felt(options, report);
 }
 
 void skip(const Options& options, Report& report) { skip_features(options, report); }

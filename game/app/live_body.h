@@ -1,0 +1,46 @@
+// game/app/live_body.h: what players of a live session feel on the body: the effects, the layouts, and the frames of
+// each match.
+//
+// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A faulty data
+// file costs the effects, and is told in one line.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "game/hud/picture.h"
+#include "game/tactile/tactile_scene.h"
+
+namespace thaum::app {
+
+/// Effects and layouts of the program.
+struct LiveBody {
+    tactile::EffectBank effects;
+    tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+
+    static Expected<LiveBody> load(const std::filesystem::path& assets);
+};
+
+/// What both players feel in one match. The thread that plays the match owns it.
+class MatchBody {
+public:
+    /// `body`: null for nothing. Then nothing is computed.
+    explicit MatchBody(const LiveBody* body) : body_(body) {}
+
+    /// Follows the match after a tick. Another match, or changed data, begins anew.
+    void follow(const game::Simulation& match);
+    /// Adds the cells of the figure.
+    void show(game::Picture& picture) const;
+
+private:
+    void begin(const game::Simulation& match);
+
+    const LiveBody* body_;
+    const game::MatchData* data_{};  ///< data for which the scenes were made
+    std::optional<game::MatchEffects> effects_{};
+    std::array<std::optional<game::TactileScene>, game::players> scenes_{};
+    std::array<Tick, game::players> felt_at_{};  ///< Simulation::now when a cell was last on
+    Tick now_{};
+};
+
+}  // namespace thaum::app

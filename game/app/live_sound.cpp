@@ -1,0 +1,118 @@
+#include "game/app/live_sound.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "audio/synth.h"
+
+namespace thaum::app {
+namespace {
+
+std::string_view name_of(MenuSound sound) {
+    switch (sound) {
+        case MenuSound::none: break;
+        case MenuSound::move: return "menu_move";
+        case MenuSound::choose: return "menu_choose";
+        case MenuSound::back: return "menu_back";
+        case MenuSound::refused: return "menu_refused";
+    }
+    return {};
+}
+
+std::unique_ptr<LiveSound> silent(const Error& error) {
+    std::fprintf(stderr, "no sound: %s\n", error.message.c_str());
+    return nullptr;
+}
+
+}  // namespace
+
+audio::MixSettings mix_settings(const Settings& settings) {
+    return {.master = settings.sound_master,
+            .effects = settings.sound_effects,
+            .music = settings.sound_music,
+            .interface = settings.sound_interface,
+            .headphones = settings.headphones,
+            .ears = settings.ears_apart ? audio::Ears::left_right : audio::Ears::shared};
+}
+
+std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets, const Settings& settings) {
+    auto bank = audio::load_sounds(assets / "sounds");
+    if (!bank) return silent(bank.error());
+    auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
+    if (!mixer) return silent(mixer.error());
+    return std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device());
+}
+
+LiveSound::LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device)
+    : bank_(std::move(bank)), speakers_(std::move(mixer), std::move(device)) {}
+
+void LiveSound::apply(const Settings& settings) { speakers_.set(mix_settings(settings)); }
+
+void LiveSound::play(MenuSound sound) {
+    if (const auto number = bank_.find(name_of(sound)))
+        speakers_.hear(audio::Voice{.sound = *number, .at_ear = true});
+}
+
+void LiveSound::tell_status() {
+    auto status = speakers_.status();
+    if (status == told_) return;
+    // That all is well is worth a line only after it was not.
+    if (!told_.empty() || speakers_.report().times_opened == 0) std::fprintf(stderr, "%s\n", status.c_str());
+    told_ = std::move(status);
+}
+
+MatchSound::~MatchSound() {
+    if (sound_ != nullptr) sound_->hear(audio::AudioFrame{});
+}
+
+void MatchSound::listen(bool first, bool second) {
+    listeners_ = 0;
+    if (first) listening_.at(listeners_++) = 0;
+    if (second) listening_.at(listeners_++) = 1;
+    if (listeners_ == 0) {  // two bots: whoever looks on hears with both players' ears
+        listening_ = {0, 1};
+        listeners_ = 2;
+    }
+}
+
+/// Makes a scene for the match's data. Returns false if a sound is missing, which is printed once.
+bool MatchSound::begin(const game::Simulation& match) {
+    data_ = &match.data();
+    scene_.reset();
+    auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
+    if (!sounds) {
+        std::fprintf(stderr, "no sound: %s\n", sounds.error().message.c_str());
+        return false;
+    }
+    scene_.emplace(std::move(*sounds));
+    return true;
+}
+
+void MatchSound::follow(const game::Simulation& match) {
+    if (sound_ == nullptr || match.now() % audio::frame_ticks != 0) return;
+    if (data_ != &match.data() && !begin(match)) return;
+    if (!scene_) return;
+    scene_->take(match, {listening_.data(), listeners_}, frame_);
+    sound_->hear(frame_);
+    for (std::uint32_t i = 0; i < listeners_; ++i)
+        heard_.at(listening_.at(i)).follow(frame_, sound_->bank(), i);
+}
+
+void MatchSound::count_down() {
+    if (sound_ == nullptr) return;
+    audio::AudioFrame frame;
+    if (const auto number = sound_->bank().find("count_tick"))
+        frame.begins.add({.sound = *number, .at_ear = true});
+    sound_->hear(frame);
+}
+
+void MatchSound::show(game::Picture& picture) const {
+    for (std::size_t p = 0; p < game::players; ++p) {
+        auto& shown = picture.wizards.at(p);
+        const auto lines = heard_.at(p).lines();
+        shown.heard_lines = static_cast<std::uint32_t>(std::min(lines.size(), shown.heard.size()));
+        std::copy_n(lines.begin(), shown.heard_lines, shown.heard.begin());
+    }
+}
+
+}  // namespace thaum::app

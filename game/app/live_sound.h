@@ -1,0 +1,79 @@
+// game/app/live_sound.h: the sound of a live session: the sounds, the loudspeakers, and what is heard of each match.
+//
+// The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it. Without
+// sounds or a sound device all goes on in silence, with one line that says why.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "audio/speakers.h"
+#include "game/app/settings.h"
+#include "game/hud/picture.h"
+#include "game/sound/sound_scene.h"
+
+namespace thaum::app {
+
+/// What a menu lets hear.
+enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
+
+class LiveSound {
+public:
+    /// Makes all sounds and starts the loudspeakers' thread. Null after an error, which is printed in one line.
+    static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
+    /// For tests: sounds for a device of their own.
+    LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device);
+
+    const audio::SoundBank& bank() const { return bank_; }
+
+    // The main thread.
+    void apply(const Settings& settings);
+    void play(MenuSound sound);
+    /// Prints the loudspeakers' state if it has changed for the worse or back.
+    void tell_status();
+    audio::PlaybackReport report() const { return speakers_.report(); }
+
+    // The thread of a match.
+    void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
+
+private:
+    audio::SoundBank bank_;
+    audio::Speakers speakers_;
+    std::string told_{};  ///< the state that was printed last
+};
+
+/// What is heard of one match. The thread that plays the match owns it.
+class MatchSound {
+public:
+    /// `sound`: null for silence. Then nothing is computed.
+    explicit MatchSound(LiveSound* sound) : sound_(sound) {}
+    /// Lets the lasting sounds end.
+    ~MatchSound();
+    MatchSound(const MatchSound&) = delete;
+    MatchSound& operator=(const MatchSound&) = delete;
+
+    /// Players whose ears hear the match.
+    void listen(bool first, bool second);
+    /// Follows the match after a tick. Another match, or changed data, begins anew.
+    void follow(const game::Simulation& match);
+    /// One second of the count-down before the match.
+    void count_down();
+    /// Adds the sounds in words.
+    void show(game::Picture& picture) const;
+
+private:
+    bool begin(const game::Simulation& match);
+
+    LiveSound* sound_;
+    std::optional<game::SoundScene> scene_{};
+    const game::MatchData* data_{};  ///< data for which `scene_` was made
+    std::array<std::uint32_t, game::players> listening_{0, 1};
+    std::size_t listeners_ = 2;
+    audio::AudioFrame frame_{};
+    std::array<game::HeardLines, game::players> heard_{};  ///< by player
+};
+
+/// Settings of the mixer.
+audio::MixSettings mix_settings(const Settings& settings);
+
+}  // namespace thaum::app

@@ -1,0 +1,33 @@
+// game/app/replay_body.h: writes what players feel on the body during a replayed match, as a table. Equal logs give
+// equal files.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "game/app/live_body.h"
+
+namespace thaum::app {
+
+class ReplayBody {
+public:
+    /// The error is one line.
+    static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets);
+
+    /// Names of the columns: tick, player, and the cells of the figure.
+    static std::string header();
+    /// Appends a row for each player who feels something, at every eighth tick.
+    void follow(const game::Simulation& match, std::string& rows);
+
+private:
+    /// What the scenes refer to.
+    struct State {
+        LiveBody body;
+        game::MatchEffects effects;
+        std::array<std::optional<game::TactileScene>, game::players> scenes{};
+    };
+    explicit ReplayBody(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace thaum::app

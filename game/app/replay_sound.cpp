@@ -1,0 +1,30 @@
+#include "game/app/replay_sound.h"
+
+#include "audio/synth.h"
+
+namespace thaum::app {
+
+Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
+                                          std::optional<std::uint32_t> ears, const game::MatchData& data,
+                                          const std::filesystem::path& assets) {
+    const auto bank = audio::load_sounds(assets / "sounds");
+    if (!bank) return tl::unexpected(bank.error());
+    auto sounds = game::match_sounds(*bank, *data.presentation);
+    if (!sounds) return tl::unexpected(sounds.error());
+    auto mixer = audio::Mixer::create(*bank, {});
+    if (!mixer) return tl::unexpected(mixer.error());
+    auto writer = audio::WavWriter::create(file, audio::WavFormat::whole_16);
+    if (!writer) return tl::unexpected(writer.error());
+    return ReplaySound(std::move(*writer), std::move(*mixer), game::SoundScene(std::move(*sounds)), ears);
+}
+
+void ReplaySound::follow(const game::Simulation& match) {
+    if (match.now() % audio::frame_ticks != 0 || match.now() == 0) return;
+    constexpr std::array<std::uint32_t, game::players> both{0, 1};
+    const std::array<std::uint32_t, 1> one{ears_.value_or(0)};
+    scene_.take(match, ears_ ? std::span<const std::uint32_t>(one) : both, frame_);
+    mixer_.play(frame_, block_);
+    file_.write(block_);
+}
+
+}  // namespace thaum::app

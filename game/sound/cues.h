@@ -1,0 +1,57 @@
+// game/sound/cues.h: sounds that the state of a match causes, and not one event. Each has a sound in assets/sounds.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "audio/sound.h"
+#include "core/error.h"
+#include "game/components/body.h"
+
+namespace thaum::game {
+
+enum class Cue : std::uint8_t {
+    step_stone,
+    step_wood,
+    step_metal,
+    jump,
+    land,
+    hit_wood,
+    hit_stone,
+    hit_metal,
+    hit_soft,
+    heartbeat,
+    wand_change,
+    stir,
+    boil,
+    splash,
+    count_tick,
+    last_seconds,
+    round_won,
+    round_lost,
+    round_drawn,
+    music_calm,
+    music_pulse,
+    music_tension,
+    music_final,
+    count
+};
+inline constexpr std::size_t cues = static_cast<std::size_t>(Cue::count);
+inline constexpr std::array<std::string_view, cues> cue_names{
+    "step_stone",  "step_wood",  "step_metal",  "jump",          "land",        "hit_wood",
+    "hit_stone",   "hit_metal",  "hit_soft",    "heartbeat",     "wand_change", "stir",
+    "boil",        "splash",     "count_tick",  "last_seconds",  "round_won",   "round_lost",
+    "round_drawn", "music_calm", "music_pulse", "music_tension", "music_final"};
+
+/// Materials by which things sound.
+enum class Material : std::uint8_t { stone, wood, metal, soft };
+Material material_of(Surface surface);
+Cue step_on(Material material);
+Cue hit_on(Material material);
+
+/// Number of each cue's sound in a bank.
+using CueSounds = std::array<std::uint32_t, cues>;
+/// The error names a sound that the bank lacks.
+Expected<CueSounds> cue_sounds(const audio::SoundBank& bank);
+
+}  // namespace thaum::game

@@ -1,0 +1,34 @@
+#include "game/tactile/match_effects.h"
+
+#include <utility>
+
+#include "core/text.h"
+
+namespace thaum::game {
+
+Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Presentation& shown) {
+    MatchEffects out;
+    out.events.resize(shown.events.size());
+    for (std::size_t kind = 0; kind < shown.events.size(); ++kind) {
+        const auto& name = shown.events[kind].tactile;
+        if (name.empty()) continue;
+        out.events[kind] = bank.find(name);
+        if (!out.events[kind])
+            return fail(text("event '", name_of(static_cast<EventKind>(kind)), "' names the effect '", name,
+                             "', but there is no assets/tactile/effects/", name, ".toml"));
+    }
+    const std::pair<std::string_view, std::uint32_t*> needed[] = {{"recoil", &out.recoil},
+                                                                  {"stir", &out.stir},
+                                                                  {"heartbeat", &out.heartbeat},
+                                                                  {"walk_left", &out.walk_left},
+                                                                  {"walk_right", &out.walk_right}};
+    for (const auto& [name, number] : needed) {
+        const auto found = bank.find(name);
+        if (!found)
+            return fail(text("assets/tactile/effects has no '", name, ".toml', which the match needs"));
+        *number = *found;
+    }
+    return out;
+}
+
+}  // namespace thaum::game

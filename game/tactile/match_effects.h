@@ -1,0 +1,23 @@
+// game/tactile/match_effects.h: the effects on the body that events name in their rows, and those that the state of a
+// match causes, found in the bank of effects once.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "game/data/presentation.h"
+#include "tactile/effect.h"
+
+namespace thaum::game {
+
+/// Number of an effect in the bank; std::nullopt: nothing is felt.
+using EffectNumber = std::optional<std::uint32_t>;
+
+struct MatchEffects {
+    std::vector<EffectNumber> events;  ///< by EventKind
+    std::uint32_t recoil{}, stir{}, heartbeat{}, walk_left{}, walk_right{};
+};
+
+/// The error names the effect that is missing, and who names it.
+Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Presentation& shown);
+
+}  // namespace thaum::game

@@ -1,0 +1,127 @@
+#include "game/tactile/tactile_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/components/hand_state.h"
+
+namespace thaum::game {
+namespace {
+
+/// Gap of the clock after which the match was not followed, but moved to another time (ticks).
+constexpr Tick longest_gap = 64;
+constexpr double full_harm = 60;      ///< harm that is felt at full strength (HP)
+constexpr double weak_health = 0.25;  ///< share of full health below which the heart is felt
+constexpr double stride = 1.5;        ///< distance between two steps (m)
+constexpr double full_recoil = 3;     ///< kick of the hand that is felt at full strength (N)
+constexpr double full_drag = 20;      ///< drag at the ladle that is felt at full strength (N)
+constexpr double chest = 1.15;        ///< height of a blow whose height is unknown (m)
+
+/// Keys of lasting effects.
+constexpr std::uint32_t heart_key = 1, stir_key = 2;
+
+/// Where a player feels an event: on the side of the player who caused it, or of its place.
+tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
+    const auto& world = match.world();
+    const auto wizard = wizard_of(world, player);
+    const vec3 centre = world.get<Motion>(wizard).position;
+    vec3 source = event.place;
+    if (event.by < players && event.by != player)
+        source = world.get<Motion>(wizard_of(world, event.by)).position;
+    const vec3 way = source - centre;
+    if (!(std::hypot(way.x, way.z) > 1e-3)) return tactile::Where::own();
+    const double feet = centre.y - match.data().wizard.height / 2;
+    const double height = info_of(event.kind).placed ? std::clamp(event.place.y - feet, 0.9, 1.35) : chest;
+    return tactile::Where::from(tactile::to_body_frame(way, world.get<Gaze>(wizard).yaw), height);
+}
+
+}  // namespace
+
+TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player)
+    : effects_(effects), bank_(bank), player_(player) {}
+
+std::size_t TactileScene::add(const tactile::Layout& layout) {
+    mixers_.push_back(std::make_unique<tactile::TactileMixer>(layout, bank_));
+    frames_.emplace_back();
+    return mixers_.size() - 1;
+}
+
+void TactileScene::set_faders(const tactile::Faders& faders) {
+    for (auto& mixer : mixers_) mixer->set_faders(faders);
+}
+
+void TactileScene::feel(const BodyCue& cue, Tick now) {
+    for (auto& mixer : mixers_) {
+        if (cue.key == 0)
+            mixer->start(cue.effect, cue.where, cue.strength, now);
+        else
+            mixer->drive(cue.key, cue.effect, cue.where, cue.strength, now);
+    }
+}
+
+void TactileScene::feel_event(const Simulation& match, const Event& event) {
+    const auto kind = static_cast<std::size_t>(event.kind);
+    if (event.subject != player_ || kind >= effects_.events.size() || !effects_.events[kind]) return;
+    const bool takes_health = !info_of(event.kind).cause.empty();
+    feel({.effect = *effects_.events[kind],
+          .where = takes_health ? where_of(match, event, player_) : tactile::Where::own(),
+          .strength = takes_health ? std::clamp(event.amount / full_harm, 0.0, 1.0) : 1},
+         match.now());
+}
+
+void TactileScene::feel_events(const Simulation& match) {
+    match.events().each_new(events_seen_, [&](const Event& event) { feel_event(match, event); });
+}
+
+void TactileScene::feel_steps(const Simulation& match, ecs::Entity wizard) {
+    const auto& world = match.world();
+    if (world.get<Stance>(wizard).grounded == 0) return;
+    const vec3 speed = world.get<Motion>(wizard).velocity;
+    walked_ += std::hypot(speed.x, speed.z) * seconds(tactile::frame_ticks);
+    if (walked_ < stride) return;
+    walked_ = 0;
+    left_foot_ = !left_foot_;
+    feel({.effect = left_foot_ ? effects_.walk_left : effects_.walk_right}, match.now());
+}
+
+void TactileScene::feel_own(const Simulation& match) {
+    const auto& world = match.world();
+    const auto wizard = wizard_of(world, player_);
+    const auto& belt = world.get<WandBelt>(wizard);
+    if (fired_ != belt.fired) {
+        const double kick = glm::length(world.get<HandState>(wizard).kick.peak);
+        feel({.effect = effects_.recoil, .strength = std::clamp(kick / full_recoil, 0.2, 1.0)}, match.now());
+    }
+    fired_ = belt.fired;
+    if (world.has<Dead>(wizard)) return;
+    feel_steps(match, wizard);
+    const double health = world.get<Health>(wizard).points / match.data().wizard.health;
+    if (health > 0 && health < weak_health)
+        feel({.effect = effects_.heartbeat, .strength = 1 - health / weak_health, .key = heart_key},
+             match.now());
+    if (const auto* ladle = world.find<Ladle>(wizard)) {
+        const double drag = std::min(1.0, glm::length(ladle->force) / full_drag);
+        if (drag > 0) feel({.effect = effects_.stir, .strength = drag, .key = stir_key}, match.now());
+    }
+}
+
+void TactileScene::take(const Simulation& match) {
+    const bool followed = begun_ && match.now() >= tick_ && match.now() - tick_ <= longest_gap &&
+                          match.events().count() >= events_seen_;
+    if (!followed || match.match().paused != 0) {
+        for (auto& mixer : mixers_) mixer->stop();
+    }
+    if (!followed) {
+        events_seen_ = match.events().count();
+        fired_ = match.world().get<WandBelt>(wizard_of(match.world(), player_)).fired;
+        walked_ = 0;
+    } else if (match.match().paused == 0) {
+        feel_events(match);
+        feel_own(match);
+    }
+    begun_ = true;
+    tick_ = match.now();
+    for (std::size_t i = 0; i < mixers_.size(); ++i) frames_[i] = mixers_[i]->mix(match.now());
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,61 @@
+// game/tactile/tactile_scene.h: what one player feels on the body during a match. It reads a Simulation every eighth
+// tick and starts effects on every layout that the player has: the picture of a jacket, a pad, a recorder. It never
+// changes the match, and equal matches give equal frames.
+//
+//     match -> events and state -> TactileScene -> TactileMixer of each layout -> TactileFrame every 8 ms
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "game/match/simulation.h"
+#include "game/tactile/match_effects.h"
+#include "tactile/layout.h"
+#include "tactile/mixer.h"
+
+namespace thaum::game {
+
+/// One effect that starts, or that lasts under a key.
+struct BodyCue {
+    std::uint32_t effect{};
+    tactile::Where where{};
+    double strength{1};
+    std::uint32_t key{};  ///< 0: starts and plays to its end
+};
+
+class TactileScene {
+public:
+    /// Keeps the references.
+    TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player);
+
+    /// Adds a layout, whose frames have the returned number. Keeps the reference.
+    std::size_t add(const tactile::Layout& layout);
+    void set_faders(const tactile::Faders& faders);
+
+    /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
+    void take(const Simulation& match);
+    const tactile::TactileFrame& frame(std::size_t layout) const { return frames_[layout]; }
+    const tactile::MixerCounts& counts(std::size_t layout) const { return mixers_[layout]->counts(); }
+
+private:
+    void feel(const BodyCue& cue, Tick now);
+    void feel_events(const Simulation& match);
+    void feel_event(const Simulation& match, const Event& event);
+    void feel_own(const Simulation& match);
+    void feel_steps(const Simulation& match, ecs::Entity wizard);
+
+    const MatchEffects& effects_;
+    const tactile::EffectBank& bank_;
+    std::uint32_t player_;
+    std::vector<std::unique_ptr<tactile::TactileMixer>> mixers_;
+    std::vector<tactile::TactileFrame> frames_;
+
+    // The match at the last frame.
+    bool begun_ = false;
+    Tick tick_{};
+    std::uint64_t events_seen_{};
+    std::uint32_t fired_{};
+    double walked_{};  ///< distance since the last step (m)
+    bool left_foot_{};
+};
+
+}  // namespace thaum::game

@@ -1,0 +1,224 @@
+// Tests of what players feel on the body during a match.
+#include "game/tactile/tactile_scene.h"
+
+#include <cmath>
+
+#include "core/hash.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using tactile::TactileFrame;
+
+struct Loaded {
+    tactile::EffectBank effects;
+    tactile::Layout figure;
+};
+
+const Loaded& loaded() {
+    static const Loaded all = [] {
+        auto effects = tactile::load_effects(assets() / "tactile/effects");
+        auto figure = tactile::load_layout(assets() / "tactile/layouts/abstract_4x5.toml");
+        EXPECT_TRUE(effects) << (effects ? "" : effects.error().message);
+        EXPECT_TRUE(figure) << (figure ? "" : figure.error().message);
+        return Loaded{std::move(*effects), std::move(*figure)};
+    }();
+    return all;
+}
+
+MatchEffects effects_of(const MatchData& data) {
+    auto effects = match_effects(loaded().effects, *data.presentation);
+    EXPECT_TRUE(effects) << (effects ? "" : effects.error().message);
+    return std::move(*effects);
+}
+
+/// A match whose first player is struck by events that the test records.
+struct BodyRig {
+    BodyRig()
+        : match(duel_data(), setup()),
+          effects(effects_of(match.data())),
+          scene(effects, loaded().effects, 0) {
+        scene.add(loaded().figure);
+        scene.take(match);
+    }
+
+    static MatchSetup setup() {
+        return {.seed = 1,
+                .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
+                            {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
+    }
+    void play(Tick count) {
+        for (Tick t = 0; t < count; ++t) {
+            match.tick({});
+            if (match.now() % tactile::frame_ticks == 0) scene.take(match);
+        }
+    }
+    vec3 middle() const { return match.world().get<Motion>(wizard_of(match.world(), 0)).position; }
+    void turn(double yaw) { match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)).yaw = yaw; }
+    /// A hit from a place by nobody.
+    void strike(std::string_view kind, vec3 from, double amount = 30) {
+        record(match.context_to_change(), {.tick = match.match().played,
+                                           .kind = *event_kind(kind),
+                                           .subject = 0,
+                                           .amount = amount,
+                                           .place = from});
+    }
+    const TactileFrame& frame() const { return scene.frame(0); }
+
+    Simulation match;
+    MatchEffects effects;
+    TactileScene scene;
+};
+
+/// Sum of amplitudes squared.
+double energy(const TactileFrame& frame) {
+    double sum = 0;
+    for (std::size_t i = 0; i < frame.count; ++i) sum += frame.amplitude.at(i) * frame.amplitude.at(i);
+    return sum;
+}
+
+/// Mean direction of what is felt (body frame: x right, z front), weighted by amplitude squared.
+vec2 felt_side(const TactileFrame& frame) {
+    vec2 sum{};
+    for (std::size_t i = 0; i < frame.count; ++i) {
+        const vec3 at = loaded().figure.actuators[i].place.at;
+        sum += static_cast<double>(frame.amplitude.at(i) * frame.amplitude.at(i)) * vec2(at.x, at.z);
+    }
+    return sum;
+}
+
+TEST(TactileScene, AHitIsFeltOnItsSideFromSixteenDirectionsAndNotOnTheFarOne) {
+    for (int i = 0; i < 16; ++i) {
+        const double angle = i * 2 * pi / 16;  // from straight ahead, to the right
+        BodyRig rig;
+        const double yaw = 0.7;
+        rig.turn(yaw);
+        const vec3 ahead(-std::sin(yaw), 0, -std::cos(yaw)), right(std::cos(yaw), 0, -std::sin(yaw));
+        rig.strike("bolt_hit", rig.middle() + 5.0 * (std::cos(angle) * ahead + std::sin(angle) * right));
+        rig.play(2 * tactile::frame_ticks);
+        ASSERT_GT(energy(rig.frame()), 0) << i;
+        const vec2 side = felt_side(rig.frame());
+        const bool beside = std::abs(std::sin(angle)) > 0.99;
+        if (!beside) {
+            EXPECT_GT(side.y * std::cos(angle), 0) << i << ": front or back";
+        }
+        if (std::abs(std::sin(angle)) > 0.1) {
+            EXPECT_GT(side.x * std::sin(angle), 0) << i << ": left or right";
+        }
+        for (std::size_t cell = 0; cell < rig.frame().count; ++cell) {
+            const vec3 at = loaded().figure.actuators[cell].place.at;
+            const double towards =
+                (at.x * std::sin(angle) + at.z * std::cos(angle)) / std::max(std::hypot(at.x, at.z), 1e-9);
+            if (towards < -0.5) {
+                EXPECT_LT(rig.frame().amplitude.at(cell), 0.02F) << i << ", cell " << cell;
+            }
+        }
+    }
+}
+
+TEST(TactileScene, ABlastSpreadsOverTheBody) {
+    BodyRig rig;
+    rig.strike("blast_hit", rig.middle() + vec3(0, 0, -5), 60);
+    std::vector<std::size_t> first_on(loaded().figure.actuators.size(), 1000);
+    for (std::size_t frame = 0; frame < 40; ++frame) {
+        rig.play(tactile::frame_ticks);
+        for (std::size_t cell = 0; cell < rig.frame().count; ++cell)
+            if (rig.frame().amplitude.at(cell) > 0.05F) first_on[cell] = std::min(first_on[cell], frame);
+    }
+    const auto earliest = *std::min_element(first_on.begin(), first_on.end());
+    std::size_t later = 0;
+    for (const auto frame : first_on) later += frame < 1000 && frame > earliest + 5 ? 1 : 0;
+    EXPECT_GT(later, 6U) << "cells that feel it more than 40 ms later";
+}
+
+TEST(TactileScene, AHundredHitsInOneTickKeepTheLimitsAndLoseNone) {
+    BodyRig rig;
+    for (int i = 0; i < 100; ++i)
+        rig.strike(i % 2 == 0 ? "bolt_hit" : "blast_hit", rig.middle() + vec3(i - 50, 0, 4));
+    double most = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        rig.play(tactile::frame_ticks);
+        most = std::max(most, energy(rig.frame()));
+        for (const float amplitude : rig.frame().amplitude) EXPECT_LE(amplitude, 1.0F);
+    }
+    EXPECT_LE(most, 1.5 + 1e-6);
+    EXPECT_GT(most, 0.5);
+    const auto& counts = rig.scene.counts(0);
+    EXPECT_EQ(counts.offered, 100U);
+    EXPECT_EQ(counts.started + counts.merged, counts.offered);
+    rig.play(ticks(1));
+    EXPECT_TRUE(rig.frame().is_silent());
+}
+
+TEST(TactileScene, APauseIsSilentAtOnce) {
+    BodyRig rig;
+    rig.strike("blast_hit", rig.middle() + vec3(0, 0, -5), 60);
+    rig.play(3 * tactile::frame_ticks);
+    ASSERT_FALSE(rig.frame().is_silent());
+    rig.match.world_to_change().single<Match>().paused = 1;
+    rig.play(tactile::frame_ticks);
+    EXPECT_TRUE(rig.frame().is_silent());
+}
+
+TEST(TactileScene, TheHeartBeatsWhenHealthIsLow) {
+    BodyRig rig;
+    rig.play(ticks(1));
+    EXPECT_TRUE(rig.frame().is_silent());
+    rig.match.world_to_change().get<Health>(wizard_of(rig.match.world(), 0)).points = 5;
+    bool felt = false;
+    for (int i = 0; i < 125; ++i) {
+        rig.play(tactile::frame_ticks);
+        felt = felt || !rig.frame().is_silent();
+    }
+    EXPECT_TRUE(felt);
+}
+
+std::uint64_t frames_of_bots(std::uint64_t* state) {
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
+    EXPECT_TRUE(duel);
+    const auto effects = effects_of(duel->match->data());
+    TactileScene scene(effects, loaded().effects, 1);
+    scene.add(loaded().figure);
+    std::uint64_t hash = 0;
+    for (Tick t = 0; t < ticks(30); ++t) {
+        duel->run(1);
+        if (duel->match->now() % tactile::frame_ticks != 0) continue;
+        scene.take(*duel->match);
+        hash = hash_value(scene.frame(0), hash);
+    }
+    *state = duel->match->state_hash();
+    return hash;
+}
+
+TEST(TactileScene, EqualMatchesGiveEqualFramesAndFeelingChangesNothing) {
+    std::uint64_t first = 0, second = 0;
+    EXPECT_EQ(frames_of_bots(&first), frames_of_bots(&second));
+    auto plain = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
+    plain->run(ticks(30));
+    EXPECT_EQ(first, plain->match->state_hash());
+    EXPECT_EQ(second, first);
+}
+
+TEST(TactileScene, EveryHarmHasAnEffect) {
+    const auto data = duel_data();
+    const auto effects = effects_of(*data);
+    for (std::size_t kind = 0; kind < effects.events.size(); ++kind) {
+        const auto event = static_cast<EventKind>(kind);
+        if (info_of(event).name.empty() || info_of(event).cause.empty()) continue;
+        EXPECT_TRUE(effects.events[kind]) << name_of(event);
+    }
+}
+
+TEST(TactileScene, AMissingEffectIsNamed) {
+    const auto data = duel_data();
+    auto poor = loaded().effects;
+    poor.effects.erase(poor.effects.begin() + static_cast<std::ptrdiff_t>(*poor.find("bolt_hit")));
+    const auto effects = match_effects(poor, *data->presentation);
+    ASSERT_FALSE(effects);
+    EXPECT_NE(effects.error().message.find("'bolt_hit' names the effect 'bolt_hit'"), std::string::npos)
+        << effects.error().message;
+}
+
+}  // namespace
+}  // namespace thaum::game::test
