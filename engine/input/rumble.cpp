@@ -1,0 +1,204 @@
+#include "input/rumble.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "core/one_line.h"
+#include "core/text.h"
+#include "input/detail/rumble_effect.h"
+
+// Linux runs the motors of most pads by ff-memless.c. Its effects begin at the next tick of a timer, up to 10 ms late,
+// and one that was changed and is stopped before that tick leaves the motors on for ever. So a running effect is never
+// changed. There are two: one runs, the other takes the new values, starts, and then the first stops. That stop begins
+// the other at once. Then no stop, and no death of the program, can leave a motor on.
+
+namespace thaum::input {
+namespace {
+
+constexpr const char* device_folder = "/dev/input";
+constexpr std::string_view event_prefix = "event";
+constexpr std::size_t longest_name = 256;
+constexpr std::size_t most_shown = 60;  ///< bytes of a pad's name in messages
+
+/// An open device file; closed with its owner.
+class DeviceFile {
+public:
+    DeviceFile() = default;
+    DeviceFile(const std::filesystem::path& path, int flags)
+        : fd_(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC)) {}
+    DeviceFile(DeviceFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    DeviceFile& operator=(DeviceFile&& other) noexcept {
+        std::swap(fd_, other.fd_);
+        return *this;
+    }
+    ~DeviceFile() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+
+    bool is_open() const { return fd_ >= 0; }
+    int fd() const { return fd_; }
+
+private:
+    int fd_ = -1;
+};
+
+bool is_event_device(const std::filesystem::path& path) {
+    const auto name = path.filename().string();
+    return name.size() > event_prefix.size() && name.starts_with(event_prefix) &&
+           std::all_of(name.begin() + event_prefix.size(), name.end(),
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Paths of all event devices, in the order in which GLFW numbers them: "event10" is before "event2".
+std::vector<std::filesystem::path> event_devices() {
+    std::vector<std::filesystem::path> paths;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(device_folder, error), end; !error && it != end;
+         it.increment(error)) {
+        if (is_event_device(it->path())) paths.push_back(it->path());
+    }
+    std::sort(paths.begin(), paths.end(),
+              [](const auto& a, const auto& b) { return a.native() < b.native(); });
+    return paths;
+}
+
+/// Tests whether a device file is of the pad's model and has its name.
+bool is_of_model(const std::filesystem::path& path, const PadId& pad) {
+    const DeviceFile file(path, O_RDONLY);
+    input_id id{};
+    if (!file.is_open() || ::ioctl(file.fd(), EVIOCGID, &id) < 0) return false;
+    std::array<char, longest_name> name{};
+    if (::ioctl(file.fd(), EVIOCGNAME(longest_name - 1), name.data()) < 0) return false;
+    return pad.name == name.data() && detail::pad_guid(id, name.data()) == pad.guid;
+}
+
+Expected<std::filesystem::path> find_pad(const PadId& pad) {
+    std::size_t before = 0;
+    for (auto& path : event_devices()) {
+        if (is_of_model(path, pad) && before++ == pad.equal_one) return std::move(path);
+    }
+    return fail("it was not found in /dev/input; plug it in again");
+}
+
+bool runs_rumble(const DeviceFile& file) {
+    std::array<std::uint8_t, FF_CNT / 8> bits{};
+    int effects = 0;
+    return ::ioctl(file.fd(), EVIOCGBIT(EV_FF, bits.size()), bits.data()) >= 0 &&
+           (bits.at(FF_RUMBLE / 8) & (1U << (FF_RUMBLE % 8U))) != 0 &&
+           ::ioctl(file.fd(), EVIOCGEFFECTS, &effects) >= 0 && effects >= 2;
+}
+
+class Rumble final : public TactileOutput {
+public:
+    explicit Rumble(const PadId& pad) : pad_(pad) {}
+    ~Rumble() override { end(); }
+
+    Expected<void> open() override;
+    void write(const tactile::TactileFrame& frame, double now_s) override;
+    void silence() override;
+    bool is_connected() override;
+    void close() override { end(); }
+    std::string name() const override { return text("pad '", printable(pad_.name, most_shown), "'"); }
+
+private:
+    void upload(ff_effect& effect);
+    void play(const ff_effect& effect, bool on);
+    bool is_running(const ff_effect& wanted) const;
+    void end();
+
+    const PadId pad_;
+    DeviceFile file_{};
+    bool failed_ = false;                 ///< a call has failed since the opening
+    std::array<ff_effect, 2> effects_{};  ///< id below 0: not uploaded
+    std::size_t current_ = 0;             ///< effect that runs, or ran last
+    bool running_ = false;    ///< the effect was started and not stopped; it may have ended by itself
+    double extend_at_s_ = 0;  ///< when half of the time of the running effect is over
+};
+
+Expected<void> Rumble::open() {
+    auto path = find_pad(pad_);
+    if (!path) return tl::unexpected(path.error());
+    DeviceFile file(*path, O_RDWR);
+    if (!file.is_open())
+        return fail(text("no rumble: ", path->native(), ": ", std::strerror(errno),
+                         "; allow this user to write to it"));
+    if (!runs_rumble(file)) return fail("no rumble: it has no motors, or its driver does not run them");
+    file_ = std::move(file);
+    failed_ = running_ = false;
+    for (auto& effect : effects_) effect.id = -1;
+    return {};
+}
+
+void Rumble::write(const tactile::TactileFrame& frame, double now_s) {
+    auto& before = effects_[current_];
+    const auto wanted = detail::rumble_effect(frame, -1);
+    if (wanted.u.rumble.strong_magnitude == 0 && wanted.u.rumble.weak_magnitude == 0) return silence();
+    if (is_running(wanted)) {
+        if (now_s < extend_at_s_) return;
+        play(before, true);  // begins its time again, without a gap
+    } else {
+        auto& next = effects_[1 - current_];
+        const auto id = next.id;
+        next = wanted;
+        next.id = id;
+        upload(next);
+        play(next, true);
+        if (running_) play(before, false);
+        current_ = 1 - current_;
+    }
+    running_ = true;
+    extend_at_s_ = now_s + 0.5e-3 * wanted.replay.length;
+}
+
+/// Tests whether the running effect is the wanted one.
+bool Rumble::is_running(const ff_effect& wanted) const {
+    const auto& now = effects_[current_];
+    return running_ && now.u.rumble.strong_magnitude == wanted.u.rumble.strong_magnitude &&
+           now.u.rumble.weak_magnitude == wanted.u.rumble.weak_magnitude &&
+           now.replay.length == wanted.replay.length;
+}
+
+void Rumble::silence() {
+    if (std::exchange(running_, false)) play(effects_[current_], false);
+}
+
+bool Rumble::is_connected() {
+    pollfd state{file_.fd(), 0, 0};
+    return !failed_ && ::poll(&state, 1, 0) >= 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) == 0;
+}
+
+void Rumble::upload(ff_effect& effect) {
+    if (::ioctl(file_.fd(), EVIOCSFF, &effect) < 0) failed_ = true;
+}
+
+void Rumble::play(const ff_effect& effect, bool on) {
+    input_event event{};
+    event.type = EV_FF;
+    event.code = static_cast<std::uint16_t>(effect.id);
+    event.value = on ? 1 : 0;
+    if (::write(file_.fd(), &event, sizeof event) != static_cast<ssize_t>(sizeof event)) failed_ = true;
+}
+
+void Rumble::end() {
+    if (!file_.is_open()) return;
+    silence();
+    for (auto& effect : effects_)
+        if (effect.id >= 0) ::ioctl(file_.fd(), EVIOCRMFF, static_cast<unsigned long>(effect.id));
+    file_ = DeviceFile();
+}
+
+}  // namespace
+
+std::unique_ptr<TactileOutput> rumble_output(const PadId& pad) { return std::make_unique<Rumble>(pad); }
+
+}  // namespace thaum::input

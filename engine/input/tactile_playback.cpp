@@ -1,0 +1,166 @@
+#include "input/tactile_playback.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/text.h"
+
+namespace thaum::input {
+namespace {
+
+/// Time between looks at the queue while an output is open (s).
+constexpr double open_rest_s = 0.004;
+/// The same while none is. It empties the queue before it is full.
+constexpr double closed_rest_s = 0.1;
+constexpr double s_per_tick = 1e-3;
+
+/// Adds an older frame to a newer one.
+void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
+    for (std::size_t i = 0; i < newer.amplitude.size(); ++i) {
+        if (!(older.amplitude[i] > newer.amplitude[i])) continue;
+        // An actuator that has just fallen silent has no carrier of its own.
+        if (newer.amplitude[i] == 0) newer.carrier_hz[i] = older.carrier_hz[i];
+        newer.amplitude[i] = older.amplitude[i];
+    }
+}
+
+}  // namespace
+
+bool TactilePlayback::feel(const tactile::TactileFrame& frame) {
+    const bool queued = frames_.push(frame);
+    if (!queued) refused_.fetch_add(1, std::memory_order_relaxed);
+    return queued;
+}
+
+void TactilePlayback::use(std::unique_ptr<TactileOutput> output) {
+    const std::lock_guard lock(told_);
+    std::swap(next_output_, output);
+    changes_output_ = true;
+}
+
+std::string TactilePlayback::status() const {
+    const std::lock_guard lock(told_);
+    return status_;
+}
+
+TactileReport TactilePlayback::report() const {
+    const std::lock_guard lock(told_);
+    auto report = published_;
+    report.frames_lost += refused_.load(std::memory_order_relaxed);
+    return report;
+}
+
+void TactilePlayback::say(std::string status) {
+    const std::lock_guard lock(told_);
+    status_ = std::move(status);
+}
+
+void TactilePlayback::publish_report() {
+    const std::lock_guard lock(told_);
+    published_ = report_;
+}
+
+double TactilePlayback::step(double now_s) {
+    const double age_s = now_s - std::exchange(last_step_s_, now_s);
+    take_output(now_s);
+    if (!abandoned_ && !open_ && output_ != nullptr && now_s >= next_try_s_) try_open(now_s);
+    const bool lost = !abandoned_ && open_ && !output_->is_connected();
+    if (abandoned_) return closed_rest_s;
+    if (lost) lose(now_s);
+    if (open_)
+        play(now_s, age_s);
+    else
+        drop_waiting();
+    publish_report();
+    return open_ ? open_rest_s : closed_rest_s;
+}
+
+void TactilePlayback::close() {
+    if (open_) output_->close();
+    open_ = false;
+    sounding_ = false;
+    say({});
+}
+
+void TactilePlayback::take_output(double now_s) {
+    std::unique_ptr<TactileOutput> former;
+    {
+        const std::lock_guard lock(told_);
+        if (!std::exchange(changes_output_, false)) return;
+        former = std::exchange(output_, std::move(next_output_));
+        status_.clear();
+    }
+    if (open_) former->close();
+    open_ = false;
+    sounding_ = false;
+    next_try_s_ = now_s;
+}
+
+void TactilePlayback::try_open(double now_s) {
+    const auto opened = output_->open();
+    if (abandoned_) return;
+    if (!opened) {
+        next_try_s_ = now_s + retry_s;
+        return say(text(output_->name(), ": ", opened.error().message));
+    }
+    open_ = true;
+    opened_at_s_ = now_s;
+    ++report_.times_opened;
+    drop_waiting();
+    say(text(output_->name(), " plays"));
+}
+
+void TactilePlayback::lose(double now_s) {
+    output_->close();
+    open_ = false;
+    sounding_ = false;
+    ++report_.times_lost;
+    // A device that is there again is opened at once, but one that fails at each opening does not keep a core busy.
+    next_try_s_ = std::max(now_s, opened_at_s_ + retry_s);
+    say(text(output_->name(), ": it is gone"));
+}
+
+/// Drops frames that nobody feels.
+void TactilePlayback::drop_waiting() {
+    for (; frames_.front() != nullptr; frames_.pop()) ++report_.frames_lost;
+}
+
+/// Merges all waiting frames into frame_. Returns their number.
+std::size_t TactilePlayback::take_frames() {
+    const auto count = frames_.size();
+    for (std::size_t i = 0; i < count; ++i, frames_.pop()) {
+        const auto before = std::exchange(frame_, *frames_.front());
+        if (i > 0) merge(before, frame_);
+    }
+    return count;
+}
+
+/// Plays what waits. `age_s` is the age that the waiting frames may have.
+void TactilePlayback::play(double now_s, double age_s) {
+    if (const auto count = take_frames(); count > 0) {
+        const double life_s =
+            std::min(static_cast<double>(frame_.time_to_live) * s_per_tick, longest_life_s) - age_s;
+        report_.frames_merged += count - 1;
+        if (life_s > 0)
+            send(now_s, life_s);
+        else
+            ++report_.frames_late;
+    }
+    if (!sounding_ || now_s < silent_at_s_) return;
+    output_->silence();
+    sounding_ = false;
+    ++report_.times_silenced;
+}
+
+void TactilePlayback::send(double now_s, double life_s) {
+    ++report_.frames_sent;
+    silent_at_s_ = now_s + life_s;
+    if (frame_.is_silent()) {
+        if (std::exchange(sounding_, false)) output_->silence();
+        return;
+    }
+    sounding_ = true;
+    output_->write(frame_, now_s);
+}
+
+}  // namespace thaum::input

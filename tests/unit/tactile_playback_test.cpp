@@ -1,0 +1,249 @@
+// The way of frames to an output, by a clock that the test moves, and the thread around it. No test waits for a time.
+#include "input/tactile_playback.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "input/tactile_player.h"
+#include "unit/felt_output_rig.h"
+#include "unit/input_log_samples.h"
+
+namespace thaum::input {
+namespace {
+
+using namespace rig;
+
+constexpr double milli = 1e-3;  ///< one millisecond (s)
+
+/// A playback with one output that is open at the time 1 s.
+class TactilePlaybackTest : public testing::Test {
+protected:
+    TactilePlaybackTest() {
+        playback_.use(std::make_unique<FakeOutput>(felt_));
+        playback_.step(now_s_);
+    }
+    /// Lets time pass, with a step every 4 ms.
+    void pass(double s) {
+        for (const double until = now_s_ + s - 1e-9; now_s_ < until;) playback_.step(now_s_ += 4 * milli);
+    }
+    std::size_t written() const { return felt_->frames.size(); }
+    const tactile::TactileFrame& newest() const { return felt_->frames.back(); }
+
+    std::shared_ptr<Felt> felt_ = std::make_shared<Felt>();
+    TactilePlayback playback_;
+    double now_s_ = 1;
+};
+
+TEST_F(TactilePlaybackTest, FramesReachTheOutputInTheirOrder) {
+    EXPECT_EQ(playback_.status(), "fake plays");
+    for (int i = 1; i <= 10; ++i) {
+        playback_.feel(frame_of(0.1F * static_cast<float>(i), 0));
+        pass(8 * milli);
+        ASSERT_EQ(written(), i);
+        EXPECT_EQ(newest().amplitude[0], 0.1F * static_cast<float>(i));
+    }
+    EXPECT_EQ(playback_.report().frames_sent, 10);
+    EXPECT_EQ(felt_->silenced, 0);
+}
+
+TEST_F(TactilePlaybackTest, AnOutputWithoutANewerFrameIsSilentAfterTheTimeToLive) {
+    for (const Tick life : {8, 48, 200}) {
+        playback_.feel(frame_of(1, 0, life));
+        pass(4 * milli);
+        ASSERT_TRUE(felt_->on);
+        double on_s = 0;
+        for (; felt_->on && on_s < 1; on_s += 4 * milli) pass(4 * milli);
+        EXPECT_LE(on_s, static_cast<double>(life) * milli + 1e-9);
+        EXPECT_GE(on_s, static_cast<double>(life) * milli - 8 * milli);
+    }
+    EXPECT_EQ(playback_.report().times_silenced, 3);
+    // It stays silent, and is told so once.
+    pass(1);
+    EXPECT_EQ(felt_->silenced, 3);
+}
+
+TEST_F(TactilePlaybackTest, ALieAboutTheTimeToLiveLeavesNoMotorOn) {
+    playback_.feel(frame_of(1, 1, std::numeric_limits<Tick>::max()));
+    pass(TactilePlayback::longest_life_s + 4 * milli);
+    EXPECT_FALSE(felt_->on);
+    playback_.feel(frame_of(1, 1, 0));
+    pass(4 * milli);
+    EXPECT_EQ(written(), 1) << "a frame without life";
+    EXPECT_EQ(playback_.report().frames_late, 1);
+}
+
+TEST_F(TactilePlaybackTest, ASilentFrameSilencesAtOnce) {
+    playback_.feel(frame_of(1, 0));
+    pass(4 * milli);
+    playback_.feel(frame_of(0, 0));
+    pass(4 * milli);
+    EXPECT_FALSE(felt_->on);
+    playback_.feel(frame_of(0, 0));
+    pass(1);
+    EXPECT_EQ(felt_->silenced, 1);
+    EXPECT_EQ(playback_.report().times_silenced, 0) << "it was told to be silent";
+}
+
+TEST_F(TactilePlaybackTest, WaitingFramesAreMergedAndNoBlowIsLost) {
+    auto blow = frame_of(0.9F, 0);
+    blow.carrier_hz[0] = 60;
+    playback_.feel(blow);
+    playback_.feel(frame_of(0, 0.3F));
+    playback_.feel(frame_of(0.2F, 0.1F));
+    pass(4 * milli);
+    ASSERT_EQ(written(), 1);
+    EXPECT_EQ(newest().amplitude[0], 0.9F);
+    EXPECT_EQ(newest().amplitude[1], 0.3F);
+    EXPECT_EQ(newest().carrier_hz[0], 100) << "the newest carrier";
+    EXPECT_EQ(playback_.report().frames_merged, 2);
+    // The next frame stands alone.
+    playback_.feel(frame_of(0.2F, 0.1F));
+    pass(4 * milli);
+    EXPECT_EQ(newest().amplitude[0], 0.2F);
+}
+
+TEST_F(TactilePlaybackTest, AnActuatorThatFellSilentInAMergedFrameKeepsItsCarrier) {
+    auto blow = frame_of(0.9F, 0), silent = frame_of(0, 0);
+    blow.carrier_hz[0] = 60;
+    silent.carrier_hz[0] = 0;
+    playback_.feel(blow);
+    playback_.feel(silent);
+    pass(4 * milli);
+    ASSERT_EQ(written(), 1);
+    EXPECT_EQ(newest().carrier_hz[0], 60);
+}
+
+TEST_F(TactilePlaybackTest, FramesThatWaitedWhileTheOutputHungAreDropped) {
+    playback_.feel(frame_of(1, 0));
+    playback_.step(now_s_ += 60 * milli);
+    EXPECT_EQ(written(), 0);
+    EXPECT_EQ(playback_.report().frames_late, 1);
+    playback_.feel(frame_of(1, 0));
+    pass(4 * milli);
+    EXPECT_EQ(written(), 1);
+}
+
+TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
+    playback_.feel(frame_of(1, 0));
+    pass(3);
+    felt_->connected = false;
+    felt_->present = false;
+    playback_.feel(frame_of(1, 0));
+    pass(8 * milli);
+    EXPECT_EQ(playback_.status(), "fake: it is not there");
+    EXPECT_EQ(felt_->closed, 1);
+    EXPECT_FALSE(felt_->on);
+    const int tries = felt_->opened;
+    for (int i = 0; i < 100; ++i) playback_.feel(frame_of(1, 0));
+    pass(2 * TactilePlayback::retry_s);
+    EXPECT_NEAR(felt_->opened - tries, 2, 1) << "a try every 2 s";
+    felt_->present = true;
+    pass(TactilePlayback::retry_s);
+    EXPECT_EQ(playback_.status(), "fake plays");
+    EXPECT_EQ(written(), 1) << "frames for a lost output are not played later";
+    playback_.feel(frame_of(0, 1));
+    pass(4 * milli);
+    EXPECT_EQ(newest().amplitude[1], 1);
+    const auto report = playback_.report();
+    EXPECT_EQ(report.times_opened, 2);
+    EXPECT_EQ(report.times_lost, 1);
+    EXPECT_EQ(report.frames_lost, 101);
+}
+
+TEST_F(TactilePlaybackTest, AnOutputThatFailsAfterEachOpeningIsNotOpenedAllTheTime) {
+    const int before = felt_->opened;
+    for (int i = 0; i < 1000; ++i) {
+        felt_->connected = false;
+        pass(4 * milli);
+    }
+    EXPECT_LE(felt_->opened - before, 3) << "in 4 s";
+}
+
+TEST_F(TactilePlaybackTest, AnotherOutputTakesOverAndTheFormerIsClosed) {
+    playback_.feel(frame_of(1, 0));
+    pass(4 * milli);
+    const auto other = std::make_shared<Felt>();
+    playback_.use(std::make_unique<FakeOutput>(other));
+    pass(4 * milli);
+    EXPECT_FALSE(felt_->on);
+    EXPECT_EQ(felt_->closed, 1);
+    playback_.feel(frame_of(1, 0));
+    pass(4 * milli);
+    EXPECT_EQ(other->frames.size(), 1);
+    EXPECT_EQ(written(), 1);
+    playback_.use(nullptr);
+    pass(4 * milli);
+    EXPECT_FALSE(other->on);
+    EXPECT_EQ(playback_.status(), "");
+    playback_.feel(frame_of(1, 0));
+    pass(1);
+}
+
+TEST_F(TactilePlaybackTest, ManyFramesDoNotAllocate) {
+    felt_->frames.reserve(1000);
+    pass(1);
+    const auto before = samples::allocations();
+    for (int i = 0; i < 500; ++i) {
+        playback_.feel(frame_of(0.5F, 0.25F));
+        pass(8 * milli);
+    }
+    EXPECT_EQ(samples::allocations(), before);
+    EXPECT_EQ(written(), 500);
+}
+
+// The thread ------------------------------------------------------------------------------------------------
+
+TEST(TactilePlayerThreads, PlaysAndLeavesTheOutputClosed) {
+    const auto felt = std::make_shared<Felt>();
+    {
+        TactilePlayer player;
+        player.use(std::make_unique<FakeOutput>(felt));
+        felt->wait([&] { return felt->opened == 1; });
+        for (std::size_t i = 1; i <= 5; ++i) {
+            // A busy machine may take a frame too late. Then another follows.
+            for (bool taken = false; !taken;) {
+                player.feel(frame_of(1, 0, 500));
+                std::this_thread::yield();
+                taken = felt->with([&] { return felt->frames.size() >= i; });
+            }
+        }
+        EXPECT_EQ(player.status(), "fake plays");
+    }
+    EXPECT_EQ(felt->closed, 1);
+    EXPECT_FALSE(felt->on);
+}
+
+TEST(TactilePlayerThreads, AProgramThatHangsLeavesNoMotorOn) {
+    const auto felt = std::make_shared<Felt>();
+    TactilePlayer player;
+    player.use(std::make_unique<FakeOutput>(felt));
+    while (!felt->with([&] { return felt->on; })) player.feel(frame_of(1, 0, 100));
+    felt->wait([&] { return !felt->on; });
+    EXPECT_GE(felt->with([&] { return felt->silenced; }), 1);
+}
+
+TEST(TactilePlayerThreads, ABlockedOutputDoesNotHoldTheEndUp) {
+    for (const bool in_open : {true, false}) {
+        const auto felt = std::make_shared<Felt>();
+        felt->hangs = in_open;
+        {
+            TactilePlayer player(0);
+            player.use(std::make_unique<FakeOutput>(felt));
+            if (!in_open) {
+                felt->wait([&] { return felt->opened == 1; });
+                felt->with([&] { felt->hangs = true; });
+            }
+            while (!felt->with([&] { return felt->in_hang; })) player.feel(frame_of(1, 0, 500));
+            // The simulation thread never waits either: the queue is full in the end.
+            while (player.feel(frame_of(1, 0))) {}
+        }
+        // The thread ends when the call returns, without a further one.
+        const auto opened = felt->with([&] { return felt->opened; });
+        felt->with([&] { felt->hangs = false; });
+        felt->wait([&] { return felt->frames.size() == 1 || felt->opened > opened; });
+    }
+}
+
+}  // namespace
+}  // namespace thaum::input
