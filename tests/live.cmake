@@ -5,13 +5,13 @@ thaum_test(test_hud
 thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/control_names_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
-        unit/live_session_test.cpp unit/live_start_screen_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
+        unit/live_session_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
         unit/faulty_settings_test.cpp unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
         unit/screen_reader.cpp
     LINK thaum_live fake_arm
     NOT_SANITIZED ScreenPlayer.Wins* ScreenPlayer.Reads*
-    THREADS LiveArms.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.*)
+    THREADS LiveArms.* LiveTactileThreads.* LiveTactileSession.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.*)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
@@ -27,6 +27,8 @@ pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
 if(umockdev_FOUND)
     add_executable(pad_harness drivers/pad_harness.cpp)
     target_link_libraries(pad_harness PRIVATE thaum_flags PkgConfig::umockdev)
+    add_executable(rumble_probe drivers/rumble_probe.cpp)
+    target_link_libraries(rumble_probe PRIVATE thaum_flags thaum_live)
 endif()
 
 # Tests in real time with a screen. They wait most of the time, so they run beside others, but only one of them draws
@@ -105,5 +107,7 @@ if(umockdev_FOUND)
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
+    thaum_driver_test(rumble ${CMAKE_CURRENT_SOURCE_DIR}/drivers/rumble.sh
+        $<TARGET_FILE:rumble_probe> $<TARGET_FILE:pad_harness>)
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()

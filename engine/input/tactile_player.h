@@ -1,11 +1,10 @@
 // input/tactile_player.h: plays tactile frames on one output, in a thread of its own.
 //
-// From a frame's making to the output pass at most 4 ms while the output is open. A silent program looks ten times a
-// second whether there is an output.
+// While the output is open, the thread looks for frames every 4 ms, else every 100 ms.
 //
 // An output may block its caller for ever. Only this thread calls it, and the destructor waits for the thread for
-// `most_wait_s` only. A thread that has not ended by then is left behind with all that it uses: it calls nothing more,
-// and its memory stays until the program ends.
+// `most_wait_s` only. A thread that has not ended by then is left behind with all that it uses: it ends with the call
+// that hangs, and its memory stays until the program ends.
 #pragma once
 #include <memory>
 #include <string>

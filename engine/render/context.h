@@ -54,9 +54,13 @@ struct WindowEvents {
 /// A gamepad in the layout of an Xbox pad.
 struct PadState {
     bool present = false;
-    std::string name;
+    std::string name{};
     std::array<float, 6> axes{};  ///< left x, left y, right x, right y (right and down +1), triggers 0 to 1
     std::uint32_t buttons{};      ///< bit n: A B X Y LB RB Back Start Guide L R Up Right Down Left
+    // For programs that look for the same pad by other means, since GLFW hides its path:
+    std::string guid{};         ///< identification of the model: 32 hexadecimal digits
+    std::string system_name{};  ///< name that the system's driver gives the pad
+    std::size_t equal_one{};  ///< number of the pad among the plugged ones with the same guid and system name
 };
 
 class Window {

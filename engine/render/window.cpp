@@ -256,14 +256,27 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->ha
 
 namespace {
 
+/// A text of GLFW, which may be null.
+std::string in_words(const char* words) { return words == nullptr ? "" : words; }
+
 std::vector<PluggedPad> plugged_pads() {
     std::vector<PluggedPad> plugged;
     for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
         if (glfwJoystickIsGamepad(joystick) == 0) continue;
-        const char* model = glfwGetJoystickGUID(joystick);
-        plugged.push_back({joystick, model == nullptr ? "" : model});
+        plugged.push_back({joystick, in_words(glfwGetJoystickGUID(joystick))});
     }
     return plugged;
+}
+
+/// Number of joysticks with a lower number, and the same model and name. GLFW gives the lowest free number.
+std::size_t equal_ones_before(int id, const PadState& pad) {
+    std::size_t count = 0;
+    for (int other = GLFW_JOYSTICK_1; other < id; ++other) {
+        if (glfwJoystickPresent(other) != 0 && in_words(glfwGetJoystickGUID(other)) == pad.guid &&
+            in_words(glfwGetJoystickName(other)) == pad.system_name)
+            ++count;
+    }
+    return count;
 }
 
 PadState read_pad(int id) {
@@ -271,8 +284,10 @@ PadState read_pad(int id) {
     GLFWgamepadstate raw{};
     if (id < 0 || glfwGetGamepadState(id, &raw) == 0) return pad;
     pad.present = true;
-    const char* name = glfwGetGamepadName(id);
-    pad.name = name == nullptr ? "" : name;
+    pad.name = in_words(glfwGetGamepadName(id));
+    pad.guid = in_words(glfwGetJoystickGUID(id));
+    pad.system_name = in_words(glfwGetJoystickName(id));
+    pad.equal_one = equal_ones_before(id, pad);
     for (std::size_t i = 0; i < 6; ++i) pad.axes[i] = i < 4 ? raw.axes[i] : (raw.axes[i] + 1) / 2;
     for (std::uint32_t i = 0; i <= GLFW_GAMEPAD_BUTTON_LAST; ++i) {
         if (raw.buttons[i] == GLFW_PRESS) pad.buttons |= 1U << i;

@@ -4,6 +4,12 @@
 #include <cstdio>
 
 namespace thaum::app {
+namespace {
+
+/// Number of the pad's layout in a scene, after the figure.
+constexpr std::size_t pad_frame = 1;
+
+}  // namespace
 
 Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
@@ -12,7 +18,9 @@ Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     if (!figure) return tl::unexpected(figure.error());
     if (figure->actuators.size() != game::figure_cells)
         return fail("abstract_4x5.toml must have 40 actuators: the figure on the screen shows them");
-    return LiveBody{std::move(*effects), std::move(*figure)};
+    auto pad = tactile::load_layout(assets / "tactile" / "layouts" / "pad.toml");
+    if (!pad) return tl::unexpected(pad.error());
+    return LiveBody{std::move(*effects), std::move(*figure), std::move(*pad)};
 }
 
 void MatchBody::begin(const game::Simulation& match) {
@@ -27,16 +35,18 @@ void MatchBody::begin(const game::Simulation& match) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         scenes_.at(p)->add(body_->figure);
+        scenes_.at(p)->add(body_->pad);
     }
 }
 
 void MatchBody::follow(const game::Simulation& match) {
-    if (body_ == nullptr || match.now() % tactile::frame_ticks != 0) return;
+    if (!body_ || match.now() % tactile::frame_ticks != 0) return;
     if (data_ != &match.data()) begin(match);
     now_ = match.now();
-    for (std::size_t p = 0; p < game::players; ++p) {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
         scenes_.at(p)->take(match);
+        if (motors_.feels(p)) motors_.feel(p, scenes_.at(p)->frame(pad_frame));
         if (!scenes_.at(p)->frame(0).is_silent()) felt_at_.at(p) = now_;
     }
 }

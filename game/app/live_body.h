@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "game/app/live_tactile.h"
 #include "game/hud/picture.h"
 #include "game/tactile/tactile_scene.h"
 
@@ -17,6 +18,7 @@ namespace thaum::app {
 struct LiveBody {
     tactile::EffectBank effects;
     tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+    tactile::Layout pad;     ///< the two motors of a pad
 
     static Expected<LiveBody> load(const std::filesystem::path& assets);
 };
@@ -24,8 +26,8 @@ struct LiveBody {
 /// What both players feel in one match. The thread that plays the match owns it.
 class MatchBody {
 public:
-    /// `body`: null for nothing. Then nothing is computed.
-    explicit MatchBody(const LiveBody* body) : body_(body) {}
+    /// `body`: std::nullopt for nothing. Then nothing is computed. `motors` get the frames of the pads.
+    MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors) : body_(body), motors_(motors) {}
 
     /// Follows the match after a tick. Another match, or changed data, begins anew.
     void follow(const game::Simulation& match);
@@ -35,7 +37,8 @@ public:
 private:
     void begin(const game::Simulation& match);
 
-    const LiveBody* body_;
+    const std::optional<LiveBody>& body_;
+    LiveTactile& motors_;
     const game::MatchData* data_{};  ///< data for which the scenes were made
     std::optional<game::MatchEffects> effects_{};
     std::array<std::optional<game::TactileScene>, game::players> scenes_{};

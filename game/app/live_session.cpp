@@ -42,6 +42,7 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
         viewer_.emplace(plan.replay->index, plan.replay->playback.log().ticks(), shared.replay,
                         recorded_names(plan.replay->playback.log().header()));
     }
+    shared_.tactile.apply(menu_.settings());
     publish_screen();
 }
 
@@ -169,6 +170,7 @@ void LiveSession::begin_match(const Pads& pads) {
     paused_by_focus_ = false;
     pads_ = pads;
     hands_.begin_match(menu_.settings(), pads);
+    share_motors();
 }
 
 void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_ns) {
@@ -195,6 +197,7 @@ void LiveSession::look_at_pads(const Pads& pads, std::int64_t now_ns) {
     const auto before = std::exchange(pads_, pads);
     const auto news = hands_.look(pads, menu_.settings(), menu_.is_open());
     report(news);
+    share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
     // Of presses in the same moment, those that take a seat come before those that start the match.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
@@ -211,6 +214,17 @@ void LiveSession::report(const HandNews& news) {
     if (news.lost) shared_.requests.pause = *news.lost;
     if (news.all_back) shared_.requests.go_on = *news.all_back;
     for (std::uint32_t p = 0; p < game::players; ++p) shared_.pad_lost[p] = hands_.is_lost(p);
+}
+
+/// Gives each player the motors of the pad that the player uses now.
+void LiveSession::share_motors() {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto& seat = shared_.seats[p];
+        const auto place = static_cast<std::size_t>(seat.seat.pad);
+        const bool uses_pad =
+            has_pad(seat) && hands_.device_of(p) == input::DeviceKind::pad && place < pads_.size();
+        shared_.tactile.use_pad(p, uses_pad ? &pads_[place] : nullptr);
+    }
 }
 
 /// Whether a player has pressed button B, which leaves after the round as Esc does.
@@ -266,6 +280,7 @@ void LiveSession::apply_settings() {
     if (!menu_.take_settings_change()) return;
     hands_.rebind(menu_.settings());
     if (shared_.sound != nullptr) shared_.sound->apply(menu_.settings());
+    shared_.tactile.apply(menu_.settings());
 }
 
 void LiveSession::carry_out_request() {

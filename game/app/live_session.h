@@ -76,6 +76,7 @@ private:
     void report(const HandNews& news);
     void look_at_pads(const Pads& pads, std::int64_t now_ns);
     bool leaves_by_pad(const Pads& before, const Pads& pads) const;
+    void share_motors();
     void pause_without_focus(std::int64_t now_ns);
     void name_arms();
     void follow_match(std::int64_t now_ns);

@@ -13,6 +13,7 @@
 #include "game/app/live_recording.h"
 #include "game/app/live_seats.h"
 #include "game/app/live_sound.h"
+#include "game/app/live_tactile.h"
 #include "game/app/replay_view.h"
 #include "game/bots/apprentice.h"
 #include "game/hud/menu.h"
@@ -83,13 +84,15 @@ struct MatchProgress {
 };
 
 struct LiveShared {
-    const LiveBody* felt() const { return body ? &*body : nullptr; }
-    LiveShared() : pictures(game::make_picture()), screen(Screen{}) {}
+    /// Tests pass a maker of motors.
+    explicit LiveShared(LiveTactile::MakeOutput make_motors = input::rumble_output)
+        : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
 
     TakenSeats seats;  ///< changed only while no simulation thread runs
-    std::optional<LiveBody>
-        body;  ///< std::nullopt: nothing is felt on the body; set before the threads start
+    /// Effects on the body; std::nullopt: nothing is felt. Set before the threads start.
+    std::optional<LiveBody> body;
     std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the threads start
+    LiveTactile tactile;               ///< motors of the players' pads
     LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
     TripleBuffer<game::Picture> pictures;

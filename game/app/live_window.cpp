@@ -43,6 +43,12 @@ void probe(LiveSession& session, std::int64_t& next_ns) {
     session.mouse_move(1, 0, now);
 }
 
+/// Prints a changed state of loudspeakers and motors.
+void tell_outputs(LiveShared& shared) {
+    if (shared.sound != nullptr) shared.sound->tell_status();
+    shared.tactile.tell_status();
+}
+
 }  // namespace
 
 bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window) {
@@ -53,7 +59,7 @@ bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& wind
         window.window.poll(events, session.patience_s());
         const bool starts = session.step_start_screen(window.window.pads(), monotonic_ns());
         follow_fullscreen(session, window);
-        if (shared.sound != nullptr) shared.sound->tell_status();
+        tell_outputs(shared);
         if (starts) return true;
         if (closes(window.window)) shared.stop = true;
     }
@@ -74,7 +80,7 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
         if (closes(view)) shared.stop = true;
         session.step_match(session.needs_pads() ? std::optional(view.pads()) : std::nullopt, monotonic_ns());
         follow_fullscreen(session, window);
-        if (shared.sound != nullptr) shared.sound->tell_status();
+        tell_outputs(shared);
         view.capture_cursor(session.captures_cursor());
         tell_pause(window, session.menu().is_open());
     }

@@ -327,10 +327,12 @@ std::span<const Setting> all_settings() {
     return settings;
 }
 
-std::span<const PlayerSetting> player_settings() {
+namespace {
+
+std::vector<PlayerSetting> seen_and_aimed_settings() {
     using Number = NumberOf<PlayerSettings>;
     using Flag = FlagOf<PlayerSettings>;
-    static const std::vector<PlayerSetting> settings{
+    return {
         {"captions", "Captions", "Tells in words what the hand feels, the brew does and gifts give.",
          Flag{&PlayerSettings::captions}},
         {"heard", "Sounds in words", "Tells in words what is heard and from where.", heard_setting()},
@@ -357,6 +359,14 @@ std::span<const PlayerSetting> player_settings() {
         {"aim_assist_mouse", "Aim assist: mouse",
          "Slows turns by mouse at the foe, and turns near misses into hits.",
          Number{&PlayerSettings::aim_assist_mouse, 0, 1, 0.1, 100, " %"}, true},
+    };
+}
+
+std::vector<PlayerSetting> felt_settings() {
+    using Number = NumberOf<PlayerSettings>;
+    return {
+        {"rumble", "Rumble", "Makes a pad's motors stronger or weaker; the match stays the same.",
+         Number{&PlayerSettings::rumble, 0, 1, 0.1, 100, " %"}},
         {"force", "Force on the hand", "Sets the largest force that the hand feels.", force_setting(), true},
         {"carried_weight", "Carried weight",
          "Lets the hand feel less of the weight; the match stays the same.",
@@ -364,6 +374,17 @@ std::span<const PlayerSetting> player_settings() {
         {"carried_blows", "Carried blows", "Lets the hand feel less of the blows; the match stays the same.",
          Number{&PlayerSettings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
     };
+}
+
+}  // namespace
+
+std::span<const PlayerSetting> player_settings() {
+    static const std::vector<PlayerSetting> settings = [] {
+        auto all = seen_and_aimed_settings();
+        const auto felt = felt_settings();
+        all.insert(all.end(), felt.begin(), felt.end());
+        return all;
+    }();
     return settings;
 }
 

@@ -46,6 +46,7 @@ struct PlayerSettings {
     /// dead zone and response curve of the sticks of a pad (input/stick.h)
     double stick_dead_zone = input::StickResponse{}.dead_zone, stick_curve = input::StickResponse{}.curve;
     bool invert_y = false;
+    double rumble = 0.7;  ///< strength of the motors of a pad (0 to 1)
     /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
     double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
     std::size_t force = gentle_force;  ///< index into force_choices

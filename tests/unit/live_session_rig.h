@@ -60,7 +60,9 @@ protected:
     input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
 
     LivePlan plan_;
-    LiveShared shared_;
+    /// Makes the motors of a pad that has a guid; a test may change it.
+    LiveTactile::MakeOutput make_motors_ = [](const input::PadId&) { return nullptr; };
+    LiveShared shared_{[this](const input::PadId& pad) { return make_motors_(pad); }};
     std::optional<LiveSession> session_;
     Pads pads_{};
     std::int64_t now_ = 1000 * rig::ms;

@@ -48,7 +48,7 @@ TEST_F(TactilePlaybackTest, FramesReachTheOutputInTheirOrder) {
 }
 
 TEST_F(TactilePlaybackTest, AnOutputWithoutANewerFrameIsSilentAfterTheTimeToLive) {
-    for (const Tick life : {8, 48, 200}) {
+    for (const Tick life : {8U, 48U, 200U}) {
         playback_.feel(frame_of(1, 0, life));
         pass(4 * milli);
         ASSERT_TRUE(felt_->on);
