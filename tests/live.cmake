@@ -47,6 +47,7 @@ thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 thaum_driver_test(replay_window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/replay_window.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
+thaum_driver_test(sound ${CMAKE_CURRENT_SOURCE_DIR}/drivers/sound.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 if(NOT THAUM_SANITIZE)

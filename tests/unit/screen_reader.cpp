@@ -67,7 +67,8 @@ void read_hud(const Shown& shown, Screen& out) {
     hud.prompt_uses = shown.prompt_uses;
     render::Overlay overlay;
     game::make_overlay(shown.picture, hud, shown.size, overlay);
-    const auto layout = game::lay_out(hud, shown.size, shown.picture.shown->wands.size());
+    const auto layout = game::lay_out(hud, shown.size, shown.picture.shown->wands.size(),
+                                      !shown.picture.practice.lesson.empty());
     const bool ended = shown.picture.phase != game::Phase::playing;
     std::size_t veil = overlay.items.size();
     for (std::size_t i = 0; ended && i < overlay.items.size(); ++i)

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# tests/drivers/sound.sh THAUM: a match in a window is heard on a sound device that writes a file, and is silent with one
+# line where there is no device. Exits with 77 if a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1
+need Xvfb
+open_screen 640x360
+export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
+mkdir -p "$folder/config/thaum"
+printf 'version = 1\nquality = "low"\nframes_per_second = 10\ncountdown_s = 0\n' >"$folder/config/thaum/settings.toml"
+
+# OpenAL's own device, which writes what it plays.
+printf '[general]\ndrivers = wave\n[wave]\nfile = %s\n' "$folder/heard.wav" >"$folder/alsoft.conf"
+ALSOFT_DRIVERS=wave ALSOFT_CONF=$folder/alsoft.conf "$thaum" --demo --seconds 8 >"$folder/out" 2>"$folder/said" ||
+    failed "the match with sound ended with an error"
+[ ! -s "$folder/said" ] || { cat "$folder/said"; failed "a working device is no news"; }
+[ -s "$folder/heard.wav" ] || failed "nothing was played"
+# Music and steps leave few bytes at zero; silence leaves hardly any other.
+sounding=$(tr -d '\0' <"$folder/heard.wav" | wc -c)
+((sounding > 400000)) || failed "only $sounding bytes of the file are not zero"
+
+ALSOFT_DRIVERS=none "$thaum" --demo --seconds 5 >"$folder/out" 2>"$folder/said" ||
+    failed "the match without a sound device ended with an error"
+[ "$(wc -l <"$folder/said")" -eq 1 ] && grep -q '^no sound: ' "$folder/said" ||
+    { cat "$folder/said"; failed "a missing device is told in one line"; }
+echo "heard"
