@@ -16,11 +16,13 @@ constexpr double playing_rest_s = 0.002;
 constexpr double silent_rest_s = 0.1;
 /// A device may be faster than its time by this factor. A lying one could keep a whole core busy.
 constexpr double most_speed = 1.25;
+/// Time between two steps that counts as waiting for the device (s).
+constexpr double longest_wait_s = 0.05;
 
 }  // namespace
 
 Playback::Playback(Mixer mixer, std::unique_ptr<SoundDevice> device)
-    : status_("no sound: not started"), mixer_(std::move(mixer)), device_(std::move(device)) {}
+    : mixer_(std::move(mixer)), device_(std::move(device)) {}
 
 void Playback::set(const MixSettings& settings) {
     settings_.to_fill() = settings;
@@ -56,11 +58,13 @@ double Playback::step(double now_s) {
         drop_waiting();
         return silent_rest_s;
     }
+    // A thread that was held up has not waited for the device.
+    waited_s_ += std::clamp(now_s - last_step_s_, 0.0, longest_wait_s);
     const auto blocks = allowed(device_->wanted(), now_s);
     feed(blocks);
     if (blocks > 0)
-        last_write_s_ = now_s;
-    else if (now_s - last_write_s_ > patience_s)
+        waited_s_ = 0;
+    else if (waited_s_ > patience_s)
         lose(now_s, "the sound device takes no sound");
     return playing_rest_s;
 }
@@ -80,7 +84,8 @@ void Playback::try_open(double now_s) {
     }
     open_ = true;
     ++report_.times_opened;
-    last_step_s_ = last_write_s_ = now_s;
+    last_step_s_ = now_s;
+    waited_s_ = 0;
     credit_ = most_at_once;
     // Nobody has heard what was played or queued until now.
     mixer_.silence();

@@ -47,7 +47,7 @@ public:
     void set(const MixSettings& settings);
 
     // Any thread.
-    /// One line: what plays, or why nothing does.
+    /// One line: what plays, or why nothing does; empty until the first try to open a device.
     std::string status() const;
     PlaybackReport report() const;
     /// Lets `step` return as soon as a blocking call of the device does, without any further call.
@@ -76,7 +76,7 @@ private:
     TripleBuffer<MixSettings> settings_{MixSettings{}};
 
     mutable std::mutex told_;  ///< guards what other threads ask for
-    std::string status_;
+    std::string status_{};
     PlaybackReport published_;
 
     std::atomic<bool> abandoned_{};
@@ -87,8 +87,8 @@ private:
     bool open_{};
     double next_try_s_{};
     double last_step_s_{};
-    double last_write_s_{};
-    double credit_{};  ///< blocks that the device may still take
+    double waited_s_{};  ///< time for which the device took no block
+    double credit_{};    ///< blocks that the device may still take
     std::size_t blocks_without_frame_{};
 };
 

@@ -34,7 +34,7 @@ public:
     bool hear(const Voice& voice);
     /// Changes faders and ears; the main thread calls it. Never waits.
     void set(const MixSettings& settings);
-    /// One line: that sound plays, or why not. Any thread may ask.
+    /// One line: that sound plays, or why not; empty until the first try to open a device. Any thread may ask.
     std::string status() const;
     PlaybackReport report() const;
 

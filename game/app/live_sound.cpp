@@ -55,7 +55,7 @@ void LiveSound::play(MenuSound sound) {
 
 void LiveSound::tell_status() {
     auto status = speakers_.status();
-    if (status == told_) return;
+    if (status.empty() || status == told_) return;
     // That all is well is worth a line only after it was not.
     if (!told_.empty() || speakers_.report().times_opened == 0) std::fprintf(stderr, "%s\n", status.c_str());
     told_ = std::move(status);
