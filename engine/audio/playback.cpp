@@ -71,7 +71,7 @@ double Playback::step(double now_s) {
 
 void Playback::close() {
     if (open_) device_->close();
-    open_ = false;
+    open_ = plays_ = false;
     say("no sound: ended");
 }
 
@@ -82,7 +82,7 @@ void Playback::try_open(double now_s) {
         next_try_s_ = now_s + retry_s;
         return say(text("no sound: ", opened.error().message, "; a new try every ", retry_s, " s"));
     }
-    open_ = true;
+    open_ = plays_ = true;
     ++report_.times_opened;
     last_step_s_ = now_s;
     waited_s_ = 0;
@@ -95,7 +95,7 @@ void Playback::try_open(double now_s) {
 
 void Playback::lose(double now_s, std::string_view why) {
     device_->close();
-    open_ = false;
+    open_ = plays_ = false;
     if (abandoned_) return;
     ++report_.times_lost;
     // Another device may be there already, such as the speakers after headphones.

@@ -47,6 +47,8 @@ public:
     void set(const MixSettings& settings);
 
     // Any thread.
+    /// Whether a device plays. Frames for no device need not be made.
+    bool plays() const { return plays_; }
     /// One line: what plays, or why nothing does; empty until the first try to open a device.
     std::string status() const;
     PlaybackReport report() const;
@@ -75,6 +77,7 @@ private:
     SpscQueue<Voice, 64> voices_;
     TripleBuffer<MixSettings> settings_{MixSettings{}};
 
+    std::atomic<bool> plays_{};
     mutable std::mutex told_;  ///< guards what other threads ask for
     std::string status_{};
     PlaybackReport published_;

@@ -77,6 +77,7 @@ void Speakers::set(const MixSettings& settings) { state_->playback.set(settings)
 std::string Speakers::status() const {
     return state_->no_thread.empty() ? state_->playback.status() : state_->no_thread;
 }
+bool Speakers::plays() const { return state_->playback.plays(); }
 PlaybackReport Speakers::report() const { return state_->playback.report(); }
 
 }  // namespace thaum::audio

@@ -34,6 +34,8 @@ public:
     bool hear(const Voice& voice);
     /// Changes faders and ears; the main thread calls it. Never waits.
     void set(const MixSettings& settings);
+    /// Whether a device plays. Frames for no device need not be made. Any thread may ask.
+    bool plays() const;
     /// One line: that sound plays, or why not; empty until the first try to open a device. Any thread may ask.
     std::string status() const;
     PlaybackReport report() const;

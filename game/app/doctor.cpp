@@ -7,6 +7,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "audio/mixer.h"
+#include "audio/sound_device.h"
+#include "audio/synth.h"
 #include "core/clock.h"
 #include "core/file.h"
 #include "core/processor.h"
@@ -27,9 +30,8 @@ constexpr std::string_view doctor_help =
     R"(usage: thaum doctor [--json FILE]
 
 Checks this machine and reports what is missing: processor, data files, OpenGL,
-display, the hands' devices, pads and their permissions, the accuracy of a 1 kHz
-clock, and the folders of settings and logs. This version uses no sound. If there
-is a display, a match is shown for three seconds to measure the delay from a
+display, sound, the hands' devices, pads and their permissions, the accuracy of a
+1 kHz clock, and the folders of settings and logs. If there is a display, a match is shown for three seconds to measure the delay from a
 movement to its picture. Force feedback arms are listed with the numbers by
 which --hands arm:0 names them. Each is used for two seconds without force, to
 measure how evenly its ticks come and the delay from a pose to its force. Hold
@@ -202,6 +204,20 @@ std::vector<std::pair<std::string, std::string>> pads() {
     return found;
 }
 
+/// Sounds and loudspeakers. Without them the game is silent, so they are never missing.
+Finding sound(const std::filesystem::path& assets) {
+    const auto bank = audio::load_sounds(assets / "sounds");
+    if (!bank) return {"sound", State::note, bank.error().message, "the game is silent until this is mended"};
+    // A mixer prepares OpenAL, as in the game.
+    const auto mixer = audio::Mixer::create(*bank, {});
+    if (!mixer) return {"sound", State::note, mixer.error().message, "the game is silent"};
+    const auto device = audio::openal_device();
+    if (const auto opened = device->open(); !opened)
+        return {"sound", State::note, opened.error().message, "the game is silent until there is one"};
+    device->close();
+    return {"sound", State::good, text(bank->sounds.size(), " sounds, and a device that plays them"), ""};
+}
+
 void add_pads(std::vector<Finding>& findings) {
     const auto all = pads();
     if (all.empty()) findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
@@ -272,8 +288,9 @@ std::vector<Finding> examine() {
     const Expected<Data> data = game::load_match_data(assets, {}).map([](game::MatchData&& loaded) {
         return std::make_shared<const game::MatchData>(std::move(loaded));
     });
-    std::vector<Finding> findings{processor(), mathematics(),        data_files(assets, data),
-                                  hands(data), opengl(assets, data), display()};
+    std::vector<Finding> findings{processor(),  mathematics(),        data_files(assets, data),
+                                  hands(data),  opengl(assets, data), display(),
+                                  sound(assets)};
     add_pads(findings);
     add_arms(findings);
     findings.push_back(tick_clock());

@@ -40,13 +40,19 @@ std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets,
     if (!bank) return silent(bank.error());
     auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
     if (!mixer) return silent(mixer.error());
-    return std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device());
+    auto sound = std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device());
+    sound->apply(settings);
+    return sound;
 }
 
 LiveSound::LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device)
     : bank_(std::move(bank)), speakers_(std::move(mixer), std::move(device)) {}
 
-void LiveSound::apply(const Settings& settings) { speakers_.set(mix_settings(settings)); }
+void LiveSound::apply(const Settings& settings) {
+    speakers_.set(mix_settings(settings));
+    words_ = std::any_of(settings.players.begin(), settings.players.end(),
+                         [](const auto& player) { return player.heard != game::HeardWish::none; });
+}
 
 void LiveSound::play(MenuSound sound) {
     if (const auto number = bank_.find(name_of(sound)))
@@ -89,7 +95,7 @@ bool MatchSound::begin(const game::Simulation& match) {
 }
 
 void MatchSound::follow(const game::Simulation& match) {
-    if (sound_ == nullptr || match.now() % audio::frame_ticks != 0) return;
+    if (sound_ == nullptr || match.now() % audio::frame_ticks != 0 || !sound_->is_wanted()) return;
     if (data_ != &match.data() && !begin(match)) return;
     if (!scene_) return;
     scene_->take(match, {listening_.data(), listeners_}, frame_);

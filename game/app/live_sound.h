@@ -3,6 +3,7 @@
 // The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it. Without
 // sounds or a sound device all goes on in silence, with one line that says why.
 #pragma once
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -34,12 +35,15 @@ public:
     audio::PlaybackReport report() const { return speakers_.report(); }
 
     // The thread of a match.
+    /// Whether anybody hears the match, or reads its sounds in words. Otherwise frames need not be made.
+    bool is_wanted() const { return words_ || speakers_.plays(); }
     void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
 
 private:
     audio::SoundBank bank_;
     audio::Speakers speakers_;
-    std::string told_{};  ///< the state that was printed last
+    std::atomic<bool> words_{};  ///< some player wants sounds in words
+    std::string told_{};         ///< the state that was printed last
 };
 
 /// What is heard of one match. The thread that plays the match owns it.

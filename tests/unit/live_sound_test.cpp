@@ -1,0 +1,134 @@
+// Tests of the sound of a live session with a device of the test: menus, matches, words, and a device that goes.
+#include "game/app/live_sound.h"
+
+#include <mutex>
+
+#include "audio/synth.h"
+#include "core/clock.h"
+#include "unit/game_duel.h"
+
+namespace thaum::app::live_tests {
+namespace {
+
+/// What a device has played, for both threads.
+struct Heard {
+    std::mutex mutex;
+    double energy{};
+    std::size_t blocks{};
+    bool there = true;  ///< the device can be opened, and stays
+};
+
+/// Takes a block at each look.
+class HeardDevice final : public audio::SoundDevice {
+public:
+    explicit HeardDevice(std::shared_ptr<Heard> heard) : heard_(std::move(heard)) {}
+    Expected<void> open() override {
+        const std::lock_guard lock(heard_->mutex);
+        return heard_->there ? Expected<void>() : fail("pulled out");
+    }
+    std::size_t wanted() override { return 1; }
+    void write(std::span<const float> block) override {
+        const std::lock_guard lock(heard_->mutex);
+        ++heard_->blocks;
+        for (const float sample : block) heard_->energy += static_cast<double>(sample * sample);
+    }
+    bool is_connected() override {
+        const std::lock_guard lock(heard_->mutex);
+        return heard_->there;
+    }
+    void close() override {}
+
+private:
+    std::shared_ptr<Heard> heard_;
+};
+
+struct SoundOfSession {
+    SoundOfSession() {
+        auto bank = audio::load_sounds(game::test::assets() / "sounds");
+        EXPECT_TRUE(bank) << (bank ? "" : bank.error().message);
+        auto mixer = audio::Mixer::create(*bank, {});
+        EXPECT_TRUE(mixer) << (mixer ? "" : mixer.error().message);
+        sound = std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer),
+                                            std::make_unique<HeardDevice>(heard));
+    }
+
+    /// Waits until the device has played so many further blocks, and returns their energy.
+    double play(std::size_t blocks) {
+        const auto [first, before] = now();
+        for (;;) {
+            const auto [count, energy] = now();
+            if (count >= first + blocks) return energy - before;
+            sleep_until_ns(monotonic_ns() + 1'000'000);
+        }
+    }
+    std::pair<std::size_t, double> now() {
+        const std::lock_guard lock(heard->mutex);
+        return {heard->blocks, heard->energy};
+    }
+
+    std::shared_ptr<Heard> heard = std::make_shared<Heard>();
+    std::unique_ptr<LiveSound> sound;
+};
+
+TEST(LiveSoundTest, AMenuIsHeardAndSilenceIsSilent) {
+    SoundOfSession session;
+    EXPECT_EQ(session.play(5), 0);
+    session.sound->play(MenuSound::choose);
+    EXPECT_GT(session.play(20), 0.1);
+    session.play(60);
+    EXPECT_EQ(session.play(5), 0);
+}
+
+TEST(LiveSoundTest, AFaderAtZeroIsSilent) {
+    SoundOfSession session;
+    Settings settings;
+    settings.sound_interface = 0;
+    session.sound->apply(settings);
+    session.play(5);
+    session.sound->play(MenuSound::choose);
+    EXPECT_LT(session.play(30), 1e-9);
+}
+
+TEST(LiveSoundTest, AMatchIsHeardAndReadAndEndsWithIt) {
+    SoundOfSession session;
+    session.sound->apply(Settings{});
+    auto duel = game::test::make_duel(1);
+    auto picture = game::make_picture();
+    {
+        MatchSound match(session.sound.get());
+        match.listen(true, true);
+        for (Tick t = 0; t < ticks(4); ++t) {
+            duel.run(1);
+            match.follow(*duel.match);
+            if (t % 8 == 0 && t > ticks(3)) session.play(1);
+        }
+        EXPECT_GT(session.play(10), 0.001);
+        match.show(picture);
+    }
+    EXPECT_GT(picture.wizards[0].heard_lines + picture.wizards[1].heard_lines, 0U);
+    session.play(60);
+    EXPECT_LT(session.play(5), 1e-9) << "lasting sounds end with the match";
+}
+
+TEST(LiveSoundTest, WithoutSoundOrReadersNothingIsMade) {
+    SoundOfSession session;
+    {
+        const std::lock_guard lock(session.heard->mutex);
+        session.heard->there = false;
+    }
+    while (session.sound->is_wanted()) sleep_until_ns(monotonic_ns() + 1'000'000);
+    MatchSound match(session.sound.get());
+    auto duel = game::test::make_duel(1);
+    for (Tick t = 0; t < ticks(3); ++t) {
+        duel.run(1);
+        match.follow(*duel.match);
+    }
+    auto picture = game::make_picture();
+    match.show(picture);
+    EXPECT_EQ(picture.wizards[0].heard_lines, 0U);
+    session.sound->apply(Settings{});
+    EXPECT_TRUE(session.sound->is_wanted()) << "the sounds are told in words";
+}
+
+}  // namespace
+}  // namespace thaum::app::live_tests
