@@ -1,0 +1,14 @@
+// input/detail/osc_message.h: the bytes that an OSC jacket gets (Open Sound Control 1.0).
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "tactile/frame.h"
+
+namespace thaum::input::detail {
+
+/// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff. Amplitudes may be
+/// anything; motors without an actuator in the frame are off.
+std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors);
+
+}  // namespace thaum::input::detail

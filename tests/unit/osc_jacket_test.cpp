@@ -1,0 +1,169 @@
+// A jacket by UDP and OSC: its bytes, when they go out, and that a dead jacket costs nothing. The byte traces in
+// tests/tactile are of the VRCH server's protocol, and were not made by this program.
+#include "input/osc_jacket.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "input/detail/osc_message.h"
+#include "input/tactile_player.h"
+#include "unit/udp_receiver.h"
+
+namespace thaum::input {
+namespace {
+
+using rig::jacket_frame;
+using rig::trace;
+using rig::UdpReceiver;
+
+const std::string& silent() {
+    static const auto bytes = trace("osc_x16_silent.hex");
+    return bytes;
+}
+tactile::TactileFrame some_frame() { return jacket_frame(16, {{0, 1.0F}, {6, 1e-5F}, {15, 0.5F}}); }
+
+std::unique_ptr<TactileOutput> jacket_for(const UdpReceiver& receiver, std::size_t motors = 16) {
+    return osc_jacket({"127.0.0.1", receiver.port()}, motors);
+}
+
+TEST(OscMessage, HasTheBytesOfTheTraces) {
+    EXPECT_EQ(detail::osc_message(some_frame(), 16), trace("osc_x16.hex"));
+    EXPECT_EQ(detail::osc_message(jacket_frame(40, {{20, 0.25F}, {39, 0.75F}}), 40), trace("osc_x40.hex"));
+    EXPECT_EQ(detail::osc_message({}, 16), silent());
+}
+
+TEST(OscMessage, AnyAmplitudesGiveALegalMessage) {
+    auto frame = jacket_frame(16, {{0, std::nanf("")},
+                                   {1, std::numeric_limits<float>::infinity()},
+                                   {2, -std::numeric_limits<float>::infinity()},
+                                   {3, -1e30F},
+                                   {4, 1.5F}});
+    const std::string head("/h\0\0,s\0\0", 8);
+    const std::string words = "0000ffff00000000ffff" + std::string(44, '0');
+    EXPECT_EQ(detail::osc_message(frame, 16), head + words + std::string(4, '\0'));
+    frame.count = ~0ULL;
+    const auto size = head.size() + 4 * 40 + 4;
+    EXPECT_EQ(detail::osc_message(frame, 40).size(), size);
+    frame.count = 2;
+    EXPECT_EQ(detail::osc_message(frame, 40).substr(8, 20), "0000ffff000000000000")
+        << "motors without actuator";
+}
+
+TEST(OscMessage, EachSizeIsAMultipleOfFourAndEndsInNul) {
+    for (std::size_t motors = 0; motors <= 64; ++motors) {
+        const auto message = detail::osc_message({}, motors);
+        EXPECT_EQ(message.size() % 4, 0U);
+        EXPECT_EQ(message.back(), '\0');
+        EXPECT_EQ(message.size(), 8 + 4 * motors + 4);
+    }
+}
+
+TEST(OscJacket, SendsAFrameWhenItChangedAndAfterHalfOfItsTime) {
+    UdpReceiver receiver;
+    const auto jacket = jacket_for(receiver);
+    ASSERT_TRUE(jacket->open());
+    EXPECT_EQ(receiver.next(), silent()) << "motors that were left on stop at once";
+    const auto frame = some_frame();
+    for (const double now_s : {1.0, 1.008, 1.016, 1.04, 1.0499}) jacket->write(frame, now_s);
+    for (const double now_s : {1.051, 1.06, 1.1}) jacket->write(frame, now_s);
+    jacket->write(jacket_frame(16, {{3, 1.0F}}), 1.1);
+    const auto marker = detail::osc_message(jacket_frame(16, {{3, 1.0F}}), 16);
+    EXPECT_EQ(receiver.count_until(marker), 2);
+    EXPECT_EQ(jacket->name(), "jacket at 127.0.0.1:" + std::to_string(receiver.port()));
+}
+
+TEST(OscJacket, SilenceGoesOutSeveralTimesAndEndsWhenAFrameComes) {
+    UdpReceiver receiver;
+    const auto jacket = jacket_for(receiver);
+    ASSERT_TRUE(jacket->open());
+    jacket->write(some_frame(), 1);
+    EXPECT_TRUE(receiver.gets(trace("osc_x16.hex")));
+    jacket->silence();
+    int silences = 0;
+    while (silences < 8) {
+        EXPECT_TRUE(jacket->is_connected());
+        const auto message = receiver.next(1);
+        if (!message) continue;
+        ASSERT_EQ(*message, silent());
+        ++silences;
+    }
+    for (int i = 0; i < 100; ++i) jacket->is_connected();
+    jacket->silence();
+    jacket->write(some_frame(), 2);
+    jacket->is_connected();
+    EXPECT_EQ(receiver.count_until(trace("osc_x16.hex")), 1)
+        << "after eight messages the jacket is left alone";
+    EXPECT_EQ(receiver.next(0), std::nullopt);
+    jacket->close();
+    EXPECT_EQ(receiver.next(), silent());
+}
+
+TEST(OscJacket, AFrameTooWeakForTheJacketIsSilence) {
+    UdpReceiver receiver;
+    const auto jacket = jacket_for(receiver);
+    ASSERT_TRUE(jacket->open());
+    jacket->write(some_frame(), 1);
+    EXPECT_TRUE(receiver.gets(trace("osc_x16.hex")));
+    for (int i = 0; i < 5; ++i) jacket->write(jacket_frame(16, {{3, 1e-7F}}), 1.01);
+    EXPECT_EQ(receiver.next(), silent());
+    EXPECT_EQ(receiver.next(0), std::nullopt);
+}
+
+TEST(OscJacket, ADeadJacketCostsNothingAndIsServedWhenItIsBack) {
+    std::uint16_t port = 0;
+    std::unique_ptr<TactileOutput> jacket;
+    {
+        const UdpReceiver receiver;
+        port = receiver.port();
+        jacket = jacket_for(receiver);
+    }
+    ASSERT_TRUE(jacket->open());
+    for (int i = 0; i < 1000; ++i) {
+        jacket->write(some_frame(), i);
+        ASSERT_TRUE(jacket->is_connected());
+    }
+    UdpReceiver again(port);
+    if (again.port() == 0) GTEST_SKIP() << "another program has taken the port";
+    jacket->write(some_frame(), 2000);
+    EXPECT_EQ(again.next(), trace("osc_x16.hex")) << "no error of an earlier message swallows this one";
+}
+
+TEST(OscJacket, AnAddressWithoutAMeaningIsAnErrorOfOneLine) {
+    const auto jacket = osc_jacket({"no..host\n", 1027}, 16);
+    const auto opened = jacket->open();
+    ASSERT_FALSE(opened);
+    EXPECT_TRUE(opened.error().message.starts_with("no address for 'no..host\\x0a': "))
+        << opened.error().message;
+    EXPECT_TRUE(opened.error().message.ends_with("; correct the jacket in the settings file"));
+    // A closed jacket takes all calls.
+    jacket->silence();
+    jacket->close();
+}
+
+TEST(OscJacket, AnIpv6AddressIsWrittenInBrackets) {
+    EXPECT_EQ(osc_jacket({"::1", 1027}, 16)->name(), "jacket at [::1]:1027");
+    EXPECT_EQ(osc_jacket({"vest.local", 1}, 16)->name(), "jacket at vest.local:1");
+}
+
+TEST(TactilePlayerThreads, AnOscJacketIsSilentWhenFramesStop) {
+    UdpReceiver receiver;
+    TactilePlayer player;
+    player.use(jacket_for(receiver));
+    while (!player.is_open()) std::this_thread::yield();
+    const auto wanted = trace("osc_x16.hex");
+    bool felt = false;
+    for (int i = 0; i < rig::patience_ms && !felt; ++i) {
+        player.feel(some_frame());
+        felt = receiver.next(1) == wanted;
+    }
+    ASSERT_TRUE(felt);
+    EXPECT_TRUE(receiver.gets(silent()));
+    EXPECT_GE(player.report().times_opened, 1U);
+}
+
+}  // namespace
+}  // namespace thaum::input
