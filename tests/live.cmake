@@ -3,7 +3,7 @@ thaum_test(test_hud
         unit/hud_test.cpp unit/picture_test.cpp
     LINK thaum_hud)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/control_names_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
+    SOURCES unit/arm_pace_test.cpp unit/control_names_test.cpp unit/jacket_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
@@ -11,7 +11,7 @@ thaum_test(test_live
         unit/screen_reader.cpp
     LINK thaum_live fake_arm
     NOT_SANITIZED ScreenPlayer.Wins* ScreenPlayer.Reads*
-    THREADS LiveSoundTest.* LiveArms.* LiveTactileThreads.* LiveTactileSession.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.*)
+    THREADS LiveSoundTest.* LiveArms.* LiveTactileThreads.* LiveTactileSession.* PracticeTest.Thread* LiveThreadsTest.* ReplayThreads.* LiveJacketThreads.*)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)

@@ -5,65 +5,105 @@
 
 namespace thaum::app {
 
-LiveTactile::LiveTactile(MakeOutput make) : make_(std::move(make)) { apply(Settings{}); }
+LiveTactile::LiveTactile(MakeOutput make, MakeJacket make_jacket)
+    : make_(std::move(make)), make_jacket_(std::move(make_jacket)) {
+    apply(Settings{});
+}
 
 void LiveTactile::apply(const Settings& settings) {
-    for (std::size_t p = 0; p < seats_.size(); ++p)
-        seats_.at(p).gain = static_cast<float>(settings.players.at(p).rumble);
+    for (std::size_t p = 0; p < seats_.size(); ++p) {
+        auto& seat = seats_.at(p);
+        seat.gain = static_cast<float>(settings.players.at(p).rumble);
+        use_jacket(seat, settings.players.at(p).jacket);
+    }
 }
 
 void LiveTactile::use_pad(std::uint32_t player, const render::PadState* pad) {
     auto& seat = seats_.at(player);
     if (pad == nullptr || !pad->present || pad->guid.empty()) {
         if (!seat.pad) return;
-        seat.plays = false;
         seat.pad.reset();
-        return seat.own->use(nullptr);
+        return seat.motors.use(nullptr);
     }
     // Compared piece by piece, because this happens 250 times a second.
     const bool same = seat.pad && seat.pad->equal_one == pad->equal_one && seat.pad->guid == pad->guid &&
                       seat.pad->name == pad->system_name;
     if (same) return;
     seat.pad = {.guid = pad->guid, .name = pad->system_name, .equal_one = pad->equal_one};
-    if (seat.own == nullptr) {
-        seat.own = std::make_unique<input::TactilePlayer>();
-        seat.player = seat.own.get();
+    seat.motors.use(make_(*seat.pad));
+}
+
+void LiveTactile::use_jacket(Seat& seat, const std::string& words) {
+    if (seat.jacket_words == words) return;
+    seat.jacket_words = words;
+    const auto jacket = parse_jacket(words).value_or(Jacket{});
+    // Frames of the former layout do not reach the next jacket.
+    seat.layout = Jacket::Layout::none;
+    seat.jacket.use(make_jacket_(jacket));
+    seat.layout = jacket.layout;
+}
+
+void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
+    if (output == nullptr && own == nullptr) return;
+    if (output == nullptr) plays = false;
+    if (own == nullptr) {
+        own = std::make_unique<input::TactilePlayer>();
+        player = own.get();
     }
-    seat.own->use(make_(*seat.pad));
-    seat.plays = true;
+    const bool any = output != nullptr;
+    own->use(std::move(output));
+    plays = any;
+}
+
+void LiveTactile::Socket::tell_status(std::size_t number) {
+    if (own == nullptr) return;
+    auto status = own->status();
+    // A player without an output is no news, and no more is the output that comes back.
+    if (status.empty() || status == told) return;
+    // That all is well is worth a line only after it was not.
+    if (!told.empty() || own->report().times_opened == 0)
+        std::fprintf(stderr, "player %zu: %s\n", number, status.c_str());
+    told = std::move(status);
+}
+
+input::TactileReport LiveTactile::Socket::report() const {
+    return own == nullptr ? input::TactileReport{} : own->report();
 }
 
 void LiveTactile::tell_status() {
     for (std::size_t p = 0; p < seats_.size(); ++p) {
-        auto& seat = seats_.at(p);
-        if (seat.own == nullptr) continue;
-        auto status = seat.own->status();
-        // A player without a pad is no news, and no more is the pad that comes back.
-        if (status.empty() || status == seat.told) continue;
-        // That all is well is worth a line only after it was not.
-        if (!seat.told.empty() || seat.own->report().times_opened == 0)
-            std::fprintf(stderr, "player %zu: %s\n", p + 1, status.c_str());
-        seat.told = std::move(status);
+        seats_.at(p).motors.tell_status(p + 1);
+        seats_.at(p).jacket.tell_status(p + 1);
     }
 }
 
 input::TactileReport LiveTactile::report(std::uint32_t player) const {
-    const auto& own = seats_.at(player).own;
-    return own == nullptr ? input::TactileReport{} : own->report();
+    return seats_.at(player).motors.report();
 }
 
-bool LiveTactile::feels(std::uint32_t player) const {
-    const auto& seat = seats_.at(player);
-    return seat.plays && seat.player.load()->is_open();
+input::TactileReport LiveTactile::jacket_report(std::uint32_t player) const {
+    return seats_.at(player).jacket.report();
 }
+
+bool LiveTactile::feels(std::uint32_t player) const { return seats_.at(player).motors.is_open(); }
 
 void LiveTactile::feel(std::uint32_t player, const tactile::TactileFrame& frame) {
     auto& seat = seats_.at(player);
-    if (!seat.plays) return;
+    if (!seat.motors.plays) return;
     auto scaled = frame;
     const float gain = seat.gain;
     for (auto& amplitude : scaled.amplitude) amplitude *= gain;
-    seat.player.load()->feel(scaled);
+    seat.motors.player.load()->feel(scaled);
+}
+
+std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {
+    const auto& seat = seats_.at(player);
+    return seat.jacket.is_open() ? name_of(seat.layout) : std::string_view();
+}
+
+void LiveTactile::feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame) {
+    auto& seat = seats_.at(player);
+    if (seat.jacket.plays && frame.count == motors_of(seat.layout)) seat.jacket.player.load()->feel(frame);
 }
 
 }  // namespace thaum::app

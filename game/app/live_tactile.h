@@ -1,7 +1,9 @@
-// game/app/live_tactile.h: the tactile outputs of a live session: the motors of each player's pad.
+// game/app/live_tactile.h: the tactile outputs of a live session: the motors of each player's pad, and each player's
+// jacket.
 //
-// The main thread owns a LiveTactile and tells which pad each player uses. The thread that plays a match passes a frame
-// of the layout `pad` for each player every 8 ms. Without pads nothing runs. A pad without motors costs one line.
+// The main thread owns a LiveTactile. It tells which pad each player uses, and the settings name the jackets. The thread
+// that plays a match passes frames for each player every 8 ms: one of the layout `pad`, and one of the jacket's layout.
+// Without pads and jackets nothing runs. An output that cannot be opened costs one line.
 #pragma once
 #include <array>
 #include <atomic>
@@ -9,7 +11,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "game/app/jacket.h"
 #include "game/app/settings.h"
 #include "game/components/wizard.h"
 #include "input/rumble.h"
@@ -21,35 +25,58 @@ namespace thaum::app {
 class LiveTactile {
 public:
     using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadId&)>;
-    /// Tests pass a maker of fakes.
-    explicit LiveTactile(MakeOutput make = input::rumble_output);
+    using MakeJacket = std::function<std::unique_ptr<input::TactileOutput>(const Jacket&)>;
+    /// Tests pass makers of fakes.
+    explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
     // The main thread. All may be called during a match.
+    /// Takes the strength of motors, and connects other jackets than before.
     void apply(const Settings& settings);
     /// Gives a player the motors of a pad; nothing happens if the player has them. Null, a pad that is
     /// not plugged in, or one without a guid: none.
     void use_pad(std::uint32_t player, const render::PadState* pad);
-    /// Prints the state of each player's motors if it has changed for the worse or back.
+    /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
     void tell_status();
     input::TactileReport report(std::uint32_t player) const;
+    input::TactileReport jacket_report(std::uint32_t player) const;
 
     // The thread of a match.
     /// Whether a player's motors run at present. Frames for others need not be made.
     bool feels(std::uint32_t player) const;
     /// Passes a frame of the layout `pad`. Never waits. Without further frames the motors stop after its time to live.
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
+    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at present; else
+    /// empty, and frames need not be made.
+    std::string_view jacket_layout(std::uint32_t player) const;
+    /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is dropped: the
+    /// jacket has just been changed.
+    void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
 private:
+    /// An output that may change, or be none.
+    struct Socket {
+        std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
+        std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
+        std::atomic<bool> plays{};                    ///< there is an output
+        std::string told{};                           ///< the state that was printed last
+
+        void use(std::unique_ptr<input::TactileOutput> output);
+        bool is_open() const { return plays && player.load()->is_open(); }
+        void tell_status(std::size_t number);
+        input::TactileReport report() const;
+    };
     struct Seat {
         std::optional<input::PadId> pad{};
-        std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first pad, and kept
-        std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
-        std::atomic<bool> plays{};                    ///< the player has a pad
+        Socket motors{};
         std::atomic<float> gain{};
-        std::string told{};  ///< the state that was printed last
+        std::string jacket_words{};  ///< the setting
+        Socket jacket{};
+        std::atomic<Jacket::Layout> layout{};
     };
+    void use_jacket(Seat& seat, const std::string& words);
 
     MakeOutput make_;
+    MakeJacket make_jacket_;
     std::array<Seat, game::players> seats_{};
 };
 

@@ -121,6 +121,9 @@ void reset_sheet(MenuState& s) {
         s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
 }
 
+/// The menu cannot name a jacket, so the player keeps it.
+void reset_player(PlayerSettings& player) { player = PlayerSettings{.jacket = std::move(player.jacket)}; }
+
 /// Sets all values of the page that is shown to their defaults.
 void reset_page(MenuState& s) {
     std::string what;
@@ -138,7 +141,7 @@ void reset_page(MenuState& s) {
             break;
         }
         case Page::player:
-            s.settings.players[s.player] = {};
+            reset_player(s.settings.players[s.player]);
             what = text(player_words(s.settings, s.player), ": settings");
             break;
         case Page::cauldron:

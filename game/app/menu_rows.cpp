@@ -291,6 +291,12 @@ void add_whose_row(const MenuState& s, std::string label, Rows& rows) {
                      .adjustable = true}});
 }
 
+/// Words that fit a row.
+std::string shortened(const std::string& words) {
+    constexpr std::size_t most = 24;
+    return words.size() <= most ? words : words.substr(0, most - 3) + "...";
+}
+
 void add_player_rows(const MenuState& s, Rows& rows) {
     const auto& player = s.settings.players[s.player];
     const auto& team = player.name.empty() ? std::string("none") : player.name;
@@ -303,6 +309,12 @@ void add_player_rows(const MenuState& s, Rows& rows) {
     const auto settings = player_settings();
     for (std::size_t i = 0; i < settings.size(); ++i)
         rows.push_back(row_of(RowKind::player_setting, i, settings[i], player));
+    rows.push_back({RowKind::jacket,
+                    0,
+                    {.label = "Jacket",
+                     .help = "Is changed in the settings file only; its comment says how.",
+                     .value = player.jacket.empty() ? std::string("none") : shortened(player.jacket),
+                     .dim = true}});
     add_defaults_row(rows);
     add_back_row(rows);
 }

@@ -34,6 +34,7 @@ enum class RowKind : std::uint8_t {
     player,
     name,
     player_setting,
+    jacket,
     cauldron,
     fader,
     back,

@@ -13,6 +13,7 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
+#include "game/app/jacket.h"
 #include "game/app/player_name.h"
 #include "game/hud/figures.h"
 #include "input/log.h"
@@ -106,6 +107,23 @@ void read_name(const ConfigTable& table, PlayerSettings& player) {
         table.report("name", text("'name': ", name.error().message));
 }
 
+void read_jacket(const ConfigTable& table, PlayerSettings& player) {
+    auto words = table.string("jacket", player.jacket);
+    if (const auto jacket = parse_jacket(words); !jacket)
+        table.report("jacket", text("'jacket': ", jacket.error().message));
+    else
+        player.jacket = std::move(words);
+}
+
+/// Takes a jacket that both players have from the second one.
+void divide_jackets(const ConfigTable& root, Settings& s) {
+    const auto first = parse_jacket(s.players[0].jacket), second = parse_jacket(s.players[1].jacket);
+    if (!first || !second || first->link == Jacket::Link::none) return;
+    if (first->link != second->link || first->address != second->address) return;
+    root.table(player_tables[1]).report("jacket", "'jacket': it is player 1's; give each player another");
+    s.players[1].jacket.clear();
+}
+
 /// Reads the largest force of each player from its place in files of earlier versions.
 void read_former_forces(const ConfigTable& root, Settings& s) {
     const auto names = force_names();
@@ -137,7 +155,9 @@ void read_players(const ConfigTable& root, Settings& s) {
             if (own) read(root.table(player_tables[p]), setting, player);
         }
         if (own) read_name(root.table(player_tables[p]), player);
+        if (own) read_jacket(root.table(player_tables[p]), player);
     }
+    divide_jackets(root, s);
 }
 
 void read_last_choice(const ConfigTable& root, LastChoice& last) {

@@ -55,6 +55,7 @@ struct PlayerSettings {
     /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
     double carried_blows = 1;
     game::PromptWish prompts{};  ///< when the screen says which control does what
+    std::string jacket{};        ///< the player's jacket (jacket.h); empty: none
 
     bool operator==(const PlayerSettings&) const = default;
 };
@@ -153,7 +154,7 @@ struct SettingOf {
 using Setting = SettingOf<Settings>;
 using PlayerSetting = SettingOf<PlayerSettings>;
 std::span<const Setting> all_settings();
-/// All settings of one player but the name.
+/// All settings of one player but the name and the jacket.
 std::span<const PlayerSetting> player_settings();
 
 // The type Of is Settings or PlayerSettings.

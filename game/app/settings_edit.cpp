@@ -23,6 +23,7 @@ std::string in_quotes(std::string_view words) {
 
 void add_player(std::string_view table, const PlayerSettings& player, std::vector<SettingEdit>& values) {
     values.push_back({std::string(table), "name", in_quotes(player.name)});
+    values.push_back({std::string(table), "jacket", in_quotes(player.jacket)});
     for (const auto& setting : player_settings())
         values.push_back({std::string(table), std::string(setting.key), written(setting, player)});
 }

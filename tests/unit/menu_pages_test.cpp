@@ -94,6 +94,18 @@ TEST(PlayerPage, ResetsThePlayerShown) {
     EXPECT_EQ(value_of(s, "Whose settings"), "Tide");
 }
 
+TEST(PlayerPage, TheJacketIsShownAndNoPressOrResetChangesIt) {
+    auto s = player_page();
+    EXPECT_EQ(value_of(s, "Jacket"), "none");
+    s.settings.players[0].jacket = "osc:vest.local:1027";
+    EXPECT_EQ(value_of(s, "Jacket"), "osc:vest.local:1027");
+    for (const auto kind : {Kind::left, Kind::right, Kind::confirm})
+        EXPECT_EQ(choose(s, "Jacket", kind).settings, s.settings);
+    EXPECT_EQ(choose(s, "Reset to defaults").settings, s.settings);
+    s.settings.players[0].jacket = "osc:a.very.long.name.of.a.vest:1027";
+    EXPECT_EQ(value_of(s, "Jacket"), "osc:a.very.long.name....");
+}
+
 TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     auto s = choose(player_page(), "Name");
     for (const char32_t c : std::u32string(U"Zoë"))

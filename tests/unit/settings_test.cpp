@@ -266,6 +266,8 @@ Settings all_different() {
     for (auto& player : s.players) change_all(player_settings(), player);
     s.players[0].name = "Zoë \"\\\" # ]";
     s.players[1].name = "Two";
+    s.players[0].jacket = "osc:vest.local:1027";
+    s.players[1].jacket = "osc16:[fe80::1%eth0]:1";
     s.last = {.bot_level = 3, .match = "standard", .arena = "the \"well\""};
     for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
         for (std::size_t i = 0; i < s.cauldron[p].size(); ++i)

@@ -1,0 +1,200 @@
+// The players' jackets: the words of the setting, who has which, and that the jackets of two players get their own
+// frames. Tests wait for what the threads did, not for a time.
+#include "game/app/jacket.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <thread>
+
+#include "core/text.h"
+#include "game/app/live_tactile.h"
+#include "input/detail/osc_message.h"
+#include "tactile/layout.h"
+#include "unit/felt_output_rig.h"
+#include "unit/udp_receiver.h"
+
+namespace thaum::app {
+namespace {
+
+using input::rig::FakeOutput;
+using input::rig::Felt;
+using input::rig::jacket_frame;
+using input::rig::UdpReceiver;
+using Link = Jacket::Link;
+using Layout = Jacket::Layout;
+
+TEST(Jacket, WordsOfTheSettingAreRead) {
+    EXPECT_EQ(parse_jacket("").value(), Jacket{});
+    EXPECT_EQ(parse_jacket("osc:192.168.1.7:1027").value(),
+              (Jacket{Link::osc, {"192.168.1.7", 1027}, Layout::x40}));
+    EXPECT_EQ(parse_jacket("osc16:my-vest_2.local:65535").value(),
+              (Jacket{Link::osc, {"my-vest_2.local", 65535}, Layout::x16}));
+    EXPECT_EQ(parse_jacket("osc:[fe80::1%eth0]:1").value(),
+              (Jacket{Link::osc, {"fe80::1%eth0", 1}, Layout::x40}));
+}
+
+TEST(Jacket, WordsThatNameNoJacketAreRefusedInOneLine) {
+    for (const auto* words : {"osc",         "osc:",           "osc:vest",    "osc:vest:",
+                              "osc:vest:0",  "osc:vest:65536", "osc:vest:-1", "osc:vest:+1",
+                              "osc:vest: 1", "osc::1",         "osc:[]:1",    "osc:::1:1027",
+                              "osc:a b:1",   "osc:a\n:1",      "osc:\xFF:1",  "osc:a\":1",
+                              "OSC:vest:1",  "osc17:vest:1",   "none",        " "}) {
+        const auto jacket = parse_jacket(words);
+        ASSERT_FALSE(jacket) << words;
+        EXPECT_EQ(jacket.error().message.find('\n'), std::string::npos);
+        EXPECT_NE(jacket.error().message.find("is no jacket: "), std::string::npos);
+    }
+    EXPECT_FALSE(parse_jacket("osc:" + std::string(254, 'a') + ":1"));
+    EXPECT_LT(parse_jacket(std::string(100'000, 'a')).error().message.size(), 300U);
+}
+
+TEST(Jacket, EachLayoutIsAShippedFileWithItsMotors) {
+    for (const auto layout : {Layout::x40, Layout::x16}) {
+        const auto file = std::filesystem::path(THAUM_SOURCE_DIR) / "assets/tactile/layouts" /
+                          (std::string(name_of(layout)) + ".toml");
+        const auto read = tactile::load_layout(file);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->actuators.size(), motors_of(layout));
+    }
+    EXPECT_EQ(name_of(Layout::none), "");
+    EXPECT_EQ(motors_of(Layout::none), 0U);
+}
+
+std::string fault_of(const std::string& file) {
+    const auto read = read_settings(file, "settings.toml");
+    return read && read->fault ? read->fault->message : "";
+}
+
+TEST(Jacket, TheSettingsFileRefusesNonsenseAndOneJacketForTwoPlayers) {
+    EXPECT_EQ(
+        fault_of("version = 1\n[player_1]\njacket = \"osc:vest\""),
+        "settings.toml:3: 'jacket': 'osc:vest' is no jacket: write \"osc:HOST:PORT\", with a port of 1 to "
+        "65535 and an IPv6 address in brackets");
+    EXPECT_NE(fault_of("version = 1\n[player_1]\njacket = 7"), "");
+    const auto both = [](std::string_view first, std::string_view second) {
+        return text("version = 1\n[player_1]\njacket = \"", first, "\"\n[player_2]\njacket = \"", second,
+                    "\"\n");
+    };
+    const auto shared = read_settings(both("osc:vest:1", "osc16:vest:1"), "s");
+    ASSERT_TRUE(shared && shared->fault);
+    EXPECT_EQ(shared->fault->message, "s:5: 'jacket': it is player 1's; give each player another");
+    EXPECT_EQ(shared->settings.players[0].jacket, "osc:vest:1");
+    EXPECT_EQ(shared->settings.players[1].jacket, "");
+    const auto apart = read_settings(both("osc:vest:1", "osc:vest:2"), "s");
+    ASSERT_TRUE(apart);
+    EXPECT_FALSE(apart->fault);
+    EXPECT_EQ(apart->settings.players[1].jacket, "osc:vest:2");
+}
+
+/// Fakes of jackets, by port.
+class Jackets {
+public:
+    LiveTactile::MakeJacket maker() {
+        return [this](const Jacket& jacket) -> std::unique_ptr<input::TactileOutput> {
+            ++made;
+            if (jacket.link == Link::none) return nullptr;
+            return std::make_unique<FakeOutput>(of(jacket.address.port));
+        };
+    }
+    const std::shared_ptr<Felt>& of(std::uint16_t port) {
+        auto& felt = felt_[port];
+        if (felt == nullptr) felt = std::make_shared<Felt>();
+        return felt;
+    }
+    int made = 0;
+
+private:
+    std::map<std::uint16_t, std::shared_ptr<Felt>> felt_;
+};
+
+LiveTactile::MakeOutput no_pads() {
+    return [](const input::PadId&) { return nullptr; };
+}
+
+TEST(LiveJacket, WithoutAJacketNothingRuns) {
+    Jackets jackets;
+    LiveTactile tactile(no_pads(), jackets.maker());
+    tactile.apply(Settings{});
+    tactile.feel_jacket(0, jacket_frame(40, {{0, 1.0F}}));
+    tactile.tell_status();
+    EXPECT_EQ(tactile.jacket_layout(0), "");
+    EXPECT_EQ(jackets.made, 0);
+    EXPECT_EQ(tactile.jacket_report(0).frames_lost, 0U) << "no thread was started";
+}
+
+TEST(LiveJacketThreads, AJacketIsConnectedChangedAndTakenAway) {
+    Jackets jackets;
+    const auto first = jackets.of(1), second = jackets.of(2);
+    LiveTactile tactile(no_pads(), jackets.maker());
+    Settings settings;
+    settings.players[1].jacket = "osc:vest:1";
+    for (int i = 0; i < 5; ++i) tactile.apply(settings);
+    EXPECT_EQ(jackets.made, 1) << "nothing new is no change";
+    while (tactile.jacket_layout(1) != "x40") std::this_thread::yield();
+    EXPECT_EQ(tactile.jacket_layout(0), "");
+    tactile.feel_jacket(1, jacket_frame(40, {{20, 1.0F}}, 500));
+    first->wait([&] { return first->frames.size() == 1; });
+    EXPECT_EQ(first->with([&] { return first->frames[0].amplitude[20]; }), 1);
+    settings.players[1].jacket = "osc16:vest:2";
+    tactile.apply(settings);
+    first->wait([&] { return first->closed == 1; });
+    second->wait([&] { return second->opened == 1; });
+    while (tactile.jacket_layout(1) != "x16") std::this_thread::yield();
+    tactile.feel_jacket(1, jacket_frame(40, {{20, 1.0F}}, 500));
+    tactile.feel_jacket(1, jacket_frame(16, {{3, 1.0F}}, 500));
+    second->wait([&] { return !second->frames.empty(); });
+    EXPECT_EQ(second->with([&] { return second->frames[0].count; }), 16U) << "a frame of the former layout";
+    settings.players[1].jacket.clear();
+    tactile.apply(settings);
+    second->wait([&] { return second->closed == 1; });
+    EXPECT_FALSE(second->with([&] { return second->on; }));
+    EXPECT_EQ(tactile.jacket_layout(1), "");
+}
+
+TEST(LiveJacketThreads, OneThatCannotBeOpenedCostsOneLineAndNoFrames) {
+    Jackets jackets;
+    const auto felt = jackets.of(1);
+    felt->present = false;
+    LiveTactile tactile(no_pads(), jackets.maker());
+    Settings settings;
+    settings.players[0].jacket = "osc:vest:1";
+    tactile.apply(settings);
+    felt->wait([&] { return felt->opened == 1; });
+    std::string said;
+    while (said.empty()) {
+        testing::internal::CaptureStderr();
+        tactile.tell_status();
+        said = testing::internal::GetCapturedStderr();
+    }
+    EXPECT_EQ(said, "player 1: fake: it is not there\n");
+    EXPECT_EQ(tactile.jacket_layout(0), "");
+}
+
+/// Passes frames until the receiver has a certain message.
+bool reaches(LiveTactile& tactile, std::uint32_t player, UdpReceiver& receiver,
+             const tactile::TactileFrame& frame) {
+    const auto wanted = input::detail::osc_message(frame, frame.count);
+    for (int i = 0; i < input::rig::patience_ms; ++i) {
+        tactile.feel_jacket(player, frame);
+        if (receiver.next(1) == wanted) return true;
+    }
+    return false;
+}
+
+TEST(LiveJacketThreads, TwoPlayersHaveTwoJacketsOnTheWire) {
+    UdpReceiver first, second;
+    LiveTactile tactile(no_pads());
+    Settings settings;
+    settings.players[0].jacket = "osc:127.0.0.1:" + std::to_string(first.port());
+    settings.players[1].jacket = "osc16:127.0.0.1:" + std::to_string(second.port());
+    tactile.apply(settings);
+    const auto large = jacket_frame(40, {{39, 1.0F}}, 500), small = jacket_frame(16, {{2, 0.5F}}, 500);
+    EXPECT_TRUE(reaches(tactile, 0, first, large));
+    EXPECT_TRUE(reaches(tactile, 1, second, small));
+    while (const auto message = first.next(0))
+        EXPECT_EQ(message->size(), 8U + 160 + 4) << "the other's message";
+}
+
+}  // namespace
+}  // namespace thaum::app
