@@ -8,21 +8,24 @@
 
 #include "core/one_line.h"
 #include "core/text.h"
+#include "game/app/bhaptics_jacket.h"
+#include "game/app/bhaptics_messages.h"
 
 namespace thaum::app {
 namespace {
 
 constexpr std::size_t longest_host = 253;  ///< characters, as in the domain name system
 constexpr std::size_t most_words_shown = 60;
-constexpr std::string_view forms = "use \"\", \"osc:HOST:PORT\" or \"osc16:HOST:PORT\"";
+constexpr std::string_view forms = "use \"\", \"bhaptics\", \"osc:HOST:PORT\" or \"osc16:HOST:PORT\"";
 
 struct Form {
     std::string_view start;
     Jacket::Link link;
     Jacket::Layout layout;
 };
-constexpr std::array<Form, 2> addressed_forms{
-    {{"osc:", Jacket::Link::osc, Jacket::Layout::x40}, {"osc16:", Jacket::Link::osc, Jacket::Layout::x16}}};
+constexpr std::array<Form, 3> addressed_forms{{{"osc:", Jacket::Link::osc, Jacket::Layout::x40},
+                                               {"osc16:", Jacket::Link::osc, Jacket::Layout::x16},
+                                               {"bhaptics:", Jacket::Link::bhaptics, Jacket::Layout::x40}}};
 
 bool fits_host(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
@@ -73,6 +76,8 @@ std::size_t motors_of(Jacket::Layout layout) {
 
 Expected<Jacket> parse_jacket(std::string_view words) {
     if (words.empty()) return Jacket{};
+    if (words == "bhaptics")
+        return Jacket{Jacket::Link::bhaptics, {"127.0.0.1", bhaptics_port}, Jacket::Layout::x40};
     for (const auto& form : addressed_forms) {
         if (!words.starts_with(form.start)) continue;
         auto address = address_of(words.substr(form.start.size()));
@@ -87,6 +92,7 @@ Expected<Jacket> parse_jacket(std::string_view words) {
 
 std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket) {
     if (jacket.link == Jacket::Link::none) return nullptr;
+    if (jacket.link == Jacket::Link::bhaptics) return bhaptics_jacket(jacket.address);
     return input::osc_jacket(jacket.address, motors_of(jacket.layout));
 }
 

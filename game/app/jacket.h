@@ -1,8 +1,10 @@
 // game/app/jacket.h: the jacket of a player, as the settings file names it.
 //
-//     ""                 none
-//     "osc:HOST:PORT"    40 motors, by UDP and OSC (input/osc_jacket.h)
-//     "osc16:HOST:PORT"  the same with 16 motors
+//     ""                    none
+//     "osc:HOST:PORT"       40 motors, by UDP and OSC (input/osc_jacket.h)
+//     "osc16:HOST:PORT"     the same with 16 motors
+//     "bhaptics"            a vest of bHaptics, by the Player on this machine (bhaptics_jacket.h)
+//     "bhaptics:HOST:PORT"  the same by a Player at another place
 //
 // HOST is a name, an IPv4 address, or an IPv6 address in brackets.
 #pragma once
@@ -15,7 +17,7 @@
 namespace thaum::app {
 
 struct Jacket {
-    enum class Link : std::uint8_t { none, osc };
+    enum class Link : std::uint8_t { none, osc, bhaptics };
     enum class Layout : std::uint8_t { none, x40, x16 };
 
     Link link{};

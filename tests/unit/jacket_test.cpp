@@ -28,6 +28,8 @@ TEST(Jacket, WordsOfTheSettingAreRead) {
     EXPECT_EQ(parse_jacket("").value(), Jacket{});
     EXPECT_EQ(parse_jacket("osc:192.168.1.7:1027").value(),
               (Jacket{Link::osc, {"192.168.1.7", 1027}, Layout::x40}));
+    EXPECT_EQ(parse_jacket("bhaptics").value(), (Jacket{Link::bhaptics, {"127.0.0.1", 15881}, Layout::x40}));
+    EXPECT_EQ(parse_jacket("bhaptics:box:2").value(), (Jacket{Link::bhaptics, {"box", 2}, Layout::x40}));
     EXPECT_EQ(parse_jacket("osc16:my-vest_2.local:65535").value(),
               (Jacket{Link::osc, {"my-vest_2.local", 65535}, Layout::x16}));
     EXPECT_EQ(parse_jacket("osc:[fe80::1%eth0]:1").value(),
@@ -35,11 +37,11 @@ TEST(Jacket, WordsOfTheSettingAreRead) {
 }
 
 TEST(Jacket, WordsThatNameNoJacketAreRefusedInOneLine) {
-    for (const auto* words : {"osc",         "osc:",           "osc:vest",    "osc:vest:",
-                              "osc:vest:0",  "osc:vest:65536", "osc:vest:-1", "osc:vest:+1",
-                              "osc:vest: 1", "osc::1",         "osc:[]:1",    "osc:::1:1027",
-                              "osc:a b:1",   "osc:a\n:1",      "osc:\xFF:1",  "osc:a\":1",
-                              "OSC:vest:1",  "osc17:vest:1",   "none",        " "}) {
+    for (const auto* words :
+         {"osc",         "osc:",        "osc:vest",    "osc:vest:", "osc:vest:0", "osc:vest:65536",
+          "osc:vest:-1", "osc:vest:+1", "osc:vest: 1", "osc::1",    "osc:[]:1",   "osc:::1:1027",
+          "osc:a b:1",   "osc:a\n:1",   "osc:\xFF:1",  "osc:a\":1", "OSC:vest:1", "osc17:vest:1",
+          "none",        " ",           "bhaptics:",   "bhaptics "}) {
         const auto jacket = parse_jacket(words);
         ASSERT_FALSE(jacket) << words;
         EXPECT_EQ(jacket.error().message.find('\n'), std::string::npos);

@@ -1,0 +1,83 @@
+// A fake of the bHaptics Player, at a port that the system chooses. It speaks HTTP and WebSocket (RFC 6455) byte by byte,
+// so that it can also speak them wrongly.
+#pragma once
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace thaum::app::rig {
+
+/// What the fake does.
+enum class Manner : std::uint8_t {
+    replies,          ///< answers each request, with one device
+    replies_no_vest,  ///< answers each request, with no device
+    never_replies,    ///< takes requests and says nothing
+    never_answers,    ///< takes the connection and says nothing
+    answers_404,      ///< knows no WebSocket
+    answers_noise,    ///< random bytes instead of an answer
+    sends_noise,      ///< random bytes instead of frames, after an answer
+    sends_nonsense,   ///< proper frames whose texts are no replies
+    sends_gibibyte,   ///< one message of 1 GiB
+    sends_pieces,     ///< replies cut into many fragments, with pings between
+    never_reads,      ///< answers, and reads nothing more
+    hangs_up,         ///< closes the connection after the first request
+};
+
+class FakeBhaptics {
+public:
+    explicit FakeBhaptics(Manner manner);
+    ~FakeBhaptics();
+    FakeBhaptics(const FakeBhaptics&) = delete;
+    FakeBhaptics& operator=(const FakeBhaptics&) = delete;
+
+    std::uint16_t port() const { return port_; }
+    void behave(Manner manner) { manner_ = manner; }
+    /// Requests so far.
+    std::vector<std::string> texts() const;
+    /// First line of the last connection's HTTP request.
+    std::string first_line() const;
+    std::size_t connections() const;
+    std::uint64_t bytes_sent() const { return sent_; }
+    /// Waits for a condition on the texts so far; a test that waits for ever is ended by its limit.
+    template <class Condition>
+    void wait(Condition condition) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return condition(texts_); });
+    }
+    /// Waits for a request that comes after the first `before` ones.
+    void wait_for(const std::string& wanted, std::size_t before = 0);
+    void wait_for_connections(std::size_t count);
+
+private:
+    void run();
+    void serve(int peer);
+    bool answer(int peer);
+    void speak(int peer);
+    bool take_frame(int peer);
+    bool react(int peer, const std::string& request);
+    bool read(int peer, void* to, std::size_t size);
+    bool write(int peer, const std::string& bytes);
+    void send_gibibyte(int peer);
+    bool send_pieces(int peer);
+    void stay(int peer);
+
+    int listener_ = -1;
+    std::uint16_t port_ = 0;
+    std::atomic<Manner> manner_;
+    std::atomic<bool> stop_{};
+    std::atomic<std::uint64_t> sent_{};
+    mutable std::mutex mutex_;  ///< guards the three below
+    std::vector<std::string> texts_;
+    std::string first_line_;
+    std::size_t connections_ = 0;
+    std::condition_variable changed_;
+    std::jthread thread_;
+};
+
+}  // namespace thaum::app::rig
