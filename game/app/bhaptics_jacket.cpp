@@ -84,8 +84,8 @@ bool PlayerLink::start_context() {
     lws_context_creation_info info{};
     info.port = CONTEXT_PORT_NO_LISTEN;
     info.protocols = protocols.data();
-    info.uid = static_cast<uid_t>(-1);
-    info.gid = static_cast<gid_t>(-1);
+    info.uid = -1;
+    info.gid = -1;
     info.user = this;
     info.fd_limit_per_thread = 16;
     // Otherwise the variable http_proxy would send the connection to another machine.

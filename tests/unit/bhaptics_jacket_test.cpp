@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -97,6 +98,18 @@ TEST(BhapticsJacketThreads, TheRightMotorsReachThePlayer) {
     EXPECT_EQ(player.texts().size(), 3U);
     jacket->close();
     player.wait_for(silent(), 3);
+}
+
+TEST(BhapticsJacketThreads, AProxyForWebPagesIsNotAsked) {
+    const char* const former = std::getenv("http_proxy");
+    const std::string kept = former != nullptr ? former : "";
+    ::setenv("http_proxy", "http://127.0.0.1:1", 1);
+    FakeBhaptics player(Manner::replies);
+    EXPECT_TRUE(jacket_for(player)->open());
+    if (former != nullptr)
+        ::setenv("http_proxy", kept.c_str(), 1);
+    else
+        ::unsetenv("http_proxy");
 }
 
 TEST(BhapticsJacketThreads, AFrameGoesOutAgainAfterHalfOfItsTime) {
