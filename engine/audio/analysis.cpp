@@ -54,7 +54,7 @@ double power_between(const std::vector<double>& lines, double low_hz, double hig
     constexpr double line_hz = static_cast<double>(sample_rate) / window_samples;
     const double low = low_hz / line_hz, high = high_hz / line_hz;
     double sum = 0;
-    for (auto i = static_cast<std::size_t>(low + 0.5); i < lines.size(); ++i) {
+    for (auto i = static_cast<std::size_t>(std::lround(low)); i < lines.size(); ++i) {
         const double from = std::max(low, static_cast<double>(i) - 0.5);
         const double to = std::min(high, static_cast<double>(i) + 0.5);
         if (to <= from) break;

@@ -6,21 +6,26 @@
 namespace thaum::app {
 namespace {
 
-/// Number of the pad's layout in a scene, after the figure.
-constexpr std::size_t pad_frame = 1;
+/// Numbers of layouts in a scene, after the figure.
+constexpr std::size_t pad_frame = 1, x40_frame = 2, x16_frame = 3;
+
+Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, const char* file) {
+    return tactile::load_layout(assets / "tactile" / "layouts" / file);
+}
 
 }  // namespace
 
 Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
     if (!effects) return tl::unexpected(effects.error());
-    auto figure = tactile::load_layout(assets / "tactile" / "layouts" / "abstract_4x5.toml");
-    if (!figure) return tl::unexpected(figure.error());
+    auto figure = layout_of(assets, "abstract_4x5.toml"), pad = layout_of(assets, "pad.toml"),
+         x40 = layout_of(assets, "x40.toml"), x16 = layout_of(assets, "x16.toml");
+    for (const auto* layout : {&figure, &pad, &x40, &x16})
+        if (!*layout) return tl::unexpected(layout->error());
     if (figure->actuators.size() != game::figure_cells)
         return fail("abstract_4x5.toml must have 40 actuators: the figure on the screen shows them");
-    auto pad = tactile::load_layout(assets / "tactile" / "layouts" / "pad.toml");
-    if (!pad) return tl::unexpected(pad.error());
-    return LiveBody{std::move(*effects), std::move(*figure), std::move(*pad)};
+    return LiveBody{std::move(*effects), std::move(*figure), std::move(*pad), std::move(*x40),
+                    std::move(*x16)};
 }
 
 void MatchBody::begin(const game::Simulation& match) {
@@ -34,21 +39,42 @@ void MatchBody::begin(const game::Simulation& match) {
     effects_ = std::move(*effects);
     for (std::uint32_t p = 0; p < game::players; ++p) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
-        scenes_.at(p)->add(body_->figure);
+        const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
+        scenes_.at(p)->add(body_->x40);
+        scenes_.at(p)->add(body_->x16);
+        // The figure shows what comes from outside. The own shots would hide it.
+        tactile::Faders faders;
+        faders.values.at(static_cast<std::size_t>(tactile::Purpose::recoil)) = 0;
+        scenes_.at(p)->set_faders(figure, faders);
     }
+}
+
+/// Passes the newest frames to the player's pad and jacket.
+void MatchBody::give_outputs(std::uint32_t player) {
+    const auto& scene = *scenes_.at(player);
+    if (motors_.feels(player)) motors_.feel(player, scene.frame(pad_frame));
+    const auto jacket = motors_.jacket_layout(player);
+    if (jacket == "x40") motors_.feel_jacket(player, scene.frame(x40_frame));
+    if (jacket == "x16") motors_.feel_jacket(player, scene.frame(x16_frame));
 }
 
 void MatchBody::follow(const game::Simulation& match) {
     if (!body_ || match.now() % tactile::frame_ticks != 0) return;
     if (data_ != &match.data()) begin(match);
     now_ = match.now();
+    still_ = false;
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
         scenes_.at(p)->take(match);
-        if (motors_.feels(p)) motors_.feel(p, scenes_.at(p)->frame(pad_frame));
+        give_outputs(p);
         if (!scenes_.at(p)->frame(0).is_silent()) felt_at_.at(p) = now_;
     }
+}
+
+void MatchBody::forget() {
+    felt_at_ = {};
+    still_ = true;
 }
 
 void MatchBody::show(game::Picture& picture) const {
@@ -56,7 +82,8 @@ void MatchBody::show(game::Picture& picture) const {
         if (!scenes_.at(p)) continue;
         auto& shown = picture.wizards.at(p);
         const auto& amplitude = scenes_.at(p)->frame(0).amplitude;
-        std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
+        shown.felt.fill(0);
+        if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
         shown.since_felt_s = felt_at_.at(p) == 0 ? 1e6 : seconds(now_ - std::min(now_, felt_at_.at(p)));
     }
 }

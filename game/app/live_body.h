@@ -17,8 +17,9 @@ namespace thaum::app {
 /// Effects and layouts of the program.
 struct LiveBody {
     tactile::EffectBank effects;
-    tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
-    tactile::Layout pad;     ///< the two motors of a pad
+    tactile::Layout figure;    ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+    tactile::Layout pad;       ///< the two motors of a pad
+    tactile::Layout x40, x16;  ///< jackets
 
     static Expected<LiveBody> load(const std::filesystem::path& assets);
 };
@@ -31,11 +32,14 @@ public:
 
     /// Follows the match after a tick. Another match, or changed data, begins anew.
     void follow(const game::Simulation& match);
+    /// Forgets what was felt, after a jump to another time.
+    void forget();
     /// Adds the cells of the figure.
     void show(game::Picture& picture) const;
 
 private:
     void begin(const game::Simulation& match);
+    void give_outputs(std::uint32_t player);
 
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;
@@ -44,6 +48,7 @@ private:
     std::array<std::optional<game::TactileScene>, game::players> scenes_{};
     std::array<Tick, game::players> felt_at_{};  ///< Simulation::now when a cell was last on
     Tick now_{};
+    bool still_ = true;  ///< no frame was made since the last jump
 };
 
 }  // namespace thaum::app

@@ -62,6 +62,8 @@ public:
     // News for the menu.
     /// Updates the pads' names. A pad that was unplugged gives up its seat.
     void name_pads(const Pads& pads);
+    /// State of the loudspeakers, for the page of the sounds.
+    void tell_sound(std::string state) { context_.sound = std::move(state); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
     /// The match that begins is on the range, or is the Apprentice there. The next start screen is not the first.

@@ -91,6 +91,8 @@ void go_to(ReplayThread& r, Tick target) {
     }
     r.at_end = r.now() < target || target == r.playback().log().ticks();
     begin_clock(r);
+    r.sound.forget();
+    r.body.forget();
     publish(r);
     // Another place may have been asked for meanwhile.
     r.shared.replay.target.compare_exchange_strong(target, ReplayRequests::nowhere);

@@ -277,6 +277,9 @@ void LiveSession::apply_settings() {
     shared_.requests.range = menu_.state().range;
     const auto sound = menu_.take_sound();
     if (shared_.sound != nullptr) shared_.sound->play(sound);
+    if (menu_.is_open())
+        menu_.tell_sound(shared_.sound != nullptr ? shared_.sound->status()
+                                                  : "no sound: the terminal says which file is wrong");
     if (!menu_.take_settings_change()) return;
     hands_.rebind(menu_.settings());
     if (shared_.sound != nullptr) shared_.sound->apply(menu_.settings());
@@ -359,6 +362,7 @@ Screen LiveSession::screen() const {
                           .names = names(),
                           .captions = {settings.players[0].captions, settings.players[1].captions},
                           .heard = {settings.players[0].heard, settings.players[1].heard},
+                          .figure = {settings.players[0].figure, settings.players[1].figure},
                           .prompts = {settings.players[0].prompts, settings.players[1].prompts},
                           .replay = viewer_ ? std::optional(viewer_->bar()) : std::nullopt},
                   .quality = settings.quality,

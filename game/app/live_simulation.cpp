@@ -357,6 +357,7 @@ void drop_input(SimulationThread& s) {
 void count_down(SimulationThread& s) {
     constexpr std::int64_t ns_per_second = 1'000'000'000;
     const auto end = monotonic_ns() + s.countdown * ns_per_second;
+    s.sound.count_down();
     for (auto now = monotonic_ns(); now < end; now = monotonic_ns()) {
         if (s.shared.stop || s.shared.requests.end) break;
         const auto left = static_cast<int>((end - now + ns_per_second - 1) / ns_per_second);

@@ -30,6 +30,7 @@ public:
     // The main thread.
     void apply(const Settings& settings);
     void play(MenuSound sound);
+    std::string status() const { return speakers_.status(); }
     /// Prints the loudspeakers' state if it has changed for the worse or back.
     void tell_status();
     audio::PlaybackReport report() const { return speakers_.report(); }
@@ -62,6 +63,8 @@ public:
     void follow(const game::Simulation& match);
     /// One second of the count-down before the match.
     void count_down();
+    /// Forgets the sounds in words, after a jump to another time.
+    void forget() { heard_ = {}; }
     /// Adds the sounds in words.
     void show(game::Picture& picture) const;
 

@@ -72,6 +72,7 @@ struct MenuContext {
     bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
+    std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     /// words of the start screen on a faulty settings file; empty: there is no fault
     std::string settings_fault{};
 };

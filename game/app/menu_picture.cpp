@@ -41,10 +41,11 @@ std::string start_line(const MenuState& s, const Row& row) {
     }
 }
 
-std::string line_of(const MenuState& s, const Row& row) {
+std::string line_of(const MenuState& s, const MenuContext& context, const Row& row) {
     switch (s.pages.back().page) {
         case Page::start: return start_line(s, row);
         case Page::pause: return s.line;
+        case Page::sound: return context.sound;
         case Page::cauldron:
             return text("what the hand of ", player_words(s.settings, s.player), " feels while it stirs");
         default: return {};
@@ -115,7 +116,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     if (s.pages.back().page == Page::start) picture.seats = seats_of(s, context);
     auto rows = rows_of(s, context);
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
-    picture.line = line_of(s, rows[picture.cursor]);
+    picture.line = line_of(s, context, rows[picture.cursor]);
     picture.hint = hint_of(s, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;

@@ -27,4 +27,14 @@ void ReplaySound::follow(const game::Simulation& match) {
     file_.write(block_);
 }
 
+Expected<void> ReplaySound::close() {
+    constexpr int tail = 190;  // frames: 1.5 s, as long as the longest sound
+    frame_.begins.count = frame_.lasts.count = 0;
+    for (int i = 0; i < tail; ++i) {
+        mixer_.play(frame_, block_);
+        file_.write(block_);
+    }
+    return file_.close();
+}
+
 }  // namespace thaum::app

@@ -17,7 +17,8 @@ public:
 
     /// Appends the sound of the eight ticks that have passed, at every eighth tick.
     void follow(const game::Simulation& match);
-    Expected<void> close() { return file_.close(); }
+    /// Lets the last sounds end, and completes the file.
+    Expected<void> close();
 
 private:
     ReplaySound(audio::WavWriter file, audio::Mixer mixer, game::SoundScene scene,

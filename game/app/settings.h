@@ -39,6 +39,7 @@ struct PlayerSettings {
     std::string name{};    ///< name on the screen (player_name.h); empty: the name of the team
     bool captions = true;  ///< words in the view about what happens to the player
     game::HeardWish heard = game::HeardWish::important;  ///< which sounds are told in words
+    bool figure = true;                                  ///< a figure in the view shows what the body feels
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     /// time over which a turn by stick or keys grows to its full speed (s)

@@ -55,7 +55,9 @@ void write(render::Image& image, render::Font& font, int x, int y, int size, std
         for (int row = 0; row < glyph.height; ++row)
             for (int column = 0; column < glyph.width; ++column)
                 put(image, x + placed.x + column, y + placed.y + row, colour,
-                    glyph.coverage[static_cast<std::size_t>(row * glyph.width + column)] / 255.0);
+                    glyph.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(glyph.width) +
+                                   static_cast<std::size_t>(column)] /
+                        255.0);
     }
 }
 

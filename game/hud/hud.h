@@ -31,7 +31,7 @@ struct HudSettings {
     /// true: the player's view has words about what happens to the player
     std::array<bool, players> captions{true, true};
     std::array<HeardWish, players> heard{};        ///< which sounds each player sees in words
-    bool figure = true;                            ///< shows what a body feels
+    std::array<bool, players> figure{true, true};  ///< which players see what their bodies feel
     std::array<ControlNames, players> controls{};  ///< controls of each person
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown
     PromptUses prompt_uses{};                      ///< how often each player has done what a prompt says

@@ -436,7 +436,7 @@ void add_figure(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     constexpr float columns = 4, rows = 5, inset = 3, label = 9;
     const float u = (l.figure.high.x - l.figure.low.x) / figure_wide;
     if (p.since_felt_s > shown_s || !(u > 0)) return;
-    out.items.emplace_back(RectItem{l.figure.low, l.figure.high, paints.panel, 4 * u});
+    out.items.emplace_back(RectItem{l.figure.low, l.figure.high, fvec4(fvec3(paints.panel), 0.9F), 4 * u});
     const float torso = (figure_wide - 3 * inset) / 2;
     const fvec2 cell = fvec2(torso / columns, (figure_high - 2 * inset - label) / rows);
     for (std::size_t i = 0; i < figure_cells; ++i) {
@@ -446,7 +446,8 @@ void add_figure(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
         const fvec2 corner(inset + (back ? torso + inset : 0), inset);
         const fvec2 middle = l.figure.low + u * (corner + cell * fvec2(column + 0.5F, row + 0.5F));
         const float most = 0.5F * u * std::min(cell.x, cell.y);
-        out.items.emplace_back(ArcItem{middle, 0, 0.3F * most, 0, whole_turn, paints.track});
+        out.items.emplace_back(
+            ArcItem{middle, 0, 0.3F * most, 0, whole_turn, fvec4(fvec3(paints.soft), 0.4F)});
         if (p.felt.at(i) > 0.01F)
             out.items.emplace_back(ArcItem{middle, 0, most * (0.45F + 0.55F * std::min(1.0F, p.felt.at(i))),
                                            0, whole_turn, paints.white});
@@ -477,6 +478,7 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
         const auto fitted = fit(words, 13 * u, {room, std::min(left, most_high)});
+        if (bottom < l.heard.high.y && fitted.size < 10 * u) return;  // an older line is not worth tiny words
         float wide = 0;
         for (const auto& line : fitted.lines)
             wide = std::max(wide, std::min(room, width_of(line, fitted.size)));
@@ -526,8 +528,8 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
                 Align::left);
     add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, l);
-    if (plays) add_heard(out, p, settings.heard[player], l);
-    if (plays && settings.figure) add_figure(out, p, l);
+    if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);
+    if (plays && settings.figure[player]) add_figure(out, p, l);
     if (settings.forces)
         add_force_plot(out, p.force, l);
     else if (plays && !p.dead)

@@ -59,7 +59,14 @@ void add_sound_of(SoundWriting& writing, const Event& event) {
         heard.at_ear = true;
     }
     if (event.subject >= players && !info_of(event.kind).placed) heard.at_ear = true;
-    begin(writing, sound_of(writing, event), heard);
+    const auto sound = sound_of(writing, event);
+    if (takes_health && event.subject < players) {
+        // A fall may end at another place than the wizard is put back to, so the own body is at the ear.
+        const auto own = writing.ears_of(event.subject);
+        begin(writing, sound, {.gain = heard.gain, .heard_by = own, .at_ear = true});
+        heard.heard_by &= ~own;
+    }
+    begin(writing, sound, heard);
 }
 
 }  // namespace

@@ -126,12 +126,18 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
     take_listeners(writing);
     if (match.match().paused == 0) {
         add_event_sounds(writing);
-        add_wizard_sounds(writing);
-        add_thing_sounds(writing);
-        add_brew_sounds(writing);
+        // After a round everything stands still, with the speeds and charges that it had.
+        if (match.match().phase == Phase::playing) {
+            add_wizard_sounds(writing);
+            add_thing_sounds(writing);
+            add_brew_sounds(writing);
+        }
         add_clock_sounds(writing);
     }
     if (!followed) out.begins.count = 0;
+    // The first round of a match begins before its first frame.
+    if (!memory_.begun && match.match().played <= audio::frame_ticks)
+        begin(writing, Cue::count_go, {.at_ear = true});
     add_score(writing);
     muffle_by_walls(writing);
     memory_.begun = true;

@@ -25,11 +25,12 @@ tactile::Where where_of(const Simulation& match, const Event& event, std::uint32
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
     const vec3 centre = world.get<Motion>(wizard).position;
-    vec3 source = event.place;
-    if (event.by < players && event.by != player)
-        source = world.get<Motion>(wizard_of(world, event.by)).position;
-    const vec3 way = source - centre;
-    if (!(std::hypot(way.x, way.z) > 1e-3)) return tactile::Where::own();
+    // A burst may be behind, although the foe is ahead. Where a missile struck is on its side of the body.
+    const auto is_beside = [](vec3 way) { return std::hypot(way.x, way.z) > 0.15; };
+    vec3 way = info_of(event.kind).placed ? event.place - centre : vec3(0);
+    if (!is_beside(way) && event.by < players && event.by != player)
+        way = world.get<Motion>(wizard_of(world, event.by)).position - centre;
+    if (!is_beside(way)) return tactile::Where::own();
     const double feet = centre.y - match.data().wizard.height / 2;
     const double height = info_of(event.kind).placed ? std::clamp(event.place.y - feet, 0.9, 1.35) : chest;
     return tactile::Where::from(tactile::to_body_frame(way, world.get<Gaze>(wizard).yaw), height);
@@ -46,8 +47,8 @@ std::size_t TactileScene::add(const tactile::Layout& layout) {
     return mixers_.size() - 1;
 }
 
-void TactileScene::set_faders(const tactile::Faders& faders) {
-    for (auto& mixer : mixers_) mixer->set_faders(faders);
+void TactileScene::set_faders(std::size_t layout, const tactile::Faders& faders) {
+    mixers_[layout]->set_faders(faders);
 }
 
 void TactileScene::feel(const BodyCue& cue, Tick now) {
@@ -108,6 +109,7 @@ void TactileScene::feel_own(const Simulation& match) {
 void TactileScene::take(const Simulation& match) {
     const bool followed = begun_ && match.now() >= tick_ && match.now() - tick_ <= longest_gap &&
                           match.events().count() >= events_seen_;
+    const bool plays = match.match().paused == 0 && match.match().phase == Phase::playing;
     if (!followed || match.match().paused != 0) {
         for (auto& mixer : mixers_) mixer->stop();
     }
@@ -117,7 +119,7 @@ void TactileScene::take(const Simulation& match) {
         walked_ = 0;
     } else if (match.match().paused == 0) {
         feel_events(match);
-        feel_own(match);
+        if (plays) feel_own(match);
     }
     begun_ = true;
     tick_ = match.now();

@@ -29,7 +29,7 @@ public:
 
     /// Adds a layout, whose frames have the returned number. Keeps the reference.
     std::size_t add(const tactile::Layout& layout);
-    void set_faders(const tactile::Faders& faders);
+    void set_faders(std::size_t layout, const tactile::Faders& faders);
 
     /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
     void take(const Simulation& match);

@@ -306,7 +306,7 @@ std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& fo
 }
 
 TEST(HudLayout, ASoundInWordsHasRoomAtAnySize) {
-    each_case([&](HudSettings settings, render::Size window, const std::string& name) {
+    each_case([&](const HudSettings& settings, render::Size window, const std::string& name) {
         const auto layout = lay_out(settings, window, 5);
         for (const auto& view : layout.views) {
             if (!view) continue;

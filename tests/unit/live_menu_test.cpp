@@ -215,7 +215,7 @@ TEST_F(LiveMenuNameTest, CharactersMakeTheNameAndKeysDoNothingElse) {
 TEST_F(LiveMenuNameTest, EscapeKeepsTheOldNameAndTheMouseCannotLeaveTheRow) {
     type(U"Ann");
     const auto row = cursor();
-    menu_.cursor(point_of("Back"), rig::window);
+    menu_.cursor(point_of("Captions"), rig::window);
     EXPECT_EQ(cursor(), row);
     press("escape");
     EXPECT_EQ(menu_.settings(), Settings{});

@@ -143,7 +143,7 @@ TEST(SoundScene, ADuelIsHeardWhole) {
     };
     EXPECT_GT(begun("step_stone"), 50);
     EXPECT_GT(begun("bolt_shot"), 20);
-    EXPECT_EQ(begun("hit_wizard"), played.events.at(hit_kind("bolt_hit")));
+    EXPECT_EQ(begun("hit_wizard"), 2 * played.events.at(hit_kind("bolt_hit"))) << "for each player's ears";
     EXPECT_EQ(begun("death"),
               played.events.count(EventKind::death) != 0 ? played.events.at(EventKind::death) : 0);
     EXPECT_GT(played.lasted.at("music_calm"), 7000) << "of 7500 frames";
@@ -310,6 +310,34 @@ TEST(SoundScene, TheHeartIsHeardByItsOwnerOnlyAndFasterWithLessHealth) {
     const int fast = beats(2);
     EXPECT_NEAR(slow, 5 * 1.25, 1.5);
     EXPECT_NEAR(fast, 5 * 2.3, 1.5);
+}
+
+TEST(SoundScene, TheStartIsHeardAndAfterTheEndNothingGoesOn) {
+    SoundRig rig;
+    EXPECT_EQ(rig.heard.begun["count_go"], 1);
+    rig.device.counts[input::hand::forward] = 127;
+    rig.play(ticks(1));
+    ASSERT_GT(rig.heard.begun["step_stone"], 0);
+    rig.match.world_to_change().single<Match>().phase = Phase::over;
+    const auto before = rig.heard.begun;
+    rig.play(ticks(1));
+    EXPECT_EQ(rig.heard.begun["step_stone"], before.at("step_stone"))
+        << "the wizard keeps his speed, but stands";
+    for (const auto& voice : rig.heard.frame.lasts)
+        EXPECT_EQ(bank().sounds[voice.sound].group, audio::SoundGroup::music);
+}
+
+TEST(SoundScene, AFallIsHeardAtTheOwnEarAndByTheOtherFromItsPlace) {
+    SoundRig rig;
+    record(rig.match.context_to_change(), {.tick = rig.match.match().played,
+                                           .kind = EventKind::fall,
+                                           .subject = 0,
+                                           .amount = 20,
+                                           .place = {5, -5, 5}});
+    rig.play(audio::frame_ticks);
+    ASSERT_EQ(rig.heard.frame.begins.count, 2U);
+    for (const auto& voice : rig.heard.frame.begins)
+        EXPECT_EQ(voice.at_ear, voice.heard_by == 1) << voice.heard_by;
 }
 
 TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {

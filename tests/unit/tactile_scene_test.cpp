@@ -117,6 +117,24 @@ TEST(TactileScene, AHitIsFeltOnItsSideFromSixteenDirectionsAndNotOnTheFarOne) {
     }
 }
 
+TEST(TactileScene, ABurstBehindIsFeltBehindAlthoughTheFoeIsAhead) {
+    BodyRig rig;
+    rig.turn(0);
+    const auto foe = wizard_of(rig.match.world(), 1);
+    auto body = rig.match.physics().state(foe.index);
+    body.position = rig.middle() + vec3(0, 0, -6);
+    rig.match.physics().set_state(foe.index, body);
+    rig.match.tick({});
+    record(rig.match.context_to_change(), {.tick = rig.match.match().played,
+                                           .kind = *event_kind("blast_hit"),
+                                           .subject = 0,
+                                           .by = 1,
+                                           .amount = 30,
+                                           .place = rig.middle() + vec3(0, 0, 2)});
+    rig.play(2 * tactile::frame_ticks);
+    EXPECT_LT(felt_side(rig.frame()).y, 0);
+}
+
 TEST(TactileScene, ABlastSpreadsOverTheBody) {
     BodyRig rig;
     rig.strike("blast_hit", rig.middle() + vec3(0, 0, -5), 60);
