@@ -5,15 +5,14 @@
 // device itself delays. A device that had gaps gets one block more, so 36 ms.
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its caller for
-// ever. Only this thread calls it, and the destructor waits for the thread for `most_wait_s` only. A thread that has
-// not ended by then is left behind with all that it uses: it calls nothing more, and its memory stays until the program
-// ends.
+// ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A thread that is left behind
+// calls OpenAL no more: the program may be ending.
 #pragma once
 #include <memory>
 #include <string>
-#include <thread>
 
 #include "audio/playback.h"
+#include "core/step_thread.h"
 
 namespace thaum::audio {
 
@@ -24,9 +23,6 @@ public:
     /// Starts the thread. Create the mixer before, so that OpenAL is prepared while one thread runs.
     explicit Speakers(Mixer mixer, std::unique_ptr<SoundDevice> device = openal_device(),
                       double wait_s = most_wait_s);
-    ~Speakers();
-    Speakers(const Speakers&) = delete;
-    Speakers& operator=(const Speakers&) = delete;
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool hear(const AudioFrame& frame);
@@ -41,10 +37,7 @@ public:
     PlaybackReport report() const;
 
 private:
-    struct State;
-    std::shared_ptr<State> state_;
-    double wait_s_;
-    std::jthread thread_;
+    StepThread<Playback> thread_;
 };
 
 }  // namespace thaum::audio

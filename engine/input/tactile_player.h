@@ -2,14 +2,13 @@
 //
 // While the output is open, the thread looks for frames every 4 ms, else every 100 ms.
 //
-// An output may block its caller for ever. Only this thread calls it, and the destructor waits for the thread for
-// `most_wait_s` only. A thread that has not ended by then is left behind with all that it uses: it ends with the call
-// that hangs, and its memory stays until the program ends.
+// An output may block its caller for ever, so the destructor waits for the thread for `most_wait_s` only
+// (core/step_thread.h). A thread that is left behind ends with the call that hangs.
 #pragma once
 #include <memory>
 #include <string>
-#include <thread>
 
+#include "core/step_thread.h"
 #include "input/tactile_playback.h"
 
 namespace thaum::input {
@@ -18,11 +17,8 @@ class TactilePlayer {
 public:
     static constexpr double most_wait_s = 1.5;
 
-    explicit TactilePlayer(double wait_s = most_wait_s);
-    /// Silences and closes the output.
-    ~TactilePlayer();
-    TactilePlayer(const TactilePlayer&) = delete;
-    TactilePlayer& operator=(const TactilePlayer&) = delete;
+    /// Starts the thread. The destructor silences and closes the output.
+    explicit TactilePlayer(double wait_s = most_wait_s) : thread_(wait_s) {}
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool feel(const tactile::TactileFrame& frame);
@@ -35,10 +31,7 @@ public:
     bool is_open() const;
 
 private:
-    struct State;
-    std::shared_ptr<State> state_;
-    double wait_s_;
-    std::jthread thread_;
+    StepThread<TactilePlayback> thread_;
 };
 
 }  // namespace thaum::input

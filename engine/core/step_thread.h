@@ -1,0 +1,104 @@
+// core/step_thread.h: a thread that does what is due, step by step, and that may be left behind.
+//
+// The work may block its caller for ever, as a device can. Only the thread calls it. At its end the owner waits for the
+// thread for a limited time. A thread that has not ended by then is left behind with all that it uses: its memory stays
+// until the program ends.
+#pragma once
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/threads.h"
+
+namespace thaum {
+
+/// `Work` has three functions: `double step(double now_s)` does what is due and returns the time until the next step
+/// (s); `void close()` is the last call, if the thread ends in time; `void abandon()` is called by the owner, if not.
+template <class Work>
+class StepThread {
+public:
+    /// Starts the thread. `wait_s`: the longest time that the destructor waits for its end.
+    template <class... Arguments>
+    explicit StepThread(double wait_s, Arguments&&... arguments)
+        : state_(std::make_shared<State>(std::forward<Arguments>(arguments)...)), wait_s_(wait_s) {
+        auto started = start_thread([state = state_] { state->run(); });
+        if (started)
+            thread_ = std::move(*started);
+        else
+            refused_ = started.error().message;
+    }
+    ~StepThread();
+    StepThread(const StepThread&) = delete;
+    StepThread& operator=(const StepThread&) = delete;
+
+    Work& work() { return state_->work; }
+    const Work& work() const { return state_->work; }
+    /// Why there is no thread; empty: there is one.
+    const std::string& refused() const { return refused_; }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// Everything that the thread uses. It lives as long as the thread or the owner needs it.
+    struct State {
+        template <class... Arguments>
+        explicit State(Arguments&&... arguments) : work(std::forward<Arguments>(arguments)...) {}
+
+        void run();
+
+        Work work;
+        std::mutex mutex;  ///< guards the three below
+        bool stop = false;
+        bool left_behind = false;  ///< set with `stop`: the owner waits no more
+        bool ended = false;
+        std::condition_variable changed;
+    };
+
+    std::shared_ptr<State> state_;
+    double wait_s_;
+    std::string refused_{};
+    std::jthread thread_;
+};
+
+template <class Work>
+void StepThread<Work>::State::run() {
+    const auto start = Clock::now();
+    std::unique_lock lock(mutex);
+    while (!stop) {
+        lock.unlock();
+        const std::chrono::duration<double> now = Clock::now() - start;
+        const std::chrono::duration<double> rest(work.step(now.count()));
+        lock.lock();
+        changed.wait_for(lock, rest, [this] { return stop; });
+    }
+    if (left_behind) return;
+    lock.unlock();
+    work.close();
+    lock.lock();
+    ended = true;
+    changed.notify_all();
+}
+
+template <class Work>
+StepThread<Work>::~StepThread() {
+    if (!thread_.joinable()) return;
+    std::unique_lock lock(state_->mutex);
+    state_->stop = true;
+    state_->changed.notify_all();
+    const bool ended = state_->changed.wait_for(lock, std::chrono::duration<double>(wait_s_),
+                                                [this] { return state_->ended; });
+    if (ended) return;
+    state_->left_behind = true;
+    state_->work.abandon();
+    // Never destroyed: a late return of the device must not find its memory, or its library, gone.
+    static auto* const kept = std::make_unique<std::vector<std::shared_ptr<State>>>().release();
+    kept->push_back(state_);
+    thread_.detach();
+}
+
+}  // namespace thaum
