@@ -11,7 +11,6 @@
 namespace thaum::audio {
 namespace {
 
-constexpr std::uint16_t wav_channels = 2;
 /// The sizes in a WAV file have 32 bits.
 constexpr std::uint64_t most_wav_bytes = std::numeric_limits<std::uint32_t>::max() - 100;
 
@@ -25,21 +24,21 @@ float clipped_sample(float sample) { return std::isnan(sample) ? 0.0F : std::cla
 
 }  // namespace
 
-WavWriter::WavWriter(FileWriter file, std::filesystem::path path, WavFormat format)
-    : file_(std::move(file)), path_(std::move(path)), format_(format) {
+WavWriter::WavWriter(FileWriter file, std::filesystem::path path, WavFormat format, std::uint16_t channels)
+    : file_(std::move(file)), path_(std::move(path)), format_(format), channels_(channels) {
     file_.write(header());
 }
 
-Expected<WavWriter> WavWriter::create(std::filesystem::path path, WavFormat format) {
+Expected<WavWriter> WavWriter::create(std::filesystem::path path, WavFormat format, std::uint16_t channels) {
     auto file = FileWriter::create(path);
     if (!file) return tl::unexpected(file.error());
-    return WavWriter(std::move(*file), std::move(path), format);
+    return WavWriter(std::move(*file), std::move(path), format, channels);
 }
 
 /// RIFF with the chunks "fmt ", "fact" (length in samples) and "data".
 Bytes WavWriter::header() const {
     const std::uint16_t size = bytes_of(format_);
-    const auto frame_size = static_cast<std::uint16_t>(size * wav_channels);
+    const auto frame_size = static_cast<std::uint16_t>(size * channels_);
     const auto data_size = static_cast<std::uint32_t>(values_ * size);
     constexpr std::uint32_t fmt_size = 18, fact_size = 4, chunk_head = 8;
     constexpr std::uint32_t whole_numbers = 1, floating_point = 3;
@@ -51,7 +50,7 @@ Bytes WavWriter::header() const {
     put_name(out, "fmt ");
     out.put(fmt_size);
     out.put(static_cast<std::uint16_t>(format_ == WavFormat::whole_16 ? whole_numbers : floating_point));
-    out.put(wav_channels);
+    out.put(channels_);
     out.put(sample_rate);
     out.put(static_cast<std::uint32_t>(sample_rate * frame_size));
     out.put(frame_size);
@@ -59,23 +58,23 @@ Bytes WavWriter::header() const {
     out.put(std::uint16_t{0});  // bytes that follow in this chunk
     put_name(out, "fact");
     out.put(fact_size);
-    out.put(static_cast<std::uint32_t>(values_ / wav_channels));
+    out.put(static_cast<std::uint32_t>(values_ / channels_));
     put_name(out, "data");
     out.put(data_size);
     return bytes;
 }
 
-void WavWriter::write(std::span<const float> stereo) {
+void WavWriter::write(std::span<const float> samples) {
     const auto write_as = [&](auto convert) {
         std::array<decltype(convert(0.0F)), 1024> piece;
-        for (auto rest = stereo; !rest.empty(); rest = rest.subspan(std::min(rest.size(), piece.size()))) {
+        for (auto rest = samples; !rest.empty(); rest = rest.subspan(std::min(rest.size(), piece.size()))) {
             const auto count = std::min(rest.size(), piece.size());
             std::transform(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(count), piece.begin(),
                            convert);
             file_.write(std::as_bytes(std::span(piece).first(count)));
         }
     };
-    values_ += stereo.size();
+    values_ += samples.size();
     if (values_ * bytes_of(format_) > most_wav_bytes) return;  // `close` reports it
     if (format_ == WavFormat::float_32)
         write_as(clipped_sample);
@@ -94,7 +93,7 @@ Expected<void> WavWriter::close() {
 }
 
 double WavWriter::seconds() const {
-    return static_cast<double>(values_) / (wav_channels * static_cast<double>(sample_rate));
+    return static_cast<double>(values_) / (channels_ * static_cast<double>(sample_rate));
 }
 
 }  // namespace thaum::audio

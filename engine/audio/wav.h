@@ -1,4 +1,4 @@
-// audio/wav.h: writes stereo samples to a WAV file.
+// audio/wav.h: writes samples to a WAV file.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -18,24 +18,27 @@ enum class WavFormat : std::uint8_t {
 /// A file of 48 kHz. Without `close`, no file is left (core/file_writer.h).
 class WavWriter {
 public:
-    /// The error is FileWriter's.
-    static Expected<WavWriter> create(std::filesystem::path path, WavFormat format);
+    /// The error is FileWriter's. `channels`: 1, or 2 for stereo.
+    static Expected<WavWriter> create(std::filesystem::path path, WavFormat format,
+                                      std::uint16_t channels = 2);
 
-    /// Appends samples, left and right in turn. Values outside -1 to 1 are clipped, those that are no numbers become 0.
-    void write(std::span<const float> stereo);
+    /// Appends samples, in stereo left and right in turn. Values outside -1 to 1 are clipped, those that are no numbers
+    /// become 0.
+    void write(std::span<const float> samples);
     /// Completes the header and the file. The error names the path: FileWriter's, or more than 4 GB of samples.
     Expected<void> close();
     /// Length of what was written (s).
     double seconds() const;
 
 private:
-    WavWriter(FileWriter file, std::filesystem::path path, WavFormat format);
+    WavWriter(FileWriter file, std::filesystem::path path, WavFormat format, std::uint16_t channels);
     Bytes header() const;
 
     FileWriter file_;
     std::filesystem::path path_;
     WavFormat format_;
-    std::uint64_t values_{};  ///< samples of both channels
+    std::uint16_t channels_;
+    std::uint64_t values_{};  ///< samples of all channels
 };
 
 }  // namespace thaum::audio

@@ -1,10 +1,10 @@
 // thaum sounds: lists the sounds of the game, and writes them as files and pictures.
 #include <array>
-#include <bit>
 #include <cstdio>
 
 #include "audio/analysis.h"
 #include "audio/synth.h"
+#include "audio/wav.h"
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
@@ -63,35 +63,17 @@ void print_list(const Chosen& sounds) {
     std::printf("~: loops\n");
 }
 
-void append_little(std::string& out, std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>((value >> (8 * i)) & 0xffU));
-}
-
-/// Bytes of a WAV file with one channel of 32-bit floating-point samples.
-std::string wav_bytes(const std::vector<float>& samples) {
-    constexpr std::uint32_t floating = 3, channels = 1, sample_bytes = 4;
-    const auto data = static_cast<std::uint32_t>(samples.size()) * sample_bytes;
-    std::string out = "RIFF";
-    append_little(out, 4 + 24 + 8 + data, 4);
-    out += "WAVEfmt ";
-    append_little(out, 16, 4);
-    append_little(out, floating, 2);
-    append_little(out, channels, 2);
-    append_little(out, audio::sample_rate, 4);
-    append_little(out, audio::sample_rate * sample_bytes, 4);
-    append_little(out, sample_bytes, 2);
-    append_little(out, 8 * sample_bytes, 2);
-    out += "data";
-    append_little(out, data, 4);
-    for (const float sample : samples) append_little(out, std::bit_cast<std::uint32_t>(sample), 4);
-    return out;
+Expected<void> write_wav(const audio::Sound& sound, const std::filesystem::path& path) {
+    auto file = audio::WavWriter::create(path, audio::WavFormat::float_32, 1);
+    if (!file) return tl::unexpected(file.error());
+    file->write(sound.samples);
+    return file->close();
 }
 
 Expected<void> write_all_of(const Chosen& sounds, const std::filesystem::path& folder, render::Font& font) {
     if (auto made = make_folder(folder); !made) return made;
     for (const auto* sound : sounds) {
-        if (auto done = write_text_file(folder / text(sound->name, ".wav"), wav_bytes(sound->samples)); !done)
-            return done;
+        if (auto done = write_wav(*sound, folder / text(sound->name, ".wav")); !done) return done;
         if (auto done = render::write_png(folder / text(sound->name, ".png"), draw_sound(*sound, font));
             !done)
             return done;

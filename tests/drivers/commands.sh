@@ -216,8 +216,8 @@ expect 2 "/nowhere" sounds boil --sheet /nowhere/sheet.png
 [[ $("$thaum" sounds | grep -c '  ') == 55 ]] || { echo "failed: thaum sounds lists other than 54 sounds"; failures=$((failures + 1)); }
 "$thaum" sounds bolt_shot boil --out "$folder/sounds" --sheet "$folder/sheet.png" >/dev/null
 [[ $(cd "$folder/sounds" && echo *) == "boil.png boil.wav bolt_shot.png bolt_shot.wav" ]] || { echo "failed: the files of two sounds"; failures=$((failures + 1)); }
-# 0.24 s of 48,000 samples of four bytes, after a header of 44 bytes.
-[[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46124 && -s $folder/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
+# 0.24 s of 48,000 samples of four bytes, after a header of 58 bytes.
+[[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46138 && -s $folder/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 echo 'loud = true' >>"$folder/assets/sounds/boil.toml"
 THAUM_ASSETS=$folder/assets expect 2 "sounds/boil.toml:" sounds

@@ -21,14 +21,14 @@ protected:
     fs::path file() const { return folder_.path() / "heard.wav"; }
     bool folder_is_empty() const { return fs::is_empty(folder_.path()); }
 
-    Bytes written(WavFormat format, const std::vector<float>& stereo) const {
-        auto writer = WavWriter::create(file(), format);
+    Bytes written(WavFormat format, const std::vector<float>& stereo, std::uint16_t channels = 2) const {
+        auto writer = WavWriter::create(file(), format, channels);
         EXPECT_TRUE(writer);
         if (!writer) return {};
         // In pieces of odd lengths.
         for (std::size_t at = 0; at < stereo.size(); at += 770)
             writer->write(std::span(stereo).subspan(at, std::min<std::size_t>(770, stereo.size() - at)));
-        EXPECT_EQ(writer->seconds(), static_cast<double>(stereo.size()) / 96'000);
+        EXPECT_EQ(writer->seconds(), static_cast<double>(stereo.size()) / (48'000 * channels));
         const auto closed = writer->close();
         EXPECT_TRUE(closed) << (closed ? "" : closed.error().message);
         return *read_file(file(), 1U << 20U);
@@ -83,6 +83,20 @@ TEST_F(Wav, NumbersOf32BitsAreTheMixersOwn) {
     EXPECT_EQ(h.bits, 32);
     EXPECT_EQ(h.frame_size, 8);
     EXPECT_EQ(h.bytes_per_second, 48'000U * 8);
+    for (const float sample : samples) ASSERT_EQ(in.get<float>(), sample);
+    EXPECT_EQ(in.left(), 0U);
+}
+
+TEST_F(Wav, OneChannelHasFramesOfOneSample) {
+    const auto samples = ramp(5000);
+    const auto bytes = written(WavFormat::float_32, samples, 1);
+    ByteReader in(bytes);
+    const auto h = read_header(in);
+    EXPECT_EQ(h.channels, 1);
+    EXPECT_EQ(h.frames, 5000U);
+    EXPECT_EQ(h.frame_size, 4);
+    EXPECT_EQ(h.bytes_per_second, 48'000U * 4);
+    EXPECT_EQ(h.data_size, 5000U * 4);
     for (const float sample : samples) ASSERT_EQ(in.get<float>(), sample);
     EXPECT_EQ(in.left(), 0U);
 }
