@@ -50,13 +50,18 @@ void MatchBody::begin(const game::Simulation& match) {
     }
 }
 
-/// Passes the newest frames to the player's pad and jacket.
-void MatchBody::give_outputs(std::uint32_t player) {
-    const auto& scene = *scenes_.at(player);
-    if (motors_.feels(player)) motors_.feel(player, scene.frame(pad_frame));
+/// Makes the frames of the player's outputs, and of no others, and passes them on.
+void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
+    auto& scene = *scenes_.at(player);
+    const bool pad = motors_.feels(player);
     const auto jacket = motors_.jacket_layout(player);
-    if (jacket == "x40") motors_.feel_jacket(player, scene.frame(x40_frame));
-    if (jacket == "x16") motors_.feel_jacket(player, scene.frame(x16_frame));
+    const bool x40 = jacket == "x40", x16 = jacket == "x16";
+    scene.set_used(pad_frame, pad);
+    scene.set_used(x40_frame, x40);
+    scene.set_used(x16_frame, x16);
+    scene.take(match);
+    if (pad) motors_.feel(player, scene.frame(pad_frame));
+    if (x40 || x16) motors_.feel_jacket(player, scene.frame(x40 ? x40_frame : x16_frame));
 }
 
 void MatchBody::follow(const game::Simulation& match) {
@@ -66,8 +71,7 @@ void MatchBody::follow(const game::Simulation& match) {
     still_ = false;
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
-        scenes_.at(p)->take(match);
-        give_outputs(p);
+        feel(p, match);
         if (!scenes_.at(p)->frame(0).is_silent()) felt_at_.at(p) = now_;
     }
 }

@@ -39,7 +39,7 @@ public:
 
 private:
     void begin(const game::Simulation& match);
-    void give_outputs(std::uint32_t player);
+    void feel(std::uint32_t player, const game::Simulation& match);
 
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;

@@ -33,7 +33,6 @@ public:
     std::string status() const { return speakers_.status(); }
     /// Prints the loudspeakers' state if it has changed for the worse or back.
     void tell_status();
-    audio::PlaybackReport report() const { return speakers_.report(); }
 
     // The thread of a match.
     /// Whether anybody hears the match, or reads its sounds in words. Otherwise frames need not be made.

@@ -72,8 +72,8 @@ void add_sound_of(SoundWriting& writing, const Event& event) {
 }  // namespace
 
 void add_event_sounds(SoundWriting& writing) {
-    writing.match.events().each_new(writing.memory.events_seen,
-                                    [&](const Event& event) { add_sound_of(writing, event); });
+    writing.memory.follower.each_event(writing.match,
+                                       [&](const Event& event) { add_sound_of(writing, event); });
 }
 
 }  // namespace thaum::game

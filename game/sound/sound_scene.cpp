@@ -8,8 +8,6 @@
 namespace thaum::game {
 namespace {
 
-/// Gap of the clock after which the match was not followed, but moved to another time (ticks).
-constexpr Tick longest_gap = 64;
 /// Muffling by a wall between ear and source, and the share of the way to it in each look.
 constexpr double wall_muffles = 0.75, wall_share = 0.5;
 /// A wall as near as this to the source is the source's own (m).
@@ -42,11 +40,6 @@ double differing(std::uint32_t voice) {
     return random.uniform(-1, 1);
 }
 
-bool was_followed(const SoundMemory& memory, const Simulation& match) {
-    return memory.begun && match.now() >= memory.tick && match.now() - memory.tick <= longest_gap &&
-           match.events().count() >= memory.events_seen;
-}
-
 /// Takes the state of a match without a sound for what came before.
 void begin_anew(SoundWriting& writing) {
     auto& memory = writing.memory;
@@ -54,8 +47,7 @@ void begin_anew(SoundWriting& writing) {
     memory = {};
     memory.things.reserve(1024);
     memory.score = score;
-    memory.events_seen = writing.match.events().count();
-    memory.fought_at = 0;
+    memory.follower.skip_events(writing.match);
 }
 
 }  // namespace
@@ -121,7 +113,7 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
                       audio::AudioFrame& out) {
     out.begins.count = out.begins.left_out = out.lasts.count = out.lasts.left_out = 0;
     SoundWriting writing{match, sounds_, memory_, listening, out};
-    const bool followed = was_followed(memory_, match);
+    const bool followed = memory_.follower.goes_on(match);
     if (!followed) begin_anew(writing);
     take_listeners(writing);
     if (match.match().paused == 0) {
@@ -136,12 +128,11 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
     }
     if (!followed) out.begins.count = 0;
     // The first round of a match begins before its first frame.
-    if (!memory_.begun && match.match().played <= audio::frame_ticks)
+    if (!memory_.follower.has_begun() && match.match().played <= audio::frame_ticks)
         begin(writing, Cue::count_go, {.at_ear = true});
     add_score(writing);
     muffle_by_walls(writing);
-    memory_.begun = true;
-    memory_.tick = match.now();
+    memory_.follower.look(match);
 }
 
 }  // namespace thaum::game

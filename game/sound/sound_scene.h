@@ -9,16 +9,16 @@
 #include <span>
 
 #include "audio/frame.h"
-#include "game/match/simulation.h"
+#include "game/match/follower.h"
 #include "game/sound/sound_names.h"
 
 namespace thaum::game {
 
 /// Steps, wand and heart of one wizard at the last frame.
 struct WizardSoundMemory {
-    double walked{};   ///< distance along the ground since the last step (m)
+    Stride stride{};
     double falling{};  ///< speed downwards (m/s)
-    bool grounded{true}, holds{}, dead{}, ladle_inside{};
+    bool grounded{true}, holds{}, ladle_inside{};
     std::uint32_t selected{}, fired{};
     Tick heart_at{};  ///< when the heart beats next (ticks of play)
 };
@@ -40,9 +40,7 @@ struct WallSoundMemory {
 inline constexpr std::size_t score_layers = 4;
 
 struct SoundMemory {
-    bool begun{};                 ///< false before the first frame
-    Tick tick{};                  ///< Simulation::now at the last frame
-    std::uint64_t events_seen{};  ///< number of the next event
+    MatchFollower follower{};
     std::array<WizardSoundMemory, players> wizards{};
     std::vector<ThingSoundMemory> things;  ///< by entity index
     std::array<WallSoundMemory, 16> walls{};

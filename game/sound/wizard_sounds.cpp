@@ -8,11 +8,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr double stride = 1.5;    ///< distance between two steps (m)
 constexpr double jump_speed = 2;  ///< speed upwards from which leaving the ground is a jump (m/s)
 constexpr double land_speed = 2,
-                 hard_landing = 9;   ///< speeds of a landing that is heard, and at full strength (m/s)
-constexpr double weak_heart = 0.25;  ///< share of full health below which the heart is heard
+                 hard_landing = 9;  ///< speeds of a landing that is heard, and at full strength (m/s)
 constexpr double slow_heart_hz = 1.2, fast_heart_hz = 2.4;
 constexpr double loud_hold_n = 1200;  ///< force by which a wand holds something at full loudness
 
@@ -49,9 +47,7 @@ void add_steps(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory
     if (memory.grounded && !grounded && speed.y > jump_speed) begin(writing, Cue::jump, {.place = feet});
     if (!memory.grounded && grounded && memory.falling > land_speed)
         begin(writing, Cue::land, {.place = feet, .gain = std::min(1.0, memory.falling / hard_landing)});
-    if (grounded) memory.walked += std::hypot(speed.x, speed.z) * seconds(audio::frame_ticks);
-    if (grounded && memory.walked > stride) {
-        memory.walked = 0;
+    if (memory.stride.walks(stance, wizard.motion, seconds(audio::frame_ticks))) {
         const double share = std::hypot(speed.x, speed.z) / writing.match.data().wizard.walk.walk_speed;
         begin(writing, step_on(ground_of(writing, wizard)),
               {.place = feet, .gain = std::clamp(share, 0.2, 1.0)});
@@ -100,9 +96,9 @@ void add_wand(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory&
 void add_heart(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory& memory) {
     const auto& health = writing.match.world().get<Health>(wizard.entity);
     const double share = health.points / writing.match.data().wizard.health;
-    if (!(share < weak_heart) || !(share > 0) || writing.played() < memory.heart_at) return;
+    if (!(share < loud_heart_health) || !(share > 0) || writing.played() < memory.heart_at) return;
     begin(writing, Cue::heartbeat, {.heard_by = writing.ears_of(wizard.player), .at_ear = true});
-    const double hz = fast_heart_hz + (slow_heart_hz - fast_heart_hz) * share / weak_heart;
+    const double hz = fast_heart_hz + (slow_heart_hz - fast_heart_hz) * share / loud_heart_health;
     memory.heart_at = writing.played() + ticks(1 / hz);
 }
 

@@ -8,14 +8,10 @@
 namespace thaum::game {
 namespace {
 
-/// Gap of the clock after which the match was not followed, but moved to another time (ticks).
-constexpr Tick longest_gap = 64;
-constexpr double full_harm = 60;      ///< harm that is felt at full strength (HP)
-constexpr double weak_health = 0.25;  ///< share of full health below which the heart is felt
-constexpr double stride = 1.5;        ///< distance between two steps (m)
-constexpr double full_recoil = 3;     ///< kick of the hand that is felt at full strength (N)
-constexpr double full_drag = 20;      ///< drag at the ladle that is felt at full strength (N)
-constexpr double chest = 1.15;        ///< height of a blow whose height is unknown (m)
+constexpr double full_harm = 60;   ///< harm that is felt at full strength (HP)
+constexpr double full_recoil = 3;  ///< kick of the hand that is felt at full strength (N)
+constexpr double full_drag = 20;   ///< drag at the ladle that is felt at full strength (N)
+constexpr double chest = 1.15;     ///< height of a blow whose height is unknown (m)
 
 /// Keys of lasting effects.
 constexpr std::uint32_t heart_key = 1, stir_key = 2;
@@ -42,21 +38,29 @@ TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBan
     : effects_(effects), bank_(bank), player_(player) {}
 
 std::size_t TactileScene::add(const tactile::Layout& layout) {
-    mixers_.push_back(std::make_unique<tactile::TactileMixer>(layout, bank_));
-    frames_.emplace_back();
-    return mixers_.size() - 1;
+    outputs_.push_back({.mixer = std::make_unique<tactile::TactileMixer>(layout, bank_)});
+    return outputs_.size() - 1;
+}
+
+void TactileScene::set_used(std::size_t layout, bool used) {
+    auto& output = outputs_[layout];
+    if (output.used == used) return;
+    output.used = used;
+    output.mixer->stop();
+    output.frame = {};
 }
 
 void TactileScene::set_faders(std::size_t layout, const tactile::Faders& faders) {
-    mixers_[layout]->set_faders(faders);
+    outputs_[layout].mixer->set_faders(faders);
 }
 
 void TactileScene::feel(const BodyCue& cue, Tick now) {
-    for (auto& mixer : mixers_) {
+    for (auto& output : outputs_) {
+        if (!output.used) continue;
         if (cue.key == 0)
-            mixer->start(cue.effect, cue.where, cue.strength, now);
+            output.mixer->start(cue.effect, cue.where, cue.strength, now);
         else
-            mixer->drive(cue.key, cue.effect, cue.where, cue.strength, now);
+            output.mixer->drive(cue.key, cue.effect, cue.where, cue.strength, now);
     }
 }
 
@@ -71,16 +75,13 @@ void TactileScene::feel_event(const Simulation& match, const Event& event) {
 }
 
 void TactileScene::feel_events(const Simulation& match) {
-    match.events().each_new(events_seen_, [&](const Event& event) { feel_event(match, event); });
+    follower_.each_event(match, [&](const Event& event) { feel_event(match, event); });
 }
 
 void TactileScene::feel_steps(const Simulation& match, ecs::Entity wizard) {
     const auto& world = match.world();
-    if (world.get<Stance>(wizard).grounded == 0) return;
-    const vec3 speed = world.get<Motion>(wizard).velocity;
-    walked_ += std::hypot(speed.x, speed.z) * seconds(tactile::frame_ticks);
-    if (walked_ < stride) return;
-    walked_ = 0;
+    if (!stride_.walks(world.get<Stance>(wizard), world.get<Motion>(wizard), seconds(tactile::frame_ticks)))
+        return;
     left_foot_ = !left_foot_;
     feel({.effect = left_foot_ ? effects_.walk_left : effects_.walk_right}, match.now());
 }
@@ -97,8 +98,8 @@ void TactileScene::feel_own(const Simulation& match) {
     if (world.has<Dead>(wizard)) return;
     feel_steps(match, wizard);
     const double health = world.get<Health>(wizard).points / match.data().wizard.health;
-    if (health > 0 && health < weak_health)
-        feel({.effect = effects_.heartbeat, .strength = 1 - health / weak_health, .key = heart_key},
+    if (health > 0 && health < loud_heart_health)
+        feel({.effect = effects_.heartbeat, .strength = 1 - health / loud_heart_health, .key = heart_key},
              match.now());
     if (const auto* ladle = world.find<Ladle>(wizard)) {
         const double drag = std::min(1.0, glm::length(ladle->force) / full_drag);
@@ -107,23 +108,22 @@ void TactileScene::feel_own(const Simulation& match) {
 }
 
 void TactileScene::take(const Simulation& match) {
-    const bool followed = begun_ && match.now() >= tick_ && match.now() - tick_ <= longest_gap &&
-                          match.events().count() >= events_seen_;
-    const bool plays = match.match().paused == 0 && match.match().phase == Phase::playing;
-    if (!followed || match.match().paused != 0) {
-        for (auto& mixer : mixers_) mixer->stop();
+    const bool followed = follower_.goes_on(match);
+    const bool paused = match.match().paused != 0;
+    if (!followed || paused) {
+        for (auto& output : outputs_) output.mixer->stop();
     }
     if (!followed) {
-        events_seen_ = match.events().count();
+        follower_.skip_events(match);
         fired_ = match.world().get<WandBelt>(wizard_of(match.world(), player_)).fired;
-        walked_ = 0;
-    } else if (match.match().paused == 0) {
+        stride_ = {};
+    } else if (!paused) {
         feel_events(match);
-        if (plays) feel_own(match);
+        if (match.match().phase == Phase::playing) feel_own(match);
     }
-    begun_ = true;
-    tick_ = match.now();
-    for (std::size_t i = 0; i < mixers_.size(); ++i) frames_[i] = mixers_[i]->mix(match.now());
+    follower_.look(match);
+    for (auto& output : outputs_)
+        if (output.used) output.frame = output.mixer->mix(match.now());
 }
 
 }  // namespace thaum::game

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "game/match/simulation.h"
+#include "game/match/follower.h"
 #include "game/tactile/match_effects.h"
 #include "tactile/layout.h"
 #include "tactile/mixer.h"
@@ -29,12 +29,14 @@ public:
 
     /// Adds a layout, whose frames have the returned number. Keeps the reference.
     std::size_t add(const tactile::Layout& layout);
+    /// A layout that is not used costs nothing, and its frames are silent. New ones are used.
+    void set_used(std::size_t layout, bool used);
     void set_faders(std::size_t layout, const tactile::Faders& faders);
 
     /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
     void take(const Simulation& match);
-    const tactile::TactileFrame& frame(std::size_t layout) const { return frames_[layout]; }
-    const tactile::MixerCounts& counts(std::size_t layout) const { return mixers_[layout]->counts(); }
+    const tactile::TactileFrame& frame(std::size_t layout) const { return outputs_[layout].frame; }
+    const tactile::MixerCounts& counts(std::size_t layout) const { return outputs_[layout].mixer->counts(); }
 
 private:
     void feel(const BodyCue& cue, Tick now);
@@ -46,15 +48,18 @@ private:
     const MatchEffects& effects_;
     const tactile::EffectBank& bank_;
     std::uint32_t player_;
-    std::vector<std::unique_ptr<tactile::TactileMixer>> mixers_;
-    std::vector<tactile::TactileFrame> frames_;
+    /// One layout with its mixer.
+    struct Output {
+        std::unique_ptr<tactile::TactileMixer> mixer;
+        tactile::TactileFrame frame{};
+        bool used = true;
+    };
+    std::vector<Output> outputs_;
 
     // The match at the last frame.
-    bool begun_ = false;
-    Tick tick_{};
-    std::uint64_t events_seen_{};
+    MatchFollower follower_{};
     std::uint32_t fired_{};
-    double walked_{};  ///< distance since the last step (m)
+    Stride stride_{};
     bool left_foot_{};
 };
 

@@ -19,6 +19,13 @@ inline std::shared_ptr<const MatchData> duel_data(std::vector<std::string> overr
     return std::make_shared<const MatchData>(std::move(*data));
 }
 
+/// Setup of a match of two scripted hands.
+inline MatchSetup two_hands() {
+    return {.seed = 1,
+            .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
+                        {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
+}
+
 inline const LoadedWand& wand_of(const MatchData& data, std::string_view name) {
     return *std::find_if(data.wands.begin(), data.wands.end(),
                          [&](const LoadedWand& wand) { return wand.kind->name == name; });

@@ -19,17 +19,12 @@ constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
 /// A match of two scripted hands. The test presses the buttons of the first.
 struct WandRig {
     explicit WandRig(std::vector<std::string> overrides = {}, const char* length = "quick")
-        : match(data_of(std::move(overrides), length), setup()) {}
+        : match(data_of(std::move(overrides), length), two_hands()) {}
 
     static std::shared_ptr<const MatchData> data_of(std::vector<std::string> overrides, const char* length) {
         auto data = load_match_data(assets(), {.match = length, .overrides = std::move(overrides)});
         EXPECT_TRUE(data) << data.error().message;
         return std::make_shared<const MatchData>(std::move(*data));
-    }
-    static MatchSetup setup() {
-        return {.seed = 1,
-                .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
-                            {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
     }
 
     template <class Each>

@@ -56,13 +56,8 @@ struct Listening {
 
 /// A match in which the test moves the wizards.
 struct SoundRig {
-    SoundRig() : match(duel_data(), setup()), heard(match) { heard.take(); }
+    SoundRig() : match(duel_data(), two_hands()), heard(match) { heard.take(); }
 
-    static MatchSetup setup() {
-        return {.seed = 1,
-                .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
-                            {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
-    }
     /// Plays `count` ticks with the first player's device as it is.
     void play(Tick count) {
         for (Tick t = 0; t < count; ++t) {

@@ -36,18 +36,13 @@ MatchEffects effects_of(const MatchData& data) {
 /// A match whose first player is struck by events that the test records.
 struct BodyRig {
     BodyRig()
-        : match(duel_data(), setup()),
+        : match(duel_data(), two_hands()),
           effects(effects_of(match.data())),
           scene(effects, loaded().effects, 0) {
         scene.add(loaded().figure);
         scene.take(match);
     }
 
-    static MatchSetup setup() {
-        return {.seed = 1,
-                .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
-                            {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
-    }
     void play(Tick count) {
         for (Tick t = 0; t < count; ++t) {
             match.tick({});
@@ -177,6 +172,23 @@ TEST(TactileScene, APauseIsSilentAtOnce) {
     rig.match.world_to_change().single<Match>().paused = 1;
     rig.play(tactile::frame_ticks);
     EXPECT_TRUE(rig.frame().is_silent());
+}
+
+TEST(TactileScene, ALayoutThatIsNotUsedIsSilentAndBeginsAnew) {
+    BodyRig rig;
+    const auto other = rig.scene.add(loaded().figure);
+    rig.scene.set_used(other, false);
+    rig.strike("blast_hit", rig.middle() + vec3(0, 0, -5), 60);
+    rig.play(3 * tactile::frame_ticks);
+    EXPECT_FALSE(rig.frame().is_silent());
+    EXPECT_TRUE(rig.scene.frame(other).is_silent());
+    EXPECT_EQ(rig.scene.counts(other).offered, 0U);
+    rig.scene.set_used(other, true);
+    rig.play(tactile::frame_ticks);
+    EXPECT_TRUE(rig.scene.frame(other).is_silent()) << "what came before is not made up for";
+    rig.strike("blast_hit", rig.middle() + vec3(0, 0, -5), 60);
+    rig.play(2 * tactile::frame_ticks);
+    EXPECT_FALSE(rig.scene.frame(other).is_silent());
 }
 
 TEST(TactileScene, TheHeartBeatsWhenHealthIsLow) {

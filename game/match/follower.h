@@ -1,0 +1,52 @@
+// game/match/follower.h: for readers that look at a match every few ticks, to make sounds or effects of it.
+#pragma once
+#include <cmath>
+
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+
+/// Share of full health below which the own heart is heard and felt.
+inline constexpr double loud_heart_health = 0.25;
+
+/// How far a reader has followed a match.
+class MatchFollower {
+public:
+    /// Whether the match went on since the last look. False at the first look, after a jump of the clock, and for a
+    /// match that was changed.
+    bool goes_on(const Simulation& match) const;
+    /// Whether the reader has looked before.
+    bool has_begun() const { return begun_; }
+    /// Ends a look.
+    void look(const Simulation& match);
+    /// Leaves out the events up to now.
+    void skip_events(const Simulation& match) { events_seen_ = match.events().count(); }
+    /// Calls f(event) for each event since the last look.
+    template <class F>
+    void each_event(const Simulation& match, F f) {
+        match.events().each_new(events_seen_, f);
+    }
+
+private:
+    bool begun_ = false;
+    Tick tick_{};
+    std::uint64_t events_seen_{};  ///< number of the next event
+};
+
+/// Steps of a wizard who walks.
+struct Stride {
+    static constexpr double length = 1.5;  ///< distance between two steps (m)
+
+    double walked{};  ///< distance since the last step (m)
+
+    /// Adds the way of `dt` seconds. Returns whether a step is done.
+    bool walks(const Stance& stance, const Motion& motion, double dt) {
+        if (stance.grounded == 0) return false;
+        walked += std::hypot(motion.velocity.x, motion.velocity.z) * dt;
+        if (!(walked > length)) return false;
+        walked = 0;
+        return true;
+    }
+};
+
+}  // namespace thaum::game
