@@ -63,6 +63,10 @@ double distance_gain(double distance_m, double near_m, double reach_m);
 /// Gain of a fader; values outside 0 to 1 are clipped.
 double fader_gain(double fader);
 
+/// Sets OpenAL's variables of the environment, once for the process. A program calls it while one thread runs, if others
+/// run before its first mixer is made.
+void prepare_openal();
+
 class Mixer {
 public:
     /// Copies the samples of the bank. The error is one line: no OpenAL, or one without loopback devices.

@@ -20,7 +20,7 @@ class Speakers {
 public:
     static constexpr double most_wait_s = 1.5;
 
-    /// Starts the thread. Create the mixer before, so that OpenAL is prepared while one thread runs.
+    /// Starts the thread.
     explicit Speakers(Mixer mixer, std::unique_ptr<SoundDevice> device = openal_device(),
                       double wait_s = most_wait_s);
 

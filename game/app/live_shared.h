@@ -89,9 +89,9 @@ struct LiveShared {
         : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
 
     TakenSeats seats;  ///< changed only while no simulation thread runs
-    /// Effects on the body; std::nullopt: nothing is felt. Set before the threads start.
+    /// Effects on the body; std::nullopt: nothing is felt. Set before the first match.
     std::optional<LiveBody> body;
-    std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the threads start
+    std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the first match
     LiveTactile tactile;               ///< motors of the players' pads
     LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "audio/mixer.h"
 #include "core/text.h"
 
 namespace thaum::audio::detail {
@@ -43,16 +44,6 @@ void silence_alsa() {
     ::dlclose(alsa);
 }
 
-void prepare_openal() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        ::setenv("ALSOFT_LOGLEVEL", "0", 0);
-        choose_short_periods();
-        alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback");
-        silence_alsa();
-    });
-}
-
 template <class Function>
 bool found(Function& function, const char* name) {
     function = reinterpret_cast<Function>(alcGetProcAddress(nullptr, name));
@@ -62,7 +53,7 @@ bool found(Function& function, const char* name) {
 }  // namespace
 
 Expected<OpenAl> find_openal() {
-    prepare_openal();
+    audio::prepare_openal();
     OpenAl al;
     const bool complete = found(al.open_loopback, "alcLoopbackOpenDeviceSOFT") &&
                           found(al.render, "alcRenderSamplesSOFT") && found(al.reset, "alcResetDeviceSOFT") &&
@@ -73,3 +64,17 @@ Expected<OpenAl> find_openal() {
 }
 
 }  // namespace thaum::audio::detail
+
+namespace thaum::audio {
+
+void prepare_openal() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+        detail::choose_short_periods();
+        alcIsExtensionPresent(nullptr, "ALC_SOFT_loopback");
+        detail::silence_alsa();
+    });
+}
+
+}  // namespace thaum::audio
