@@ -26,7 +26,7 @@ inline constexpr std::size_t most_heard = 64;
 inline constexpr std::size_t most_begins = 256;
 inline constexpr std::size_t block_values = 2 * frame_samples;
 
-/// Which speaker plays what while two players listen.
+/// How two listeners share the two speakers.
 enum class Ears : std::uint8_t {
     shared,      ///< both speakers play both listeners, each 3 dB quieter
     left_right,  ///< the left speaker plays the first listener, the right speaker the second

@@ -1,6 +1,6 @@
 // audio/speakers.h: plays audio frames on the system's sound device, in a thread of its own.
 //
-// From an event to its sound pass at most 8 ms until its frame is full, 8 ms until the device wants the next block,
+// The delay of an event's sound is at most 8 ms until its frame is full, 8 ms until the device wants the next block,
 // 2 ms until this thread looks, 8 ms while the block before is played, and 2 ms in the limiter: 28 ms, and what the
 // device itself delays. A device that had gaps gets one block more, so 36 ms.
 //

@@ -13,8 +13,8 @@ namespace thaum::audio {
 namespace {
 
 constexpr std::size_t largest_recipe = 64 << 10, most_sounds = 256;
-constexpr double most_seconds = 120;                     // of all sounds of a folder
-constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // of a sound that does not loop
+constexpr double most_seconds = 120;                     // largest length of all sounds of a folder
+constexpr double fade_in_s = 0.0005, fade_out_s = 0.02;  // fades of a sound that does not loop
 constexpr double lowest_hz = 15;  // frequencies below are not heard, only shift the samples
 
 void add_part(Canvas& canvas, const Part& part, Random random) {

@@ -14,7 +14,7 @@
 
 namespace thaum::input {
 
-/// Where a jacket listens.
+/// Address at which a jacket listens.
 struct NetAddress {
     std::string host{};  ///< name, or IPv4 or IPv6 address without brackets
     std::uint16_t port{};

@@ -66,7 +66,7 @@ void TactileMixer::set_pose(const Pose& pose) {
 // ---- beginnings ------------------------------------------------------------------------------------------------
 
 BodyPoint TactileMixer::point_of(const Where& where) {
-    constexpr double farthest = 10;  // m
+    constexpr double farthest = 10;  // largest distance of a place from the body (m)
     const auto near = [](vec3 v) { return is_finite(v) && glm::length(v) < farthest; };
     switch (where.kind) {
         case Where::Kind::own: return chest;
@@ -195,7 +195,7 @@ void TactileMixer::schedule(Playing& next, Tick now) {
     }
     if (in_gap) next.begin = free_at;
     auto* place = free_place(effect_of(next).priority);
-    if (place == nullptr) {  // what plays stays, as strong as the event at least
+    if (place == nullptr) {  // the effect that plays stays, at least as strong as the event
         auto& kept = running != nullptr ? *running : *least_important(false);
         ++counts_.merged;
         kept.level = std::max(kept.level, next.level);

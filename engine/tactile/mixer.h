@@ -23,7 +23,7 @@ static_assert(most_actuators == frame_capacity);
 
 inline constexpr std::size_t most_playing = 64;
 
-/// Where an effect is felt. An effect with places of its own ignores it.
+/// The place at which an effect is felt. An effect with places of its own ignores it.
 struct Where {
     enum class Kind : std::uint8_t { own, on_part, touched, from } kind{};
     BodyPoint point{};

@@ -6,12 +6,13 @@ namespace thaum::tactile {
 namespace {
 
 constexpr double least_sigma = 0.2;   // cells
-constexpr double kept_share = 0.01;   // of the largest share ...
+constexpr double kept_share = 0.01;   // smallest share that is kept, relative to the largest ...
 constexpr double least_share = 1e-4;  // ... or this one, where the place needs it
 constexpr double tolerated = 0.01;    // error of the felt place for leaving actuators out (cells)
 constexpr double solved = 1e-4;       // cells; far below what skin resolves
-constexpr double longest_step = 4;    // of l, per cell; keeps Newton's method from overshooting
-constexpr double stiffening = 1e-4;   // keeps l finite where the place is on the edge; costs some 0.001 cells
+constexpr double longest_step =
+    4;  // largest change of l in one step, per cell; keeps Newton's method from overshooting
+constexpr double stiffening = 1e-4;  // keeps l finite where the place is on the edge; costs some 0.001 cells
 
 /// The actuators that take part, in cells relative to the wanted place.
 struct Cells {

@@ -71,7 +71,7 @@ private:
     lws_context* context_ = nullptr;
     lws* socket_ = nullptr;
     bool up_ = false, failed_ = false;
-    std::string request_{};  ///< what waits; empty: nothing
+    std::string request_{};  ///< request that waits; empty: none
     Clock::time_point queued_{};
     bool pinged_ = false;  ///< a ping has no answer yet
     Clock::time_point pinged_at_{};
@@ -243,7 +243,7 @@ Expected<void> BhapticsJacket::open() {
         link_.reset();
         return connected;
     }
-    // What an earlier program left on stops, and the reply tells of the vest. Not every Player replies.
+    // Motors that an earlier program left on stop, and the reply tells of the vest. Not every Player replies.
     silence();
     link_->serve_until([this] { return !link_->is_up() || link_->devices(); }, longest_first_reply);
     if (link_->is_up() && has_vest()) return {};

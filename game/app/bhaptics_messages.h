@@ -21,7 +21,7 @@ inline constexpr std::size_t most_reply_bytes = 1U << 16U;
 /// Request that plays a frame of the layout `x40`. Amplitudes may be anything; they become 0 to 100.
 std::string bhaptics_request(const tactile::TactileFrame& frame);
 
-/// What matters of a reply.
+/// The part of a reply that is used.
 struct BhapticsReply {
     std::optional<std::int64_t> devices{};  ///< devices that the Player is connected to
 };

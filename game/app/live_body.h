@@ -24,7 +24,7 @@ struct LiveBody {
     static Expected<LiveBody> load(const std::filesystem::path& assets);
 };
 
-/// What both players feel in one match. The thread that plays the match owns it.
+/// The feelings of both players in one match. The thread that plays the match owns it.
 class MatchBody {
 public:
     /// `body`: std::nullopt for nothing. Then nothing is computed. `motors` get the frames of the pads.

@@ -199,7 +199,7 @@ void LiveSession::look_at_pads(const Pads& pads, std::int64_t now_ns) {
     report(news);
     share_motors();
     if (round_end_.may_leave(now_ns) && leaves_by_pad(before, pads)) leave_match();
-    // Of presses in the same moment, those that take a seat come before those that start the match.
+    // In one moment, presses that take a seat come before those that start the match.
     std::array<bool, std::tuple_size_v<Pads>> seated{};
     for (std::size_t i = 0; i < pads.size(); ++i) seated[i] = menu_.has_seat(static_cast<int>(i));
     for (const bool turn : {false, true}) {

@@ -59,13 +59,7 @@ void LiveSound::play(MenuSound sound) {
         speakers_.hear(audio::Voice{.sound = *number, .at_ear = true});
 }
 
-void LiveSound::tell_status() {
-    auto status = speakers_.status();
-    if (status.empty() || status == told_) return;
-    // That all is well is worth a line only after it was not.
-    if (!told_.empty() || speakers_.report().times_opened == 0) std::fprintf(stderr, "%s\n", status.c_str());
-    told_ = std::move(status);
-}
+void LiveSound::tell_status() { told_.tell("", speakers_.status(), speakers_.report().times_opened); }
 
 MatchSound::~MatchSound() {
     if (sound_ != nullptr) sound_->hear(audio::AudioFrame{});

@@ -10,12 +10,13 @@
 
 #include "audio/speakers.h"
 #include "game/app/settings.h"
+#include "game/app/told_state.h"
 #include "game/hud/picture.h"
 #include "game/sound/sound_scene.h"
 
 namespace thaum::app {
 
-/// What a menu lets hear.
+/// Sounds of a menu.
 enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
 
 class LiveSound {
@@ -43,10 +44,10 @@ private:
     audio::SoundBank bank_;
     audio::Speakers speakers_;
     std::atomic<bool> words_{};  ///< some player wants sounds in words
-    std::string told_{};         ///< the state that was printed last
+    ToldState told_{};
 };
 
-/// What is heard of one match. The thread that plays the match owns it.
+/// The sounds of one match. The thread that plays the match owns it.
 class MatchSound {
 public:
     /// `sound`: null for silence. Then nothing is computed.

@@ -1,7 +1,8 @@
 #include "game/app/live_tactile.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/text.h"
 
 namespace thaum::app {
 
@@ -56,14 +57,8 @@ void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
 }
 
 void LiveTactile::Socket::tell_status(std::size_t number) {
-    if (own == nullptr) return;
-    auto status = own->status();
     // A player without an output is no news, and no more is the output that comes back.
-    if (status.empty() || status == told) return;
-    // That all is well is worth a line only after it was not.
-    if (!told.empty() || own->report().times_opened == 0)
-        std::fprintf(stderr, "player %zu: %s\n", number, status.c_str());
-    told = std::move(status);
+    if (own != nullptr) told.tell(text("player ", number, ": "), own->status(), own->report().times_opened);
 }
 
 input::TactileReport LiveTactile::Socket::report() const {

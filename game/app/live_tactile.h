@@ -15,6 +15,7 @@
 
 #include "game/app/jacket.h"
 #include "game/app/settings.h"
+#include "game/app/told_state.h"
 #include "game/components/wizard.h"
 #include "input/rumble.h"
 #include "input/tactile_player.h"
@@ -58,7 +59,7 @@ private:
         std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
         std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
         std::atomic<bool> plays{};                    ///< there is an output
-        std::string told{};                           ///< the state that was printed last
+        ToldState told{};
 
         void use(std::unique_ptr<input::TactileOutput> output);
         bool is_open() const { return plays && player.load()->is_open(); }

@@ -19,7 +19,7 @@ public:
     void follow(const game::Simulation& match, std::string& rows);
 
 private:
-    /// What the scenes refer to.
+    /// Data to which the scenes refer.
     struct State {
         LiveBody body;
         game::MatchEffects effects;

@@ -38,7 +38,7 @@ struct ReplayBarLayout {
 };
 /// Greatest width of the words on the keys in one line (em).
 inline constexpr float replay_keys_wide = 80;
-/// Where one line of keys would be smaller than the rest of the bar, the keys have up to three lines.
+/// If one line of keys would be smaller than the rest of the bar, the keys have up to three lines.
 ReplayBarLayout lay_out_replay_bar(double text_scale, render::Size window);
 
 /// The tick at a place on the track, from 0 to `length`.

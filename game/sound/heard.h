@@ -11,7 +11,7 @@
 
 namespace thaum::game {
 
-/// Which sounds a player wants in words.
+/// The sounds that a player wants in words.
 enum class HeardWish : std::uint8_t { none, important, all };
 
 /// Side from which a sound comes. `here`: from the listener, or from no place.

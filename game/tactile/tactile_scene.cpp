@@ -16,7 +16,7 @@ constexpr double chest = 1.15;     ///< height of a blow whose height is unknown
 /// Keys of lasting effects.
 constexpr std::uint32_t heart_key = 1, stir_key = 2;
 
-/// Where a player feels an event: on the side of the player who caused it, or of its place.
+/// Place at which a player feels an event: on the side of the event's place, or of the player who caused it.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);

@@ -66,7 +66,7 @@ SwingData read(const ConfigTable& root) {
 
 // ---- attaching --------------------------------------------------------------------------------------------
 
-/// Where a rope would be fastened.
+/// Point at which a rope would be fastened.
 struct Hold {
     vec3 point{};          ///< (m, world)
     ecs::Entity anchor{};  ///< none: a point of a fixed body

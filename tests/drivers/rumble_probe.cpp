@@ -25,7 +25,7 @@ struct Order {
     int frames = 0;
 };
 
-/// What the FIFO has asked for; read by a thread of its own.
+/// Requests that the FIFO has brought; read by a thread of its own.
 struct Orders {
     std::mutex mutex;
     Order newest;

@@ -11,7 +11,7 @@
 
 namespace thaum::audio::rig {
 
-/// What the test knows and decides about a fake device. It outlives the device.
+/// Facts and decisions about a fake device, for the test. It outlives the device.
 struct FakeCard {
     double now_s{};        ///< the card's clock
     double speed{1};       ///< of the card's clock, to the test's

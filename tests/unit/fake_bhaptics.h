@@ -13,7 +13,7 @@
 
 namespace thaum::app::rig {
 
-/// What the fake does.
+/// Behaviour of the fake.
 enum class Manner : std::uint8_t {
     replies,          ///< answers each request, with one device
     replies_no_vest,  ///< answers each request, with no device

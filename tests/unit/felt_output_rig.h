@@ -11,7 +11,7 @@
 
 namespace thaum::input::rig {
 
-/// What a test knows and decides about a fake output. The output and the test share it, since a thread that is left
+/// Facts and decisions about a fake output, for a test. The output and the test share it, since a thread that is left
 /// behind may outlive the test.
 struct Felt {
     mutable std::mutex mutex;

@@ -10,7 +10,7 @@
 namespace thaum::app::live_tests {
 namespace {
 
-/// What a device has played, for both threads.
+/// Count and energy of the blocks that a device has played, for both threads.
 struct Heard {
     std::mutex mutex;
     double energy{};

@@ -356,7 +356,7 @@ TEST(SoundScene, APauseAndAJumpOfTheClockBeginNothing) {
 
 // ---- the mixer ----------------------------------------------------------------------------------------------
 
-/// What one speaker plays of a sound that begins, or lasts, two metres ahead.
+/// Samples that one speaker plays of a sound that begins, or lasts, two metres ahead.
 std::vector<float> played_by(audio::Mixer& mixer, std::uint32_t sound) {
     const auto& kind = bank().sounds[sound];
     audio::AudioFrame frame;

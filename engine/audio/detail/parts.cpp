@@ -9,7 +9,7 @@ namespace thaum::audio {
 namespace {
 
 constexpr double sample_s = 1.0 / sample_rate;
-constexpr double noise_rms = 0.35;     // of a noise with level 1
+constexpr double noise_rms = 0.35;     // strength of a noise with level 1
 constexpr double highest_hz = 20'000;  // deviations by a vibrato stay below half the sample rate
 
 /// A part on the time axis of its canvas, in samples.
