@@ -281,6 +281,12 @@ vec3 final_force(double most, vec3 force) {
 
 }  // namespace
 
+SafetyLimits with_share(SafetyLimits limits, double share) {
+    const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
+    limits.cap = part * (limits.excess / excess_over_peak);
+    return limits;
+}
+
 SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
     const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
     return {.cap = part * spec.peak_force,

@@ -51,6 +51,9 @@ inline constexpr double switch_energy = 0.01;
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 SafetyLimits safety_limits(const DeviceSpec& spec, double share);
 
+/// The same limits with another cap, as a share of the device's peak, 0 to 1.
+SafetyLimits with_share(SafetyLimits limits, double share);
+
 /// Reason why the device gets less than was asked for; the gravest one, in this order. Each has a caption on
 /// the screen.
 enum class SafetyCause : std::uint32_t {

@@ -335,6 +335,10 @@ Servo servo_of(const DeviceSpec& spec, double share) {
             .quantum = spec.position_quantum};
 }
 
+SafetyLimits limits_of(const Servo& servo, std::uint32_t percent) {
+    return percent == 0 ? servo.limits : with_share(servo.limits, percent / 100.0);
+}
+
 double detent_force(const Detents& detents, double along) {
     if (!(detents.depth > 0)) return 0;
     double force = 0;
@@ -413,7 +417,9 @@ double path_speed(const ServoState& state, double quantum) {
     return least < 0 ? 0 : least / (steps * tick_seconds);
 }
 
-vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
+vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model, const ServoSample& sample) {
+    Servo servo = device;
+    servo.limits = limits_of(device, model.force_percent);
     const vec3 velocity = store_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
     const Switches switches = detect_switches(state, model);

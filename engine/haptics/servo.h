@@ -73,7 +73,8 @@ struct HapticModel {
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down
     bool rearm{};
-    std::uint8_t spare{};
+    /// Largest force that the player has chosen meanwhile (% of the device's peak); 0: as Servo::limits say.
+    std::uint8_t force_percent{};
     /// Changes when the primitives jump, which is a switch; not when they move smoothly.
     std::uint32_t set_number{};
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
@@ -113,6 +114,9 @@ struct Servo {
 
 /// Servo constants of a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 Servo servo_of(const DeviceSpec& spec, double share);
+
+/// Limits of a servo whose player has chosen a largest force of `percent` of the device's peak; 0: those of the servo.
+SafetyLimits limits_of(const Servo& servo, std::uint32_t percent);
 
 /// A fifth pulse replaces the oldest, which is a switch.
 inline constexpr std::size_t pulses_at_once = 4;

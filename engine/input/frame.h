@@ -15,6 +15,27 @@ inline constexpr std::size_t max_counts = 8;
 /// Number of sources of force in a stirred fluid: those of haptics::fluid_modes, in their order.
 inline constexpr std::size_t fluid_faders = 7;
 
+/// A player's faders for the forces at the hand. The first is the largest force, the others are shares of a source of
+/// force. The sources of a stirred fluid follow, beginning with `fluid`. The numbers are part of the log's format.
+enum class HandFader : std::uint8_t { none, force, weight, blows, recoil, roughness, fluid };
+inline constexpr std::size_t hand_faders = static_cast<std::size_t>(HandFader::fluid) - 1 + fluid_faders;
+/// Value of HandFader::force for the share that the data files give.
+inline constexpr std::uint8_t force_as_rules = 101;
+
+/// A fader that a player moved during the match.
+struct FaderChange {
+    std::uint8_t
+        fader{};  ///< HandFader, or for sources of a fluid a number from HandFader::fluid on; 0: none moved
+    std::uint8_t percent{};  ///< new value, 0 to 100, or force_as_rules
+    bool operator==(const FaderChange&) const = default;
+};
+/// Whether the numbers mean a change, or none. Other numbers occur in damaged logs only.
+constexpr bool is_valid(const FaderChange& change) {
+    if (change.fader == 0) return change.percent == 0;
+    const bool force = change.fader == static_cast<std::uint8_t>(HandFader::force);
+    return change.fader <= hand_faders && change.percent <= (force ? force_as_rules : 100);
+}
+
 /// Kind of a device, which decides the meaning of `DeviceSample::counts`. `arm` is a stylus with arm::Count.
 /// All others are hands with hand::Count.
 enum class DeviceKind : std::uint8_t { keyboard_mouse, keyboard_half, pad, bot, script, arm };
@@ -84,6 +105,7 @@ struct DeviceSample {
     std::uint8_t wand{};
     /// The device is unplugged or lost. It joins or leaves the match at a tick by a change of this value.
     bool away{};
+    FaderChange change{};  ///< fader that the player moved in this tick
     /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in
     /// a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};
@@ -119,12 +141,17 @@ struct DeviceSpec {
     std::uint8_t force_percent{};
     std::uint8_t weight_reduction{};  ///< reduction of the felt weight of a carried thing (%, at most 100)
     std::uint8_t blow_reduction{};    ///< reduction of the felt blows on a carried thing (%, at most 100)
+    std::uint8_t recoil_reduction{};  ///< reduction of the felt recoil of wands (%, at most 100)
+    /// Reduction of the felt friction of touched things (%, at most 100).
+    std::uint8_t roughness_reduction{};
     /// For an arm: edges of the box that it says it reaches (um), at most most_box_um; zero: unknown.
     std::array<std::uint32_t, 3> box_um{};
     /// Reduction of the felt force of each source in a fluid (%, at most 100).
     std::array<std::uint8_t, fluid_faders> fluid_reduction{};
     /// Strength of the help with aiming (%, at most 100; game/context/aim_assist.h).
     std::uint8_t aim_assist{};
+    /// Samples may contain changes of faders. Programs that know none refuse such a log.
+    bool moves_faders{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// Sets the largest force that the player wants, 0 to 100 % of the device's force. 0 means no forces.
@@ -139,10 +166,19 @@ struct DeviceSpec {
         blow_reduction = static_cast<std::uint8_t>(100 - std::min(blow_percent, 100U));
     }
 
+    /// Sets how much of the recoil and of the friction of touched things the player feels, 0 to 100 %.
+    void set_touch_percent(std::uint32_t recoil_percent, std::uint32_t roughness_percent) {
+        recoil_reduction = static_cast<std::uint8_t>(100 - std::min(recoil_percent, 100U));
+        roughness_reduction = static_cast<std::uint8_t>(100 - std::min(roughness_percent, 100U));
+    }
+
     /// Sets how much of a fluid source the player feels, 0 to 100 % of the data files' value.
     void set_fluid_percent(std::size_t source, std::uint32_t percent) {
         fluid_reduction[source] = static_cast<std::uint8_t>(100 - std::min(percent, 100U));
     }
+
+    /// Values of all faders at the beginning of the match; HandFader `n` is at n - 1.
+    std::array<std::uint8_t, hand_faders> faders() const;
 };
 
 }  // namespace thaum::input

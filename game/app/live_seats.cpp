@@ -83,9 +83,21 @@ double aim_assist_of(const PlayerSettings& settings, DeviceKind kind) {
     }
 }
 
+std::uint32_t percent_of(double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); }
+
+/// Sets the faders for the forces at the player's hand.
+void ask_for_forces(const Settings& settings, std::uint32_t player, input::DeviceSpec& spec) {
+    const auto& own = settings.players[player];
+    if (const auto percent = force_percent_of(own)) spec.set_force_percent(*percent);
+    spec.set_carried_percent(percent_of(own.carried_weight), percent_of(own.carried_blows));
+    spec.set_touch_percent(percent_of(own.recoil), percent_of(own.roughness));
+    ask_for(settings.cauldron[player], spec);
+    spec.moves_faders = true;
+}
+
 TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
-    if (seat.kind == SeatKind::bot) return {seat, game::bot_device(player, seat.level), nullptr};
-    if (seat.kind == SeatKind::dummy) return {seat, game::dummy_device(), nullptr};
+    if (seat.kind == SeatKind::bot) return {seat, game::bot_device(player, seat.level), nullptr, nullptr};
+    if (seat.kind == SeatKind::dummy) return {seat, game::dummy_device(), nullptr, nullptr};
     input::DeviceSpec spec;
     spec.player = player;
     spec.kind = device_kind(seat.kind);
@@ -94,12 +106,10 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.look_rad_per_count *= own.sensitivity;
     spec.turn_rad_per_s = own.turn_deg_per_s * radians_per_degree;
     spec.invert_y = own.invert_y;
-    if (const auto percent = force_choices[own.force].percent) spec.set_force_percent(*percent);
-    const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
-    spec.set_carried_percent(percent_of(own.carried_weight), percent_of(own.carried_blows));
     spec.aim_assist = static_cast<std::uint8_t>(percent_of(aim_assist_of(own, spec.kind)));
-    ask_for(settings.cauldron[player], spec);
-    return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
+    ask_for_forces(settings, player, spec);
+    return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind)),
+            std::make_unique<FaderInput>()};
 }
 
 Seat seat_of(const Device& device) {
@@ -137,6 +147,15 @@ TakenSeats take_seats(const Settings& settings, const Seats& seats) {
     TakenSeats taken;
     for (std::uint32_t p = 0; p < game::players; ++p) taken[p] = take_seat(settings, seats[p], p);
     return taken;
+}
+
+void want_faders(const Settings& settings, const TakenSeats& seats) {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (!seats[p].faders) continue;
+        input::DeviceSpec wanted;
+        ask_for_forces(settings, p, wanted);
+        seats[p].faders->want(wanted.faders());
+    }
 }
 
 bool has_pad(const TakenSeat& seat) { return seat.hands && seat.seat.kind == SeatKind::pad; }

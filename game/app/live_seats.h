@@ -1,6 +1,7 @@
 // game/app/live_seats.h: seats of a match. The command line or the start screen chooses each player's device.
 // Taking a seat makes the DeviceSpec for the log's header, and the collector of the player's input.
 #pragma once
+#include "game/app/fader_input.h"
 #include "game/app/live.h"
 #include "game/app/menu.h"
 #include "input/collector.h"
@@ -18,6 +19,7 @@ struct TakenSeat {
     Seat seat;
     input::DeviceSpec spec;
     std::unique_ptr<input::HandsCollector> hands;  ///< collector of the player's input; null for a bot
+    std::unique_ptr<FaderInput> faders;            ///< the player's faders as input; null for a bot
 };
 using TakenSeats = std::array<TakenSeat, game::players>;
 
@@ -27,6 +29,8 @@ Seats planned_seats(Seats seats, const Pads& pads);
 Seats joined_seats(const MenuState& menu, const MenuContext& context, bool practice);
 
 TakenSeats take_seats(const Settings& settings, const Seats& seats);
+/// Passes faders of changed settings on to the match that runs.
+void want_faders(const Settings& settings, const TakenSeats& seats);
 
 /// Whether a person plays this seat with a pad.
 bool has_pad(const TakenSeat& seat);

@@ -151,6 +151,7 @@ void LiveSession::take_seats(const Pads& pads) {
     const auto seats = plan_.start_screen ? joined_seats(menu_.state(), menu_.context(), next_.is_practice())
                                           : planned_seats(plan_.seats, pads);
     shared_.seats = app::take_seats(menu_.settings(), seats);
+    want_faders(menu_.settings(), shared_.seats);
     bind_arms(shared_.arms, shared_.seats, plan_.start_screen);
 }
 
@@ -282,6 +283,7 @@ void LiveSession::apply_settings() {
                                                   : "no sound: the terminal says which file is wrong");
     if (!menu_.take_settings_change()) return;
     hands_.rebind(menu_.settings());
+    want_faders(menu_.settings(), shared_.seats);
     if (shared_.sound != nullptr) shared_.sound->apply(menu_.settings());
     shared_.tactile.apply(menu_.settings());
 }

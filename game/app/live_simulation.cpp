@@ -103,6 +103,8 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.repeats_seen = s.shared.requests.lesson_repeats;
     s.countdown = start.countdown;
     s.fault = std::move(start.fault);
+    for (auto& seat : s.shared.seats)
+        if (seat.faders) seat.faders->begin_match(seat.spec.faders());
     if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
         start_practice(s, std::move(*files), start);
     } else {
@@ -207,6 +209,7 @@ input::InputFrame take_frame(SimulationThread& s) {
     if (auto* practice = practice_of(s.round)) frame.devices[game::dummys] = practice->dummy_sample();
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
+        if (auto& faders = s.shared.seats[i].faders) frame.devices[i].change = faders->take();
         frame.devices[i].away = s.shared.pad_lost[i];
     }
     each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t device) {

@@ -329,8 +329,7 @@ void add_cauldron_rows(const MenuState& s, Rows& rows) {
                          .help = std::string(effect_of_fader(i)),
                          .value = shown(faders[i]),
                          .adjustable = true,
-                         .dim = !faders[i].on},
-                        true});
+                         .dim = !faders[i].on}});
     }
     add_defaults_row(rows);
     add_back_row(rows);

@@ -253,6 +253,11 @@ Settings::Settings() {
             input::parse_controls(session_defaults[i], key_code_of).value_or(std::vector<input::Control>{});
 }
 
+std::optional<std::uint32_t> force_percent_of(const PlayerSettings& player) {
+    if (player.force == own_force) return static_cast<std::uint32_t>(player.own_force_percent);
+    return force_choices[player.force].percent;
+}
+
 std::string_view name_of(SessionKey key) { return session_names[static_cast<std::size_t>(key)]; }
 
 namespace {
@@ -389,12 +394,21 @@ std::vector<PlayerSetting> felt_settings() {
     return {
         {"rumble", "Rumble", "Makes a pad's motors stronger or weaker; the match stays the same.",
          Number{&PlayerSettings::rumble, 0, 1, 0.1, 100, " %"}},
-        {"force", "Force on the hand", "Sets the largest force that the hand feels.", force_setting(), true},
+        {"force", "Force on the hand", "Sets the largest force that the hand feels.", force_setting()},
+        {"own_force_percent", "Own largest force",
+         "Sets what \"own\" means, of the most that the device can do.",
+         WholeOf<PlayerSettings>{&PlayerSettings::own_force_percent, 5, 100, 5, " %"}},
         {"carried_weight", "Carried weight",
          "Lets the hand feel less of the weight; the match stays the same.",
-         Number{&PlayerSettings::carried_weight, 0, 1, 0.25, 100, " %"}, true},
+         Number{&PlayerSettings::carried_weight, 0, 1, 0.25, 100, " %"}},
         {"carried_blows", "Carried blows", "Lets the hand feel less of the blows; the match stays the same.",
-         Number{&PlayerSettings::carried_blows, 0, 1, 0.25, 100, " %"}, true},
+         Number{&PlayerSettings::carried_blows, 0, 1, 0.25, 100, " %"}},
+        {"recoil", "Recoil of the wands",
+         "Lets the hand feel less of the kick of each shot; the match stays the same.",
+         Number{&PlayerSettings::recoil, 0, 1, 0.25, 100, " %"}},
+        {"roughness", "Roughness of touched things",
+         "Lets the wand's tip slide more easily over what it touches.",
+         Number{&PlayerSettings::roughness, 0, 1, 0.25, 100, " %"}},
     };
 }
 

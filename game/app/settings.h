@@ -30,9 +30,9 @@ struct ForceChoice {
     std::string_view name;
     std::optional<std::uint32_t> percent{};  ///< std::nullopt: the share in the data files
 };
-inline constexpr std::array<ForceChoice, 5> force_choices{
-    {{"off", 0}, {"soft", 25}, {"gentle", std::nullopt}, {"firm", 70}, {"full", 100}}};
-inline constexpr std::size_t gentle_force = 2;
+inline constexpr std::array<ForceChoice, 6> force_choices{
+    {{"off", 0}, {"soft", 25}, {"gentle", std::nullopt}, {"firm", 70}, {"full", 100}, {"own", std::nullopt}}};
+inline constexpr std::size_t gentle_force = 2, full_force = 4, own_force = 5;
 
 /// Settings that belong to one person. The file has a table for each player, [player_1] and [player_2].
 struct PlayerSettings {
@@ -51,15 +51,21 @@ struct PlayerSettings {
     /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
     double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
     std::size_t force = gentle_force;  ///< index into force_choices
+    int own_force_percent = 45;        ///< largest force of the choice "own" (% of the device's peak)
     /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
     double carried_weight = 1;
     /// felt share of the blows on a carried thing, as a multiple of the data files' value (0 to 1)
     double carried_blows = 1;
+    double recoil = 1;           ///< felt share of the wands' recoil (0 to 1)
+    double roughness = 1;        ///< felt share of the friction of touched things (0 to 1)
     game::PromptWish prompts{};  ///< when the screen says which control does what
     std::string jacket{};        ///< the player's jacket (jacket.h); empty: none
 
     bool operator==(const PlayerSettings&) const = default;
 };
+
+/// Largest force that a player wants (% of the device's peak); std::nullopt: the share in the data files.
+std::optional<std::uint32_t> force_percent_of(const PlayerSettings& player);
 
 /// The start screen's last choices. A name that the data folder no longer has counts as the default.
 struct LastChoice {

@@ -9,7 +9,7 @@ constexpr double reference_peak = 3.3;
 /// Force at this player's device for one newton in the wands' files (N/N). It depends on device and player.
 double felt_share(const MatchContext& context, ecs::Entity wizard) {
     const auto player = context.world.get<Wizard>(wizard).player;
-    return context.input.haptic_setup.servos[player].limits.cap / reference_peak;
+    return force_cap(context.input.haptic_setup, player) / reference_peak;
 }
 
 }  // namespace
@@ -20,8 +20,10 @@ HandState empty_hand_state() {
     return hand_state;
 }
 
-void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length) {
-    kick(context, wizard, vec3(0, 0, newtons), length);
+void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length) {
+    const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
+    const double share = context.input.haptic_setup.recoil[player];
+    if (share > 0) kick(context, wizard, vec3(0, 0, share * newtons), length);
 }
 
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length) {

@@ -11,9 +11,11 @@ HandState empty_hand_state();
 
 /// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a device
 /// with a peak force of 3.3 N and a player who wants full force; for others it scales in proportion
-/// (game.md). A number kicks towards the user. A vector gives the direction (device frame). Writes HandState.
-void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
+/// (game.md). `newtons` is in the device frame. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
+
+/// Kicks the hand towards the user by a shot of the user's own wand. The player's fader for recoil scales it.
+void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 
 /// Sets a steady force on the hand (N, device frame), scaled like a kick. It may change smoothly from call to
 /// call. Writes HandState.

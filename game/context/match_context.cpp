@@ -4,6 +4,7 @@
 
 #include "game/components/arm.h"
 #include "game/components/cauldron.h"
+#include "game/components/moved_faders.h"
 #include "game/data/event_kinds.h"
 
 namespace thaum::game {
@@ -34,6 +35,10 @@ MatchContext::MatchContext(const MatchData& match_data, const MatchInput& match_
       physics(world, physics::Settings{}, data.arena.meshes),
       output(world) {}
 
+double force_cap(const HapticSetup& setup, std::uint32_t player) {
+    return haptics::limits_of(setup.servos[player], setup.force_percent[player]).cap;
+}
+
 void declare_components(ecs::World& world) {
     world.declare<Body>();
     world.declare<Motion>();
@@ -62,9 +67,10 @@ void declare_components(ecs::World& world) {
     world.declare<Ladle>();
     world.declare<Niche>();
     world.declare<Pouch>();
-    // Arms are declared last, so that the hashes of matches without arms stay the same.
+    // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();
+    world.declare<MovedFaders>();
 }
 
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {

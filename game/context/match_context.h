@@ -28,10 +28,16 @@ struct HapticSetup {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
     std::array<bool, players> on{};  ///< whether the player feels forces at all
+    /// Largest force that a player has chosen during the match (% of the device's); 0: as `servos` say.
+    std::array<std::uint8_t, players> force_percent{};
     /// Share of a carried thing's weight that the player feels, 0 to 1.
     std::array<double, players> weight{};
     /// Share of the blows on a carried thing that the player feels, 0 to 1.
     std::array<double, players> blows{};
+    /// Share of the wands' recoil that the player feels, 0 to 1.
+    std::array<double, players> recoil{};
+    /// Share of the friction of touched things that the player feels, 0 to 1.
+    std::array<double, players> roughness{};
     /// Strengths of the brew's effects on the player's hand.
     std::array<haptics::FluidModes, players> brew{};
     /// Half the box of positions that the device reaches (m, device frame).
@@ -41,6 +47,9 @@ struct HapticSetup {
     /// Displacement of the wand's tip per displacement of the hand (m/m).
     std::array<double, players> wand_per_hand{};
 };
+
+/// Largest force on a player's hand (N).
+double force_cap(const HapticSetup& setup, std::uint32_t player);
 
 /// The players' devices and what they give. The simulation owns it and fills in the frame of each tick.
 struct MatchInput {

@@ -13,12 +13,13 @@ constexpr double margin = 0.15;
 /// Displacement in one tick (m) above which the frame has jumped, not moved by walking.
 constexpr double leap = 0.5;
 
-Feel feel_of(const MatchData& data) {
+/// `roughness`: share of the friction that the player feels.
+Feel feel_of(const MatchData& data, double roughness) {
     const ProbeRules& probe = data.haptic_rules.probe;
     return {.stiffness = std::min(probe.stiffness, data.device.max_stiffness),
             .damping = std::min(probe.damping, data.device.max_damping),
-            .static_friction = probe.static_friction,
-            .dynamic_friction = probe.dynamic_friction};
+            .static_friction = roughness * probe.static_friction,
+            .dynamic_friction = roughness * probe.dynamic_friction};
 }
 
 double wand_per_hand(const MatchContext& context, ecs::Entity wizard) {
@@ -113,7 +114,8 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
                         .radius = 0.5 * glm::length(tip - proxy) + margin,
                         .mask = layer::ground | layer::prop,
                         .ignore = wizard.index};
-    fill_patch(model.patch, context.physics.read(), around, frame, before, feel_of(context.data));
+    const double roughness = context.input.haptic_setup.roughness[context.world.get<Wizard>(wizard).player];
+    fill_patch(model.patch, context.physics.read(), around, frame, before, feel_of(context.data, roughness));
 }
 
 }  // namespace thaum::game

@@ -63,6 +63,7 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     model.steady_force = hand_state.steady_force;
     model.tether = hand_state.tether;
     model.on = context.input.haptic_setup.on[player];
+    model.force_percent = context.input.haptic_setup.force_percent[player];
     model.panic = panic;
     model.rearm = hand_state.rearm != 0;
     fill_probe_model(context, wizard, hand_state, model);

@@ -42,7 +42,10 @@ std::string settings_of(const input::DeviceSpec& d) {
     number("blows reduced by", d.blow_reduction);
     for (std::size_t i = 0; i < d.fluid_reduction.size(); ++i)
         number(text("fluid source ", i + 1, " reduced by"), d.fluid_reduction[i]);
+    number("recoil reduced by", d.recoil_reduction);
+    number("roughness reduced by", d.roughness_reduction);
     number("aim assist", d.aim_assist);
+    if (d.moves_faders) line += ", may move faders";
     if (d.box_um[0] != 0) line += text(", box ", d.box_um[0], " x ", d.box_um[1], " x ", d.box_um[2], " um");
     return line;
 }

@@ -9,6 +9,7 @@
 #include "game/hand/hand_system.h"
 #include "game/match/bodies.h"
 #include "game/match/carry_over.h"
+#include "game/match/haptic_setup.h"
 #include "game/match/life.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
@@ -23,61 +24,10 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
-/// Usual width of a device's workspace (m, left to right), for which the hand scales in data files are meant.
-/// In a narrower workspace the scales grow in proportion, so that the hand reaches as far in the world.
-constexpr double usual_width = 0.16;
-
-void set_workspace(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& setup) {
-    setup.reach[player] = box / 2.0;
-    setup.workspace_scale[player] = usual_width / box.x;
-    setup.wand_per_hand[player] = data.haptic_rules.wand_per_hand * setup.workspace_scale[player];
-}
-
-/// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. An edge above 1 m
-/// counts as 1 m: no real arm is wider, and a wider one would make the hand slow.
-vec3 workspace_of(const input::DeviceSpec& device) {
-    constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
-    vec3 box{};
-    for (std::size_t i = 0; i < device.box_um.size(); ++i) {
-        const auto edge = device.box_um[i];
-        if (device.kind != input::DeviceKind::arm || edge < least_um) return vec3(0);
-        box[static_cast<int>(i)] = std::min(edge, most_um) * 1e-6;
-    }
-    return box;
-}
-
-static_assert(haptics::fluid_modes.size() == input::fluid_faders);
-
-/// Reduces the brew's effects by the shares that the player does not want to feel.
-void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
-    for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
-        modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_reduction[i] / 100.0;
-}
-
 void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     add_splash_system(context, brew, schedule);
     add_brewing_systems(context, brew, schedule);
     add_brew_systems(context, brew, schedule);
-}
-
-HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
-    HapticSetup setup{.device = haptics::simulated_device(data.device, haptics::Hand{})};
-    setup.on.fill(true);
-    setup.weight.fill(1);
-    setup.blows.fill(1);
-    for (auto& servo : setup.servos) servo = haptics::servo_of(data.device, data.haptic_rules.share);
-    for (std::uint32_t p = 0; p < players; ++p) set_workspace(data, p, data.device.workspace, setup);
-    for (const auto& device : devices) {
-        if (device.player >= players) continue;
-        if (device.no_forces) setup.on[device.player] = false;
-        if (device.force_percent != 0)
-            setup.servos[device.player] = haptics::servo_of(data.device, device.force_percent / 100.0);
-        if (const vec3 box = workspace_of(device); box.x > 0) set_workspace(data, device.player, box, setup);
-        setup.weight[device.player] *= 1 - device.weight_reduction / 100.0;
-        setup.blows[device.player] *= 1 - device.blow_reduction / 100.0;
-        reduce_modes(device, setup.brew[device.player]);
-    }
-    return setup;
 }
 
 }  // namespace
@@ -125,6 +75,7 @@ void Simulation::tick(const input::InputFrame& frame) {
     if (now_ % hash_interval == 0) force_hash_ = 0;
     input_.frame = frame;
     auto& world = context_.world;
+    move_faders(*data_, setup_.devices, frame, world, input_.haptic_setup);
     always_.run(world, now_);
     if (next_round_is_due(context_)) begin_next_round(context_, brew_.write());
     const auto& match = std::as_const(world).single<Match>();
@@ -147,6 +98,8 @@ void Simulation::keyframe() {
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
     THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
     if (auto restored = ecs::restore(context_.world, snapshot); !restored) return restored;
+    input_.haptic_setup = haptic_setup_of(*data_, setup_.devices);
+    apply_moved_faders(*data_, context_.world, input_.haptic_setup);
     auto& journal = context_.output.journal.write();
     journal.restart(std::as_const(context_.world).single<EventLog>());
     brew_.write().bursts_seen = journal.count();
@@ -166,6 +119,7 @@ const ForceTrace& Simulation::felt(std::uint32_t player) const {
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
     auto next = std::make_unique<Simulation>(std::move(data), setup_);
     carry_over(context_, next->context_);
+    apply_moved_faders(*next->data_, next->context_.world, next->input_.haptic_setup);
     auto& solver = next->brew_.write();
     solver.bursts_seen = brew_.read().bursts_seen;
     rebuild_brew(next->context_, solver);

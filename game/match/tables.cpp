@@ -150,6 +150,23 @@ void EventTable::marks_up_to(Tick tick, const Playback& playback, std::string& o
     }
 }
 
+void EventTable::follow_faders(const Playback& playback, std::string& out) {
+    const auto& match = playback.match();
+    const auto& devices = playback.log().header().devices;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const auto& change = playback.frame().devices[i].change;
+        if (change.fader == 0 || !is_valid(change) || !devices[i].moves_faders) continue;
+        append({.tick = match.now(),
+                .played = match.match().played,
+                .kind = "fader",
+                .who = devices[i].player,
+                .with = fader_names().at(change.fader - 1U),
+                .amount = static_cast<double>(change.percent),
+                .unit = "percent"},
+               out);
+    }
+}
+
 void EventTable::follow_devices(const Playback& playback, std::string& out) {
     const auto& match = playback.match();
     const auto& devices = playback.log().header().devices;
@@ -180,6 +197,7 @@ void EventTable::follow(const Playback& playback, std::string& out) {
                out);
     }
     follow_devices(playback, out);
+    follow_faders(playback, out);
     const auto lost =
         match.events().each_new(seen_, [&](const Event& event) { append_event(event, match, out); });
     if (lost > 0) {

@@ -24,12 +24,14 @@ void append_csv(std::string& row, std::string_view field);
 ///     tick     number of ticks played, pauses included (the log's clock)
 ///     time_s   the same in s; played_s: ticks of play in s
 ///     kind     an event name of game/data/event_kinds.h, or pause, resume, skip, left, joined,
-///              mark, lost, end
-///     who      player who caused the event, or whose device left or joined: 1, 2 or empty;
+///              fader, mark, lost, end
+///     who      player who caused the event, whose device left or joined, or who moved a fader: 1, 2 or
+///              empty;
 ///              whom: player to whom it happened (round_end: the winner)
 ///     with     wand, cause of a death or of a burst's harm, pad, power-up, ingredient, round,
-///              ending of the round or of the log, name of the device, or number of the mark
-///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip),
+///              ending of the round or of the log, name of the device or fader, or number of the mark
+///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip), percent (fader; 101: the largest
+///              force of the data files),
 ///              events (lost: gone before they could be written)
 ///     x_m ...  position (world); empty if the event has none
 ///     note     kind end: the result of the replay in one line
@@ -44,6 +46,7 @@ public:
 private:
     void marks_up_to(Tick tick, const Playback& playback, std::string& out);
     void follow_devices(const Playback& playback, std::string& out);
+    void follow_faders(const Playback& playback, std::string& out);
 
     std::uint64_t seen_ = 0;  ///< value of EventJournal::count up to which events were written
     std::size_t marks_ = 0;

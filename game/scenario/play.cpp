@@ -17,7 +17,7 @@ constexpr std::int32_t most_counts = 8;
 constexpr std::size_t most_trace_bytes = 64U << 20U;
 
 input::DeviceSpec script_device(std::uint32_t player) {
-    return {.player = player, .kind = input::DeviceKind::script, .name = "script"};
+    return {.player = player, .kind = input::DeviceKind::script, .name = "script", .moves_faders = true};
 }
 
 std::string player_name(int bot_level) { return bot_level == 0 ? "script" : text("bot ", bot_level); }
@@ -61,6 +61,9 @@ input::InputFrame frame_of(Play& play) {
             (from.buttons & static_cast<std::uint32_t>(input::Button::fire)) != 0 ? from.trigger : 0;
         sample.buttons = from.buttons;
         sample.wand = from.wand;
+        if (from.changes.empty()) continue;
+        sample.change = from.changes.front();
+        from.changes.erase(from.changes.begin());
     }
     if (!play.bots.empty()) play.bots.sample(*play.match, frame);
     take_samples(play.arms, frame);

@@ -23,8 +23,9 @@ struct Hand {
     std::int32_t look_right{}, look_up{};  ///< mouse counts still to be sent
     std::int32_t strafe{}, forward{};      ///< movement axes, -127 to 127
     std::uint32_t buttons{};
-    std::uint8_t wand{};        ///< wand whose key is down, 1 to input::most_wands; 0: none
-    std::int32_t trigger{255};  ///< pull of the trigger while fire is held, 0 to 255
+    std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::most_wands; 0: none
+    std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255
+    std::vector<input::FaderChange> changes{};  ///< moves of faders still to be sent, one in each tick
 };
 
 /// Settings of a match that a script asks for.

@@ -7,7 +7,7 @@ namespace thaum::game {
 const std::string_view prelude = R"lua(
 local raw = {}
 for _, name in ipairs {
-    "wait", "match", "button", "trigger", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
+    "wait", "match", "button", "trigger", "fader", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
     "picture_colours", "reach", "told", "stall",
 } do
@@ -130,6 +130,9 @@ function Wizard:release(button) raw.button(self.player, button, false) end
 
 -- How far fire is pulled while it is held.
 function Wizard:trigger(share) raw.trigger(self.player, share) end
+
+-- Moves a fader of the player's hand in the coming tick: force, weight, blows, recoil, roughness, brew flow, ...
+function Wizard:fader(name, percent) raw.fader(self.player, name, percent) end
 
 -- A player's press: two gameplay ticks and a half, and one tick in which the button is up.
 function Wizard:press(button, seconds)

@@ -5,6 +5,7 @@
 
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
+#include "game/match/haptic_setup.h"
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
@@ -223,6 +224,17 @@ int verb_trigger(lua_State* lua, void* context) {
     return 0;
 }
 
+int verb_fader(lua_State* lua, void* context) {
+    auto& hand = hand_of(began(context), lua);
+    const auto name = arg::string(lua, 2, "a fader");
+    const auto& names = fader_names();
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) fault("there is no fader '", name, "'");
+    hand.changes.push_back({static_cast<std::uint8_t>(found - names.begin() + 1),
+                            static_cast<std::uint8_t>(arg::integer(lua, 3, "the percentage", {0, 100}))});
+    return 0;
+}
+
 // ---- arms -------------------------------------------------------------------------------------------------
 
 ScriptArm& arm_of(Play& play, std::uint32_t player) {
@@ -409,6 +421,7 @@ constexpr VerbName match_verbs[] = {
     {"fail", verb_fail},
     {"raw_button", verb_button},
     {"raw_trigger", verb_trigger},
+    {"raw_fader", verb_fader},
     {"raw_move", verb_move},
     {"raw_look", verb_look},
     {"raw_reach", verb_reach},

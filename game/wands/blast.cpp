@@ -116,7 +116,7 @@ void shoot(const WandUse& use, const BlastData& data, double charge) {
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                   .shooter = use.wizard.index});
     note_shot(use, data.hit, muzzle.tip);
-    kick(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
+    recoil(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
 
 void stop_charging(const WandUse& use) {

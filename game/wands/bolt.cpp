@@ -84,7 +84,7 @@ void shoot(const WandUse& use, const BoltData& data) {
                                  .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                  .ignores = use.wizard.index});
     note_shot(use, data.hit, muzzle.tip);
-    kick(use.context, use.wizard, data.recoil, data.recoil_length);
+    recoil(use.context, use.wizard, data.recoil, data.recoil_length);
 }
 
 void fire(const WandUse& use, const BoltData& data) {

@@ -239,7 +239,7 @@ void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
     energy = std::max(0.0, energy - per_speed * std::max(0.0, speed - before));
     let_thing_go(context, use.wizard, hand);
     context.physics.write().set_velocity(key, way * std::max(speed, before));
-    kick(context, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
+    recoil(context, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
     ++belt.fired;
 }
 

@@ -242,6 +242,18 @@ TEST(InputLogFormat2, TheHelpWithAimingIsKept) {
     }
 }
 
+TEST(InputLogFormat2, FadersOfADeviceAreKept) {
+    auto sample = HeaderSample();
+    auto& device = sample.header.devices[1];
+    device.set_touch_percent(40, 0);
+    device.moves_faders = true;
+    const auto read = decoded(detail::encode_header(sample.header).value()).value();
+    EXPECT_EQ(read, sample.header);
+    const auto faders = read.devices[1].faders();
+    EXPECT_EQ(faders[static_cast<std::size_t>(HandFader::recoil) - 1], 40);
+    EXPECT_EQ(faders[static_cast<std::size_t>(HandFader::roughness) - 1], 0);
+}
+
 TEST(InputLogFormat2, ASettingOfAnotherSizeOrBeyondItsLimitIsRefused) {
     auto sample = HeaderSample();
     sample.header.devices.pop_back();
@@ -358,6 +370,21 @@ TEST(InputLogColumns, Format2HoldsWandAndAbsenceInColumnsOfTheirOwn) {
     EXPECT_FALSE(at(model_age, 65536));
     EXPECT_FALSE(at(skips, 65536));
     EXPECT_FALSE(unpacked(raw_tick(11, 0, 0), 2)) << "columns are missing";
+}
+
+TEST(InputLogColumns, AMovedFaderIsInTheColumnOfTheState) {
+    constexpr std::size_t columns = 13, state = 12;
+    const auto at = [&](std::uint32_t value) { return unpacked(raw_tick(columns, state, value), 2); };
+    const auto moved = at(2U << 8U | 75U << 16U).value();
+    EXPECT_EQ(moved.change, (FaderChange{2, 75}));
+    EXPECT_FALSE(moved.away);
+    EXPECT_TRUE(at(1U | 12U << 8U | 100U << 16U).value().away);
+    EXPECT_EQ(at(1U << 8U | 101U << 16U).value().change, (FaderChange{1, force_as_rules}));
+    EXPECT_FALSE(at(2U << 8U | 101U << 16U)) << "only the largest force may be as in the data files";
+    EXPECT_FALSE(at(1U << 8U | 102U << 16U));
+    EXPECT_FALSE(at(13U << 8U)) << "there is no such fader";
+    EXPECT_FALSE(at(50U << 16U)) << "a value without a fader";
+    EXPECT_FALSE(at(1U << 24U)) << "another bit is for a later program";
 }
 
 TEST(InputLogColumns, Format1HoldsTheWandAmongTheButtons) {

@@ -158,6 +158,8 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[6] = 101; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[0] = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].aim_assist = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].recoil_reduction = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].roughness_reduction = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.kinds.resize(17); }));
     EXPECT_TRUE(refused([](LogHeader& h) { std::swap(h.kinds[0], h.kinds[1]); }));

@@ -46,6 +46,48 @@ TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
     EXPECT_EQ(seats[game::dummys].kind, SeatKind::dummy);
 }
 
+/// Values after all moves of a player's faders, and their number.
+std::pair<FaderInput::Values, int> moved(FaderInput& faders, FaderInput::Values values) {
+    int moves = 0;
+    for (auto change = faders.take(); change.fader != 0; change = faders.take(), ++moves) {
+        EXPECT_TRUE(is_valid(change));
+        values.at(change.fader - 1U) = change.percent;
+    }
+    return {values, moves};
+}
+
+TEST(TakenSeats, ChangedFadersBecomeMovesOfTheirPlayer) {
+    Settings settings;
+    const auto seats = rig::seats_for(rig::bot_seat, rig::mouse_seat, settings);
+    EXPECT_FALSE(seats[0].faders) << "a bot moves none";
+    ASSERT_TRUE(seats[1].faders);
+    EXPECT_TRUE(seats[1].spec.moves_faders);
+    auto& faders = *seats[1].faders;
+    const auto at_start = seats[1].spec.faders();
+    faders.begin_match(at_start);
+    want_faders(settings, seats);
+    EXPECT_EQ(moved(faders, at_start).second, 0) << "nothing was changed";
+
+    settings.players[0].recoil = 0;  // the other player's
+    settings.players[1].recoil = 0.25;
+    settings.players[1].force = own_force;
+    settings.players[1].own_force_percent = 60;
+    settings.cauldron[1][2].on = false;
+    want_faders(settings, seats);
+    const auto [values, moves] = moved(faders, at_start);
+    EXPECT_EQ(moves, 3);
+    EXPECT_EQ(values, rig::seats_for(rig::bot_seat, rig::mouse_seat, settings)[1].spec.faders());
+    EXPECT_EQ(values[0], 60);
+    EXPECT_EQ(values[3], 25);
+    EXPECT_EQ(values[7], 0);
+
+    settings.players[1].force = gentle_force;
+    want_faders(settings, seats);
+    EXPECT_EQ(faders.take(), (input::FaderChange{1, input::force_as_rules}));
+    faders.begin_match(at_start);
+    EXPECT_EQ(moved(faders, at_start).second, 2) << "a new match has the values of its own header";
+}
+
 TEST(TakenSeats, HaveTheirPlayersSettings) {
     Settings settings;
     settings.players[1] = {.sensitivity = 3, .turn_deg_per_s = 90, .invert_y = true, .force = 4};

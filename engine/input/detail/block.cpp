@@ -32,7 +32,22 @@ using Column = std::array<std::uint32_t, block_ticks>;
 constexpr std::size_t buttons_column = max_counts, model_age_column = buttons_column + 1,
                       skips_column = model_age_column + 1, wand_column = skips_column + 1,
                       state_column = wand_column + 1;
-constexpr std::uint32_t away_bit = 1;  ///< the only bit of the column of states
+// Parts of the column of states.
+constexpr std::uint32_t away_bit = 1;
+constexpr unsigned fader_shift = 8, percent_shift = 16;
+
+std::uint32_t state_of(const DeviceSample& s) {
+    return (s.away ? away_bit : 0U) | std::uint32_t{s.change.fader} << fader_shift |
+           std::uint32_t{s.change.percent} << percent_shift;
+}
+
+/// Returns false if the value is none that `state_of` gives.
+bool set_state(DeviceSample& s, std::uint32_t state) {
+    s.away = (state & away_bit) != 0;
+    s.change = {static_cast<std::uint8_t>(state >> fader_shift),
+                static_cast<std::uint8_t>(state >> percent_shift)};
+    return is_valid(s.change) && state == state_of(s);
+}
 
 std::uint32_t field(const DeviceSample& s, std::size_t column) {
     switch (column) {
@@ -40,7 +55,7 @@ std::uint32_t field(const DeviceSample& s, std::size_t column) {
         case model_age_column: return s.model_age;
         case skips_column: return s.skips;
         case wand_column: return s.wand;
-        case state_column: return s.away ? away_bit : 0;
+        case state_column: return state_of(s);
         default: return static_cast<std::uint32_t>(s.counts[column]);
     }
 }
@@ -52,7 +67,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
         case model_age_column: s.model_age = static_cast<std::uint16_t>(value); return value <= 0xffffU;
         case skips_column: s.skips = static_cast<std::uint16_t>(value); return value <= 0xffffU;
         case wand_column: s.wand = static_cast<std::uint8_t>(value); return value <= most_wands;
-        case state_column: s.away = (value & away_bit) != 0; return value <= away_bit;
+        case state_column: return set_state(s, value);
         default: s.counts[column] = static_cast<std::int32_t>(value); return true;
     }
 }

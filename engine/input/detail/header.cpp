@@ -54,6 +54,8 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     if (device.force_percent > 100) return "a device's largest force is above 100 %";
     if (device.weight_reduction > 100) return "a device's reduction of weight is above 100 %";
     if (device.blow_reduction > 100) return "a device's reduction of blows is above 100 %";
+    if (device.recoil_reduction > 100) return "a device's reduction of recoil is above 100 %";
+    if (device.roughness_reduction > 100) return "a device's reduction of roughness is above 100 %";
     if (device.aim_assist > 100) return "a device's aim assist is above 100 %";
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";

@@ -31,6 +31,9 @@ enum class Setting : std::uint16_t {
     box_um,
     fluid_reduction,
     aim_assist,
+    recoil_reduction,
+    roughness_reduction,
+    moves_faders,
 };
 
 // Devices ------------------------------------------------------------------------------------------
@@ -65,6 +68,9 @@ Bytes settings_of(const DeviceSpec& d) {
     put_settings(out, Setting::box_um, d.box_um);
     put_settings(out, Setting::fluid_reduction, d.fluid_reduction);
     put_setting(out, Setting::aim_assist, d.aim_assist, std::uint8_t{});
+    put_setting(out, Setting::recoil_reduction, d.recoil_reduction, std::uint8_t{});
+    put_setting(out, Setting::roughness_reduction, d.roughness_reduction, std::uint8_t{});
+    put_setting(out, Setting::moves_faders, d.moves_faders, false);
     return out;
 }
 
@@ -95,6 +101,9 @@ bool get_setting(Setting tag, ByteReader& in, DeviceSpec& d) {
         case Setting::box_um: get_values(in, d.box_um); return true;
         case Setting::fluid_reduction: get_values(in, d.fluid_reduction); return true;
         case Setting::aim_assist: d.aim_assist = in.get<std::uint8_t>(); return true;
+        case Setting::recoil_reduction: d.recoil_reduction = in.get<std::uint8_t>(); return true;
+        case Setting::roughness_reduction: d.roughness_reduction = in.get<std::uint8_t>(); return true;
+        case Setting::moves_faders: d.moves_faders = in.get<bool>(); return true;
     }
     return false;
 }
