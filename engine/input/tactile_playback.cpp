@@ -24,12 +24,21 @@ void merge(const tactile::TactileFrame& older, tactile::TactileFrame& newer) {
     }
 }
 
+double life_of(const tactile::TactileFrame& frame) {
+    return std::min(static_cast<double>(frame.time_to_live) * s_per_tick, TactilePlayback::longest_life_s);
+}
+
 }  // namespace
 
 bool TactilePlayback::feel(const tactile::TactileFrame& frame) {
     const bool queued = frames_.push(frame);
     if (!queued) refused_.fetch_add(1, std::memory_order_relaxed);
     return queued;
+}
+
+void TactilePlayback::try_out(const tactile::TactileFrame& frame) {
+    const std::lock_guard lock(told_);
+    next_trial_ = frame;
 }
 
 void TactilePlayback::use(std::unique_ptr<TactileOutput> output) {
@@ -125,6 +134,15 @@ void TactilePlayback::drop_waiting() {
     for (; frames_.front() != nullptr; frames_.pop()) ++report_.frames_lost;
 }
 
+/// Takes a frame of `try_out`. Returns whether there is a new one.
+bool TactilePlayback::take_trial(double now_s) {
+    const std::lock_guard lock(told_);
+    if (!next_trial_) return false;
+    trial_ = *std::exchange(next_trial_, std::nullopt);
+    trial_until_s_ = now_s + life_of(trial_);
+    return true;
+}
+
 /// Merges all waiting frames into frame_. Returns their number.
 std::size_t TactilePlayback::take_frames() {
     const auto count = frames_.size();
@@ -137,9 +155,16 @@ std::size_t TactilePlayback::take_frames() {
 
 /// Plays what waits. `age_s` is the age that the waiting frames may have.
 void TactilePlayback::play(double now_s, double age_s) {
-    if (const auto count = take_frames(); count > 0) {
-        const double life_s =
-            std::min(static_cast<double>(frame_.time_to_live) * s_per_tick, longest_life_s) - age_s;
+    const bool tried = take_trial(now_s);
+    const auto count = take_frames();
+    if (count > 0 && now_s < trial_until_s_) {
+        merge(trial_, frame_);
+    } else if (count == 0 && tried) {
+        frame_ = trial_;
+        send(now_s, life_of(trial_));
+    }
+    if (count > 0) {
+        const double life_s = life_of(frame_) - age_s;
         report_.frames_merged += count - 1;
         if (life_s > 0)
             send(now_s, life_s);

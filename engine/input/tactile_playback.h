@@ -7,10 +7,14 @@
 // the program hangs. Several frames that wait become one: each actuator gets its largest amplitude, so that a short
 // blow is felt, and the newest frame's carriers. The age of a waiting frame is unknown. It counts as old as the step
 // before, so frames that waited while an output hung are dropped.
+//
+// A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are laid over those
+// of the match, and each counts for its time to live.
 #pragma once
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -40,6 +44,8 @@ public:
     bool feel(const tactile::TactileFrame& frame);
 
     // Any thread.
+    /// Lays a frame over those that are queued. The newest one counts.
+    void try_out(const tactile::TactileFrame& frame);
     /// Takes another output at the next step; null: none. The former one is closed.
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none.
@@ -61,6 +67,7 @@ private:
     void try_open(double now_s);
     void lose(double now_s);
     void drop_waiting();
+    bool take_trial(double now_s);
     std::size_t take_frames();
     void play(double now_s, double age_s);
     void send(double now_s, double life_s);
@@ -70,18 +77,21 @@ private:
     SpscQueue<tactile::TactileFrame, 32> frames_;
     std::atomic<std::uint64_t> refused_{};  ///< frames that found the queue full
 
-    mutable std::mutex told_;  ///< guards the four below
+    mutable std::mutex told_;  ///< guards the five below
     std::string status_;
     TactileReport published_;
     std::unique_ptr<TactileOutput> next_output_;
     bool changes_output_{};
+    std::optional<tactile::TactileFrame> next_trial_;
 
     std::atomic<bool> abandoned_{};
     std::unique_ptr<TactileOutput> output_;
     TactileReport report_;
     tactile::TactileFrame frame_{};  ///< the newest frame, with those merged into it
-    std::atomic<bool> open_{};       ///< changed by the output's thread only
-    bool sounding_{};                ///< the output plays a frame that is not silent
+    tactile::TactileFrame trial_{};  ///< the newest frame of `try_out`
+    double trial_until_s_{};
+    std::atomic<bool> open_{};  ///< changed by the output's thread only
+    bool sounding_{};           ///< the output plays a frame that is not silent
     double silent_at_s_{};
     double next_try_s_{};
     double opened_at_s_{};

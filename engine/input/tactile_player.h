@@ -22,6 +22,8 @@ public:
 
     /// Queues a frame; the simulation thread calls it every 8 ms. Never waits.
     bool feel(const tactile::TactileFrame& frame);
+    /// Lays a frame over those that are queued (TactilePlayback::try_out). Any thread.
+    void try_out(const tactile::TactileFrame& frame);
     /// Changes the output; null: none. Any thread; never waits for an output.
     void use(std::unique_ptr<TactileOutput> output);
     /// One line: which output plays, or why none does. Empty if there is none. Any thread may ask.

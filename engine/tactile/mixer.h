@@ -50,6 +50,10 @@ struct MixerSettings {
 /// Faders, 0 to 1. Walking is off until the player turns it up.
 struct Faders {
     std::array<double, purpose_count> values{1, 1, 1, 0, 1, 1, 1, 1, 1, 1};
+
+    double& of(Purpose purpose) { return values[static_cast<std::size_t>(purpose)]; }
+    double of(Purpose purpose) const { return values[static_cast<std::size_t>(purpose)]; }
+    bool operator==(const Faders&) const = default;
 };
 
 /// Numbers since the beginning. offered = started + merged, so no event is lost.

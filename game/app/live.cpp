@@ -178,12 +178,12 @@ int run_live(const LivePlan& plan) {
     if (!arms) return refuse(arms.error());
     shared.arms = std::move(*arms);
     audio::prepare_openal();
+    shared.body = load_body(plan.assets);
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return refuse(drawing.error());
     // Sounds are made while the other thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
-    shared.body = load_body(plan.assets);
     Live live{plan, shared, session, {*window, plan.settings.fullscreen}};
     const auto played = play_matches(live);
     shared.stop = true;

@@ -28,9 +28,24 @@ Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
                     std::move(*x16)};
 }
 
+const tactile::Layout* LiveBody::layout_named(std::string_view name) const {
+    return name == "x40" ? &x40 : name == "x16" ? &x16 : nullptr;
+}
+
+std::vector<tactile::Purpose> LiveBody::purposes() const {
+    std::vector<tactile::Purpose> found;
+    for (std::size_t i = 0; i < tactile::purpose_count; ++i) {
+        const auto purpose = static_cast<tactile::Purpose>(i);
+        const auto has = [&](const tactile::Effect& effect) { return effect.purpose == purpose; };
+        if (std::any_of(effects.effects.begin(), effects.effects.end(), has)) found.push_back(purpose);
+    }
+    return found;
+}
+
 void MatchBody::begin(const game::Simulation& match) {
     data_ = &match.data();
     for (auto& scene : scenes_) scene.reset();
+    faders_ = {};
     auto effects = game::match_effects(body_->effects, *match.data().presentation);
     if (!effects) {
         std::fprintf(stderr, "nothing is felt on the body: %s\n", effects.error().message.c_str());
@@ -44,10 +59,20 @@ void MatchBody::begin(const game::Simulation& match) {
         scenes_.at(p)->add(body_->x40);
         scenes_.at(p)->add(body_->x16);
         // The figure shows what comes from outside. The own shots would hide it.
-        tactile::Faders faders;
-        faders.values.at(static_cast<std::size_t>(tactile::Purpose::recoil)) = 0;
-        scenes_.at(p)->set_faders(figure, faders);
+        // The player's own faders are for motors.
+        tactile::Faders shown;
+        shown.of(tactile::Purpose::recoil) = 0;
+        scenes_.at(p)->set_faders(figure, shown);
     }
+}
+
+/// Gives the player's faders to motors and jackets if they have changed.
+void MatchBody::take_faders(std::uint32_t player) {
+    const auto faders = motors_.faders(player);
+    if (faders_.at(player) == faders) return;
+    faders_.at(player) = faders;
+    for (const auto layout : {pad_frame, x40_frame, x16_frame})
+        scenes_.at(player)->set_faders(layout, faders);
 }
 
 /// Makes the frames of the player's outputs, and of no others, and passes them on.
@@ -56,6 +81,7 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     const bool pad = motors_.feels(player);
     const auto jacket = motors_.jacket_layout(player);
     const bool x40 = jacket == "x40", x16 = jacket == "x16";
+    take_faders(player);
     scene.set_used(pad_frame, pad);
     scene.set_used(x40_frame, x40);
     scene.set_used(x16_frame, x16);

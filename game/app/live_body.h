@@ -22,6 +22,10 @@ struct LiveBody {
     tactile::Layout x40, x16;  ///< jackets
 
     static Expected<LiveBody> load(const std::filesystem::path& assets);
+    /// Layout of a jacket by its file's name; null for another name.
+    const tactile::Layout* layout_named(std::string_view name) const;
+    /// Purposes that some effect has, in their order.
+    std::vector<tactile::Purpose> purposes() const;
 };
 
 /// The feelings of both players in one match. The thread that plays the match owns it.
@@ -41,11 +45,14 @@ private:
     void begin(const game::Simulation& match);
     void feel(std::uint32_t player, const game::Simulation& match);
 
+    void take_faders(std::uint32_t player);
+
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;
     const game::MatchData* data_{};  ///< data for which the scenes were made
     std::optional<game::MatchEffects> effects_{};
     std::array<std::optional<game::TactileScene>, game::players> scenes_{};
+    std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< those that the scenes have
     std::array<Tick, game::players> felt_at_{};  ///< Simulation::now when a cell was last on
     Tick now_{};
     bool still_ = true;  ///< no frame was made since the last jump

@@ -1,6 +1,7 @@
 #include "game/app/live_menu.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "core/text.h"
 #include "game/app/menu_input.h"
@@ -20,7 +21,13 @@ bool repeats(Kind kind) { return kind <= Kind::right || kind == Kind::erase; }
 }  // namespace
 
 LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path settings_file)
-    : state_(std::move(state)), context_(std::move(context)), settings_file_(std::move(settings_file)) {}
+    : state_(std::move(state)), context_(std::move(context)), settings_file_(std::move(settings_file)) {
+    if (settings_file_.empty()) return;
+    profiles_folder_ = settings_file_.parent_path() / "feel";
+    std::string fault;
+    context_.profiles = load_feel_profiles(profiles_folder_, fault);
+    if (!fault.empty()) std::fprintf(stderr, "a profile is left out: %s\n", fault.c_str());
+}
 
 void LiveMenu::open(Page page) {
     state_ = opened(std::move(state_), page);
@@ -53,6 +60,8 @@ void LiveMenu::step(const MenuEvent& event) {
     const auto seats_before = state_.seats;
     state_ = app::step(std::move(state_), event, context_);
     if (state_.request != MenuRequest::none) request_ = state_.request;
+    if (state_.saves) save_profile(std::move(*state_.saves));
+    if (state_.tries) trial_ = state_.tries;
     const bool chosen = state_.request != MenuRequest::none || state_.pages.size() > depth_before ||
                         state_.settings != before || state_.seats != seats_before;
     if (chosen)
@@ -67,6 +76,19 @@ void LiveMenu::step(const MenuEvent& event) {
     settings_changed_ = true;
     if (settings_file_.empty()) return;
     if (const auto saved = save_changes(settings_file_, before, state_.settings); !saved)
+        state_.note = text("for this run only: ", saved.error().message);
+}
+
+/// Keeps a profile among those of the menu, and in its file.
+void LiveMenu::save_profile(FeelProfile profile) {
+    auto& all = context_.profiles;
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == profile.name; });
+    state_.profile = static_cast<std::size_t>(same - all.begin());
+    (same == all.end() ? all.emplace_back() : *same) = profile;
+    state_.note = text("saved as ", profile.name);
+    if (profiles_folder_.empty()) return;
+    if (const auto saved = save_feel_profile(profiles_folder_, profile); !saved)
         state_.note = text("for this run only: ", saved.error().message);
 }
 

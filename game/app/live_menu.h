@@ -25,6 +25,8 @@ public:
     bool is_open() const { return !state_.pages.empty(); }
     /// Whether the start screen or a page below it is open.
     bool on_start_screen() const { return is_open() && state_.pages.front().page == Page::start; }
+    /// Whether the page of what a player feels is shown.
+    bool on_mixer() const { return is_open() && state_.pages.back().page == Page::mixer; }
     /// Whether the next key or button becomes a binding.
     bool waits_for_control() const { return state_.waiting.has_value(); }
     /// Whether a name is being typed.
@@ -54,6 +56,8 @@ public:
 
     /// Returns the last request and forgets it. Until then devices' further events have no effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
+    /// The effect that somebody wants to feel, once.
+    std::optional<BodyTrialWish> take_trial() { return std::exchange(trial_, {}); }
     /// Sound of the last event, once.
     MenuSound take_sound() { return std::exchange(sound_, MenuSound::none); }
     /// Whether settings have changed since the last call.
@@ -64,6 +68,8 @@ public:
     void name_pads(const Pads& pads);
     /// State of the loudspeakers, for the page of the sounds.
     void tell_sound(std::string state) { context_.sound = std::move(state); }
+    /// Purposes of the effects on the body, for the mixer's page.
+    void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.
     void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
     /// The match that begins is on the range, or is the Apprentice there. The next start screen is not the first.
@@ -88,6 +94,7 @@ private:
     };
 
     void step(const MenuEvent& event);
+    void save_profile(FeelProfile profile);
     void give_control(const Device& device, const input::Control& control);
     void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
@@ -104,6 +111,8 @@ private:
     MenuRequest request_{};
     std::array<bool, 4> joining_{};  ///< pads that have joined and not been let go of since
     bool settings_changed_ = false;
+    std::optional<BodyTrialWish> trial_{};
+    std::filesystem::path profiles_folder_{};  ///< empty: profiles last for this run only
     MenuSound sound_{};
 };
 

@@ -43,6 +43,10 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
                         recorded_names(plan.replay->playback.log().header()));
     }
     shared_.tactile.apply(menu_.settings());
+    if (shared_.body) {
+        trial_.emplace(*shared_.body, shared_.tactile);
+        menu_.tell_purposes(shared_.body->purposes());
+    }
     publish_screen();
 }
 
@@ -182,6 +186,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     follow_match(now_ns);
     menu_.repeat(now_ns);
     apply_settings();
+    play_trial(now_ns);
     carry_out_request();
 }
 
@@ -225,6 +230,15 @@ void LiveSession::share_motors() {
         const bool uses_pad =
             has_pad(seat) && hands_.device_of(p) == input::DeviceKind::pad && place < pads_.size();
         shared_.tactile.use_pad(p, uses_pad ? &pads_[place] : nullptr);
+    }
+}
+
+/// Gives players who have joined with a pad its motors, so that they can feel effects on the mixer's page.
+void LiveSession::share_motors_of_start_screen() {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto& device = menu_.state().seats[p];
+        const bool pad = device && device->kind == input::DeviceKind::pad;
+        shared_.tactile.use_pad(p, pad ? &pads_.at(static_cast<std::size_t>(device->pad)) : nullptr);
     }
 }
 
@@ -288,6 +302,16 @@ void LiveSession::apply_settings() {
     shared_.tactile.apply(menu_.settings());
 }
 
+/// Plays the effect that somebody on the mixer's page wants to feel.
+void LiveSession::play_trial(std::int64_t now_ns) {
+    if (!trial_) return;
+    if (const auto wish = menu_.take_trial()) {
+        const auto player = static_cast<std::uint32_t>(wish->player);
+        trial_->start(player, wish->purpose, menu_.settings().players[player].body, now_ns);
+    }
+    trial_->step(now_ns);
+}
+
 void LiveSession::carry_out_request() {
     const auto request = menu_.take_request();
     const bool skips = request == MenuRequest::skip_step, repeats = request == MenuRequest::repeat_step;
@@ -316,6 +340,7 @@ bool LiveSession::captures_cursor() const {
 
 double LiveSession::patience_s() const {
     if (hands_.any_pad() || plan_.probe) return pad_poll_s;  // pads send no events, so they must be polled
+    if (trial_ && trial_->runs()) return seconds(tactile::frame_ticks) / 2;
     if (menu_.is_open()) return menu_poll_s;
     return focus_.pending() ? focus_poll_s : idle_poll_s;
 }
@@ -371,6 +396,7 @@ Screen LiveSession::screen() const {
                   .menu = menu_.picture(),
                   .arena_scene = menu_.on_start_screen(),
                   .frames_per_second = settings.frames_per_second};
+    if (menu_.on_mixer()) screen.menu.figure = trial_ ? trial_->figure() : BodyTrial::Figure{};
     auto& messages = screen.hud.device_messages;
     each_held_arm(shared_.arms,
                   [&](const LiveArm& arm, std::size_t) { messages[arm.player] = arm.notice.fault; });
@@ -405,6 +431,8 @@ bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {
     name_arms();
     menu_.repeat(now_ns);
     apply_settings();
+    share_motors_of_start_screen();
+    play_trial(now_ns);
     follow_arena();
     const auto request = menu_.take_request();
     if (request == MenuRequest::start && succeeds(load_chosen())) return true;

@@ -11,6 +11,7 @@
 // Events and times (ns, monotonic clock) are arguments (live_window.cpp passes those of the window), so that a
 // test can drive a whole session. Requests to the match and its state pass through LiveShared.
 #pragma once
+#include "game/app/body_trial.h"
 #include "game/app/live_hands.h"
 #include "game/app/live_menu.h"
 #include "game/app/live_shared.h"
@@ -77,11 +78,13 @@ private:
     void look_at_pads(const Pads& pads, std::int64_t now_ns);
     bool leaves_by_pad(const Pads& before, const Pads& pads) const;
     void share_motors();
+    void share_motors_of_start_screen();
     void pause_without_focus(std::int64_t now_ns);
     void name_arms();
     void follow_match(std::int64_t now_ns);
     void carry_out_request();
     void restart();
+    void play_trial(std::int64_t now_ns);
     PauseFacts pause_facts() const;
     game::PlayerNames names() const;
     void apply_settings();
@@ -105,6 +108,7 @@ private:
     bool restarts_ = false;                   ///< true: the match is ended to begin again
     bool paused_by_focus_ = false;            ///< true: the lost focus is the reason of the pause
     Pads pads_{};                             ///< states of the pads at the last look
+    std::optional<BodyTrial> trial_{};        ///< std::nullopt: nothing is felt on the body
     bool forces_ = false;                     ///< true: the views show the forces that hands feel
     std::optional<Screen> published_{};       ///< the newest published screen
     std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)

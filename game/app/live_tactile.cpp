@@ -15,6 +15,8 @@ void LiveTactile::apply(const Settings& settings) {
     for (std::size_t p = 0; p < seats_.size(); ++p) {
         auto& seat = seats_.at(p);
         seat.gain = static_cast<float>(settings.players.at(p).rumble);
+        const auto& body = settings.players.at(p).body.values;
+        for (std::size_t i = 0; i < body.size(); ++i) seat.faders.at(i) = body.at(i);
         use_jacket(seat, settings.players.at(p).jacket);
     }
 }
@@ -82,13 +84,35 @@ input::TactileReport LiveTactile::jacket_report(std::uint32_t player) const {
 
 bool LiveTactile::feels(std::uint32_t player) const { return seats_.at(player).motors.is_open(); }
 
+tactile::Faders LiveTactile::faders(std::uint32_t player) const {
+    tactile::Faders faders;
+    const auto& values = seats_.at(player).faders;
+    for (std::size_t i = 0; i < values.size(); ++i) faders.values.at(i) = values.at(i);
+    return faders;
+}
+
+namespace {
+
+tactile::TactileFrame scaled(tactile::TactileFrame frame, float gain) {
+    for (auto& amplitude : frame.amplitude) amplitude *= gain;
+    return frame;
+}
+
+}  // namespace
+
 void LiveTactile::feel(std::uint32_t player, const tactile::TactileFrame& frame) {
     auto& seat = seats_.at(player);
-    if (!seat.motors.plays) return;
-    auto scaled = frame;
-    const float gain = seat.gain;
-    for (auto& amplitude : scaled.amplitude) amplitude *= gain;
-    seat.motors.player.load()->feel(scaled);
+    if (seat.motors.plays) seat.motors.player.load()->feel(scaled(frame, seat.gain));
+}
+
+void LiveTactile::try_out(std::uint32_t player, const tactile::TactileFrame& frame) {
+    auto& seat = seats_.at(player);
+    if (seat.motors.plays) seat.motors.player.load()->try_out(scaled(frame, seat.gain));
+}
+
+void LiveTactile::try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame) {
+    auto& seat = seats_.at(player);
+    if (seat.jacket.plays && frame.count == motors_of(seat.layout)) seat.jacket.player.load()->try_out(frame);
 }
 
 std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {

@@ -40,8 +40,15 @@ public:
     void tell_status();
     input::TactileReport report(std::uint32_t player) const;
     input::TactileReport jacket_report(std::uint32_t player) const;
+    /// Lays a frame over those of a match, as `feel` and `feel_jacket` pass them.
+    void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
+    void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
 
-    // The thread of a match.
+    // Any thread.
+    /// Faders of a player's motors and jacket.
+    tactile::Faders faders(std::uint32_t player) const;
+
+    // The thread of a match, and the main thread while it tries an effect.
     /// Whether a player's motors run at present. Frames for others need not be made.
     bool feels(std::uint32_t player) const;
     /// Passes a frame of the layout `pad`. Never waits. Without further frames the motors stop after its time to live.
@@ -70,6 +77,7 @@ private:
         std::optional<input::PadId> pad{};
         Socket motors{};
         std::atomic<float> gain{};
+        std::array<std::atomic<double>, tactile::purpose_count> faders{};
         std::string jacket_words{};  ///< the setting
         Socket jacket{};
         std::atomic<Jacket::Layout> layout{};

@@ -1,6 +1,7 @@
 #include "game/app/menu.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.h"
 #include "game/app/menu_rows.h"
@@ -94,6 +95,27 @@ void turn_toggle(MenuState& s, std::size_t action) {
     toggled = !toggled;
 }
 
+/// Chooses the preset after or before the present one. Own values come before the first one.
+void turn_preset(MenuState& s, int way) {
+    const auto own = feel_of(s.settings, s.player);
+    const auto& presets = feel_presets();
+    const auto same = std::find_if(presets.begin(), presets.end(),
+                                   [&](const auto& preset) { return feels_alike(preset, own); });
+    auto index = static_cast<std::size_t>(same - presets.begin());
+    if (same == presets.end())
+        index = way > 0 ? 0 : presets.size() - 1;
+    else
+        turn(index, presets, way);
+    use(presets[index], s.settings, s.player);
+}
+
+void change_body(MenuState& s, std::size_t purpose, int way) {
+    constexpr int steps = 10;
+    auto& value = s.settings.players[s.player].body.values.at(purpose);
+    const auto now = static_cast<int>(std::lround(steps * value));
+    value = static_cast<double>(std::clamp(now + way, 0, steps)) / steps;
+}
+
 void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
     auto& player = s.settings.players[s.player];
     switch (row.kind) {
@@ -107,6 +129,11 @@ void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
         case RowKind::player: turn(s.player, s.settings.players, way); break;
         case RowKind::player_setting: change(player_settings()[row.index], player, way); break;
         case RowKind::fader: change(s.settings.cauldron[s.player][row.index], way); break;
+        case RowKind::preset: turn_preset(s, way); break;
+        case RowKind::profile:
+            if (!context.profiles.empty()) turn(s.profile, context.profiles, way);
+            break;
+        case RowKind::body_fader: change_body(s, row.index, way); break;
         case RowKind::toggle: turn_toggle(s, row.index); break;
         default: break;
     }
@@ -121,8 +148,23 @@ void reset_sheet(MenuState& s) {
         s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
 }
 
-/// The menu cannot name a jacket, so the player keeps it.
-void reset_player(PlayerSettings& player) { player = PlayerSettings{.jacket = std::move(player.jacket)}; }
+/// Resets a player's page. The menu cannot name a jacket, so the player keeps it. What the player feels has a page of
+/// its own.
+void reset_player(Settings& settings, std::size_t player) {
+    const auto felt = feel_of(settings, player);
+    auto& own = settings.players[player];
+    own = PlayerSettings{.jacket = std::move(own.jacket)};
+    use(felt, settings, player);
+}
+
+void load_profile(MenuState& s, const MenuContext& context) {
+    if (s.profile >= context.profiles.size()) {
+        s.note = "no profile was saved yet";
+        return;
+    }
+    use(context.profiles[s.profile], s.settings, s.player);
+    s.note = text("loaded ", context.profiles[s.profile].name);
+}
 
 /// Sets all values of the page that is shown to their defaults.
 void reset_page(MenuState& s) {
@@ -134,15 +176,19 @@ void reset_page(MenuState& s) {
             break;
         case Page::settings:
         case Page::sound: {
-            const bool sound = s.pages.back().page == Page::sound;
+            const auto page = s.pages.back().page == Page::sound ? SettingPage::sound : SettingPage::main;
             for (const auto& setting : all_settings())
-                if (setting.of_sound == sound) reset(setting, s.settings);
+                if (setting.page == page) reset(setting, s.settings);
             what = "settings of this page";
             break;
         }
         case Page::player:
-            reset_player(s.settings.players[s.player]);
+            reset_player(s.settings, s.player);
             what = text(player_words(s.settings, s.player), ": settings");
+            break;
+        case Page::mixer:
+            use(feel_presets().front(), s.settings, s.player);
+            what = text(player_words(s.settings, s.player), ": forces and body");
             break;
         case Page::cauldron:
             s.settings.cauldron[s.player] = {};
@@ -164,6 +210,23 @@ void open_for_player(MenuState& s, Page page, const Device& device) {
 void switch_fader(MenuState& s, std::size_t source) {
     auto& fader = s.settings.cauldron[s.player][source];
     fader.on = !fader.on;
+}
+
+void type(MenuState& s, Typing what, std::string words) {
+    s.typing = std::move(words);
+    s.typed = what;
+}
+
+/// Takes the words that were typed.
+void take_typed(MenuState& s) {
+    auto words = player_name(*s.typing).value_or(std::string());
+    s.typing.reset();
+    if (s.typed == Typing::name) {
+        s.settings.players[s.player].name = std::move(words);
+    } else if (!words.empty()) {
+        s.saves = feel_of(s.settings, s.player);
+        s.saves->name = std::move(words);
+    }
 }
 
 /// Restores the bindings before their last change. Other settings keep their newest values.
@@ -200,8 +263,12 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::defaults: reset_page(s); break;
         case RowKind::undo: undo(s); break;
         case RowKind::player_page: open_for_player(s, Page::player, event.device); break;
-        case RowKind::name: s.typing = s.settings.players[s.player].name; break;
-        case RowKind::cauldron: open_for_player(s, Page::cauldron, event.device); break;
+        case RowKind::name: type(s, Typing::name, s.settings.players[s.player].name); break;
+        case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
+        case RowKind::profile: load_profile(s, context); break;
+        case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
+        case RowKind::body_fader: s.tries = {s.player, static_cast<tactile::Purpose>(row.index)}; break;
+        case RowKind::cauldron: open(s, Page::cauldron); break;
         case RowKind::fader: switch_fader(s, row.index); break;
         case RowKind::back: s.pages.pop_back(); break;
         default: adjust(s, row, context, 1);
@@ -247,15 +314,12 @@ void wait_for_control(MenuState& s, const MenuEvent& event, const MenuContext& c
     if (event.kind == Kind::back) s.waiting.reset();
 }
 
-/// Handles an event while a name is typed; all other events are ignored.
+/// Handles an event while words are typed; all other events are ignored.
 void type_name(MenuState& s, const MenuEvent& event) {
     switch (event.kind) {
         case Kind::character: s.typing = with_character(std::move(*s.typing), event.typed); break;
         case Kind::erase: s.typing = without_last(std::move(*s.typing)); break;
-        case Kind::confirm:
-            s.settings.players[s.player].name = player_name(*s.typing).value_or(std::string());
-            s.typing.reset();
-            break;
+        case Kind::confirm: take_typed(s); break;
         case Kind::back: s.typing.reset(); break;
         default: break;
     }
@@ -306,6 +370,8 @@ MenuState opened(MenuState state, Page page) {
 
 MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context) {
     state.request = MenuRequest::none;
+    state.saves.reset();
+    state.tries.reset();
     // Mouse movements must not hide a note before it was read.
     if (event.kind != Kind::point && event.kind != Kind::gone) state.note.clear();
     if (event.kind == Kind::gone) {

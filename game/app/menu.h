@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/app/bindings.h"
+#include "game/app/feel_profile.h"
 #include "game/bots/range.h"
 #include "game/hud/menu.h"
 
@@ -27,6 +28,7 @@ enum class Page : std::uint8_t {
     settings,
     sound,     ///< settings of the sounds
     player,    ///< settings of one player
+    mixer,     ///< what one player feels: faders for forces, motors and jacket
     cauldron,  ///< faders for the cauldron's forces on one hand
 };
 
@@ -73,6 +75,8 @@ struct MenuContext {
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
+    std::vector<FeelProfile> profiles{};   ///< what players have saved on the mixer's page
+    std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     /// words of the start screen on a faulty settings file; empty: there is no fault
     std::string settings_fault{};
 };
@@ -90,6 +94,15 @@ enum class MenuRequest : std::uint8_t {
     quit
 };
 
+/// A press that plays an effect, to feel how strong it is.
+struct BodyTrialWish {
+    std::size_t player = 0;
+    tactile::Purpose purpose{};
+};
+
+/// What is typed.
+enum class Typing : std::uint8_t { name, profile };
+
 struct MenuState {
     struct Open {
         Page page{};
@@ -104,12 +117,16 @@ struct MenuState {
     std::size_t sheet = 0;                        ///< sheet on the bindings page
     std::size_t player = 0;                       ///< player whose settings or faders a page shows
     std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
-    std::optional<std::string> typing;            ///< name that is being typed; std::nullopt: none
+    std::size_t profile = 0;                      ///< index of the chosen profile in MenuContext
+    std::optional<std::string> typing;            ///< words that are being typed; std::nullopt: none
+    Typing typed{};                               ///< what they are
     Settings settings;
-    std::optional<Settings> undo;  ///< settings before the last change of bindings
-    std::string head, line;        ///< title and reason of the pause: who paused, and why
-    std::string note;              ///< result of the last event, or the reason why it had none
-    MenuRequest request{};         ///< request of the last event to the caller
+    std::optional<Settings> undo;          ///< settings before the last change of bindings
+    std::string head, line;                ///< title and reason of the pause: who paused, and why
+    std::string note;                      ///< result of the last event, or the reason why it had none
+    MenuRequest request{};                 ///< request of the last event to the caller
+    std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
+    std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 
 /// Opens a page on a menu that is closed.

@@ -27,6 +27,7 @@ std::string title_of(const MenuState& s) {
         case Page::settings: return "Settings";
         case Page::sound: return "Sound";
         case Page::player: return "Each player's own settings";
+        case Page::mixer: return "Forces and body";
         case Page::cauldron: return "Cauldron feedback";
     }
     return {};
@@ -46,6 +47,7 @@ std::string line_of(const MenuState& s, const MenuContext& context, const Row& r
         case Page::start: return start_line(s, row);
         case Page::pause: return s.line;
         case Page::sound: return context.sound;
+        case Page::mixer: return text("what ", player_words(s.settings, s.player), " feels");
         case Page::cauldron:
             return text("what the hand of ", player_words(s.settings, s.player), " feels while it stirs");
         default: return {};
@@ -68,8 +70,12 @@ std::string hint_of(const MenuState& s, const Row& row) {
         case Page::pause:
             return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    go on: Esc, Start";
         case Page::cauldron:
-            return "less, more: arrows    off, on: Enter, A, click on its name    applies from the next "
-                   "match";
+            return "less, more: arrows    off, on: Enter, A, click on its name    back: Esc, B, right button";
+        case Page::mixer:
+            return row.kind == RowKind::body_fader
+                       ? "less, more: arrows    feel it: Enter, A, click on its name    back: Esc, B, right "
+                         "button"
+                       : "less, more: arrows    confirm: Enter, A, click    back: Esc, B, right button";
         default:
             return row.next_match
                        ? "applies from the next match"

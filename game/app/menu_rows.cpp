@@ -1,6 +1,7 @@
 #include "game/app/menu_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.h"
 #include "game/bots/dummy.h"
@@ -250,34 +251,32 @@ Row row_of(RowKind kind, std::size_t index, const SettingOf<Of>& setting, const 
             setting.next_match};
 }
 
-/// Adds the settings of the sounds, or all others.
-void add_settings(const MenuState& s, bool of_sound, Rows& rows) {
+void add_settings(const MenuState& s, SettingPage page, Rows& rows) {
     const auto settings = all_settings();
     for (std::size_t i = 0; i < settings.size(); ++i)
-        if (settings[i].of_sound == of_sound)
-            rows.push_back(row_of(RowKind::setting, i, settings[i], s.settings));
+        if (settings[i].page == page) rows.push_back(row_of(RowKind::setting, i, settings[i], s.settings));
 }
 
 void add_sound_rows(const MenuState& s, Rows& rows) {
-    add_settings(s, true, rows);
+    add_settings(s, SettingPage::sound, rows);
     add_defaults_row(rows);
     add_back_row(rows);
 }
 
 void add_setting_rows(const MenuState& s, Rows& rows) {
-    add_settings(s, false, rows);
+    add_settings(s, SettingPage::main, rows);
     rows.push_back(
         {RowKind::sound,
          0,
          {.label = "Sound", .help = "Changes how loud effects, music and menus are, and for whose ears."}});
-    rows.push_back({RowKind::player_page,
-                    0,
-                    {.label = "Each player's own settings",
-                     .help = "Changes a player's name, captions, look and forces."}});
     rows.push_back(
-        {RowKind::cauldron,
+        {RowKind::player_page,
          0,
-         {.label = "Cauldron feedback", .help = "Changes what each player's hand feels of the brew."}});
+         {.label = "Each player's own settings", .help = "Changes a player's name, captions and look."}});
+    rows.push_back({RowKind::mixer,
+                    0,
+                    {.label = "Forces and body",
+                     .help = "Mixes what each player's hand and body feel, and keeps mixes as profiles."}});
     add_defaults_row(rows);
     add_back_row(rows);
 }
@@ -305,16 +304,93 @@ void add_player_rows(const MenuState& s, Rows& rows) {
                     0,
                     {.label = "Name",
                      .help = "Stands on the screen instead of the team's name.",
-                     .value = s.typing ? text(*s.typing, "_") : team}});
+                     .value = s.typing && s.typed == Typing::name ? text(*s.typing, "_") : team}});
     const auto settings = player_settings();
     for (std::size_t i = 0; i < settings.size(); ++i)
-        rows.push_back(row_of(RowKind::player_setting, i, settings[i], player));
+        if (settings[i].page == SettingPage::main)
+            rows.push_back(row_of(RowKind::player_setting, i, settings[i], player));
+    add_defaults_row(rows);
+    add_back_row(rows);
+}
+
+// Forces and body -------------------------------------------------------------------------------------------
+
+/// Name of the preset that feels like the player's values; "own" if none does.
+std::string preset_of(const MenuState& s) {
+    const auto own = feel_of(s.settings, s.player);
+    for (const auto& preset : feel_presets())
+        if (feels_alike(preset, own)) return preset.name;
+    return "own";
+}
+
+void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    const auto& profiles = context.profiles;
+    rows.push_back({RowKind::preset,
+                    0,
+                    {.label = "Preset",
+                     .help = "Sets all values of this page: gentle, all that devices can do, or nothing.",
+                     .value = preset_of(s),
+                     .longest_value = "gentle",
+                     .adjustable = true}});
+    rows.push_back(
+        {RowKind::profile,
+         0,
+         {.label = "Load a profile",
+          .help = "Sets all values of this page as they were saved under this name.",
+          .value = s.profile < profiles.size() ? profiles[s.profile].name : std::string("none saved"),
+          .adjustable = profiles.size() > 1,
+          .dim = profiles.empty()}});
+    const bool types = s.typing && s.typed == Typing::profile;
+    rows.push_back({RowKind::save_profile,
+                    0,
+                    {.label = "Save as a profile",
+                     .help = "Keeps all values of this page under a name.",
+                     .value = types ? text(*s.typing, "_") : std::string()}});
+}
+
+/// Share as the page shows it.
+std::string percent_words(double share) { return text(std::round(1000 * share) / 10, " %"); }
+
+void add_body_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    const auto& player = s.settings.players[s.player];
+    for (const auto purpose : context.body) {
+        rows.push_back({RowKind::body_fader,
+                        static_cast<std::size_t>(purpose),
+                        {.label = text("Body: ", label_of(purpose)),
+                         .help = std::string(effect_of(purpose)),
+                         .value = percent_words(player.body.of(purpose)),
+                         .longest_value = "100 %",
+                         .adjustable = true}});
+    }
     rows.push_back({RowKind::jacket,
                     0,
                     {.label = "Jacket",
                      .help = "Is changed in the settings file only; its comment says how.",
                      .value = player.jacket.empty() ? std::string("none") : shortened(player.jacket),
                      .dim = true}});
+}
+
+/// Whether the setting is the largest force that counts only for the choice "own".
+bool is_own_force(const PlayerSetting& setting) {
+    const auto* whole = std::get_if<WholeOf<PlayerSettings>>(&setting.kind);
+    return whole != nullptr && whole->value == &PlayerSettings::own_force_percent;
+}
+
+void add_mixer_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    add_whose_row(s, "Who feels it", rows);
+    add_profile_rows(s, context, rows);
+    const auto settings = player_settings();
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        if (settings[i].page == SettingPage::mixer) {
+            auto row = row_of(RowKind::player_setting, i, settings[i], s.settings.players[s.player]);
+            row.look.dim = is_own_force(settings[i]) && s.settings.players[s.player].force != own_force;
+            rows.push_back(std::move(row));
+        }
+    rows.push_back(
+        {RowKind::cauldron,
+         0,
+         {.label = "Cauldron feedback", .help = "Changes what the player's hand feels of the brew."}});
+    add_body_rows(s, context, rows);
     add_defaults_row(rows);
     add_back_row(rows);
 }
@@ -347,6 +423,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
         case Page::settings: add_setting_rows(s, rows); break;
         case Page::sound: add_sound_rows(s, rows); break;
         case Page::player: add_player_rows(s, rows); break;
+        case Page::mixer: add_mixer_rows(s, context, rows); break;
         case Page::cauldron: add_cauldron_rows(s, rows); break;
     }
     return rows;

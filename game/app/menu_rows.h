@@ -35,6 +35,11 @@ enum class RowKind : std::uint8_t {
     name,
     player_setting,
     jacket,
+    mixer,
+    preset,
+    profile,
+    save_profile,
+    body_fader,
     cauldron,
     fader,
     back,
@@ -42,7 +47,7 @@ enum class RowKind : std::uint8_t {
 
 struct Row {
     RowKind kind{};
-    std::size_t index = 0;  ///< index of the setting, action, sheet or fader
+    std::size_t index = 0;  ///< index of the setting, action, sheet, fader or tactile::Purpose
     game::MenuRow look;
     bool next_match = false;  ///< true: a change takes effect with the next match
 };

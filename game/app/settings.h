@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "game/app/body_faders.h"
 #include "game/app/faders.h"
 #include "game/hud/prompts.h"
 #include "input/bindings.h"
@@ -60,6 +61,7 @@ struct PlayerSettings {
     double roughness = 1;        ///< felt share of the friction of touched things (0 to 1)
     game::PromptWish prompts{};  ///< when the screen says which control does what
     std::string jacket{};        ///< the player's jacket (jacket.h); empty: none
+    tactile::Faders body{};  ///< strengths of the effects on jacket and motors, one fader for each purpose
 
     bool operator==(const PlayerSettings&) const = default;
 };
@@ -110,6 +112,7 @@ struct Settings {
 /// Names of the settings file's tables with each player's own settings, and with each player's faders.
 inline constexpr std::array<std::string_view, 2> player_tables{"player_1", "player_2"};
 inline constexpr std::array<std::string_view, 2> cauldron_tables{"cauldron_1", "cauldron_2"};
+inline constexpr std::array<std::string_view, 2> body_tables{"body_1", "body_2"};
 
 /// Devices that have bindings, in the order of the file.
 inline constexpr std::array settings_hands{input::DeviceKind::keyboard_mouse,
@@ -149,6 +152,8 @@ struct ChoiceOf {
     std::size_t (*get)(const Of&){};
     void (*set)(Of&, std::size_t){};
 };
+/// Page of the menu with a setting's row. Settings of one player are on the player's page or on the mixer's.
+enum class SettingPage : std::uint8_t { main, sound, mixer };
 template <class Of>
 struct SettingOf {
     std::string_view key;
@@ -156,15 +161,21 @@ struct SettingOf {
     std::string_view help;   ///< one sentence on what it changes
     std::variant<NumberOf<Of>, WholeOf<Of>, FlagOf<Of>, ChoiceOf<Of>> kind;
     bool next_match = false;  ///< true: a change takes effect with the next match
-    bool of_sound = false;    ///< true: the row is on the page "Sound"
+    SettingPage page{};
 };
 using Setting = SettingOf<Settings>;
 using PlayerSetting = SettingOf<PlayerSettings>;
 std::span<const Setting> all_settings();
-/// All settings of one player but the name and the jacket.
+/// All settings of one player but the name, the jacket and the faders of body and brew.
 std::span<const PlayerSetting> player_settings();
 
+/// Names of force_choices.
+const std::vector<std::string_view>& force_names();
+
 // The type Of is Settings or PlayerSettings.
+/// Reads a value from its key in a file's table. Without the key it stays.
+template <class Of>
+void read(const ConfigTable& table, const SettingOf<Of>& setting, Of& values);
 /// Value as the file writes it (`written`) and as the settings page shows it (`shown`).
 template <class Of>
 std::string written(const SettingOf<Of>& setting, const Of& values);
@@ -173,6 +184,9 @@ std::string shown(const SettingOf<Of>& setting, const Of& values);
 /// Changes a value by `steps`, within its range. Flags and choices wrap around.
 template <class Of>
 void change(const SettingOf<Of>& setting, Of& values, int steps);
+/// Copies a value.
+template <class Of>
+void copy_value(const SettingOf<Of>& setting, const Of& from, Of& to);
 /// Sets a value to its default.
 template <class Of>
 void reset(const SettingOf<Of>& setting, Of& values);
@@ -205,6 +219,9 @@ struct PlaySettings {
 /// Reads the settings for a session of play, as load_settings does. Wrong values have their defaults. If the file cannot
 /// be read at all, all values have. A fault is told in one line on standard error, and the file stays unchanged.
 PlaySettings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets);
+
+/// Words as a string of TOML.
+std::string in_quotes(std::string_view words);
 
 /// One value of the file. `table` is empty for values at the top; `value` is written as TOML.
 struct SettingEdit {

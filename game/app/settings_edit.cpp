@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::size_t max_edited_file = 1U << 20U;
 
-std::string in_quotes(std::string_view words) {
-    std::string out = "\"";
-    for (const char c : words) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
-}
-
 void add_player(std::string_view table, const PlayerSettings& player, std::vector<SettingEdit>& values) {
     values.push_back({std::string(table), "name", in_quotes(player.name)});
     values.push_back({std::string(table), "jacket", in_quotes(player.jacket)});
@@ -46,6 +37,12 @@ void add_faders(std::string_view table, const Faders& faders, std::vector<Settin
     values.push_back({std::string(table), "off", in_quotes(off_words(faders))});
 }
 
+void add_body(std::string_view table, const tactile::Faders& body, std::vector<SettingEdit>& values) {
+    for (std::size_t i = 0; i < tactile::purpose_count; ++i)
+        values.push_back(
+            {std::string(table), std::string(tactile::purpose_names()[i]), text(body.values[i])});
+}
+
 /// All values of a settings file, as text.
 std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
@@ -58,6 +55,8 @@ std::vector<SettingEdit> all_values(const Settings& settings) {
         add_player(player_tables[p], settings.players[p], values);
     for (std::size_t p = 0; p < settings.cauldron.size(); ++p)
         add_faders(cauldron_tables[p], settings.cauldron[p], values);
+    for (std::size_t p = 0; p < settings.players.size(); ++p)
+        add_body(body_tables[p], settings.players[p].body, values);
     for (const auto kind : settings_hands) add_hand(settings.bindings_of(kind), values);
     for (std::size_t i = 0; i < session_keys; ++i) {
         const auto key = static_cast<SessionKey>(i);
@@ -164,6 +163,15 @@ bool says(const Settings& old, const Settings& now, const std::vector<SettingEdi
 }
 
 }  // namespace
+
+std::string in_quotes(std::string_view words) {
+    std::string out = "\"";
+    for (const char c : words) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
 
 std::vector<SettingEdit> changes(const Settings& before, const Settings& after) {
     auto old = all_values(before), edits = all_values(after);

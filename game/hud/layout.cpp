@@ -1,5 +1,7 @@
 #include "game/hud/layout.h"
 
+#include "game/hud/body_figure.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -53,8 +53,6 @@ inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head
 inline constexpr float forces_wide = 186, forces_high = 76;
 /// Part of that panel that the name of the strongest force takes while there is no curve (units).
 inline constexpr float force_word_wide = 96, force_word_high = 27;
-/// Size of the figure where the view has room for it (units): front and back, a gap between them.
-inline constexpr float figure_wide = 90, figure_high = 62;
 /// Height of a line of sounds in words (units).
 inline constexpr float heard_line_high = 20;
 

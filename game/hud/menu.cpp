@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/hud/body_figure.h"
 #include "game/hud/figures.h"
 #include "game/hud/layout.h"
 #include "game/hud/overlay.h"
@@ -263,6 +264,10 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     add_fitted(out, menu.title, {middle, l.title_top}, 36 * u, l.width, bright, Align::centre);
     add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, l.width, bright_gold, Align::centre);
     add_seats(out, menu, l, width);
+    if (menu.figure) {
+        const fvec2 low(width - (figure_wide + edge_units) * u, edge_units * u);
+        add_figure(out, {low, low + u * fvec2(figure_wide, figure_high)}, *menu.figure);
+    }
     const float rows_height = static_cast<float>(l.visible) * l.row_height;
     add_panel(out, l.rows_low - fvec2(5 * u), l.rows_low + fvec2(l.row_width, rows_height) + fvec2(5 * u),
               menu_panel, 10 * u);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "game/hud/hud.h"
+#include "game/hud/picture.h"
 
 namespace thaum::game {
 
@@ -35,6 +36,8 @@ struct MenuPicture {
     std::size_t cursor = 0;  ///< index of the chosen row
     std::string note;        ///< report of the last action
     std::string hint;        ///< help on the keys
+    /// Cells of a figure of the body beside the title, 0 to 1 (game/hud/picture.h); std::nullopt: no figure.
+    std::optional<std::array<float, figure_cells>> figure{};
     bool operator==(const MenuPicture&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "game/hud/body_figure.h"
 #include "game/hud/event_words.h"
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
@@ -430,35 +431,10 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
                 paints.white, Align::left);
 }
 
-/// Adds the figure of the body while it feels something: white cells on dark, larger where more is felt.
-void add_figure(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
+/// Adds the figure of the body while it feels something.
+void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     constexpr double shown_s = 0.8;  // time for which the figure stays
-    constexpr float columns = 4, rows = 5, inset = 3, label = 9;
-    const float u = (l.figure.high.x - l.figure.low.x) / figure_wide;
-    if (p.since_felt_s > shown_s || !(u > 0)) return;
-    out.items.emplace_back(RectItem{l.figure.low, l.figure.high, fvec4(fvec3(paints.panel), 0.9F), 4 * u});
-    const float torso = (figure_wide - 3 * inset) / 2;
-    const fvec2 cell = fvec2(torso / columns, (figure_high - 2 * inset - label) / rows);
-    for (std::size_t i = 0; i < figure_cells; ++i) {
-        const bool back = i >= figure_cells / 2;
-        const auto in_side = static_cast<float>(i % (figure_cells / 2));
-        const float row = std::floor(in_side / columns), column = in_side - row * columns;
-        const fvec2 corner(inset + (back ? torso + inset : 0), inset);
-        const fvec2 middle = l.figure.low + u * (corner + cell * fvec2(column + 0.5F, row + 0.5F));
-        const float most = 0.5F * u * std::min(cell.x, cell.y);
-        out.items.emplace_back(
-            ArcItem{middle, 0, 0.3F * most, 0, whole_turn, fvec4(fvec3(paints.soft), 0.4F)});
-        if (p.felt.at(i) > 0.01F)
-            out.items.emplace_back(ArcItem{middle, 0, most * (0.45F + 0.55F * std::min(1.0F, p.felt.at(i))),
-                                           0, whole_turn, paints.white});
-    }
-    if (8 * u < 6) return;  // too small to read
-    for (const bool back : {false, true}) {
-        const fvec2 low =
-            l.figure.low + u * fvec2(inset + (back ? torso + inset : 0), figure_high - inset - label);
-        add_text_in(out, {low, low + u * fvec2(torso, label)}, back ? "back" : "front", 8 * u, paints.soft,
-                    Align::centre);
-    }
+    if (p.since_felt_s <= shown_s) add_figure(out, l.figure, p.felt);
 }
 
 bool wants(HeardWish wish, const HeardLine& line) {
@@ -529,7 +505,7 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, l);
     if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);
-    if (plays && settings.figure[player]) add_figure(out, p, l);
+    if (plays && settings.figure[player]) add_felt(out, p, l);
     if (settings.forces)
         add_force_plot(out, p.force, l);
     else if (plays && !p.dead)

@@ -46,7 +46,11 @@ protected:
     /// Chooses a row of the menu.
     void choose(std::string_view label) {
         const auto& menu = session_->menu();
-        while (menu.picture().rows.at(menu.picture().cursor).label != label) press("down");
+        const auto rows = menu.picture().rows.size();
+        for (std::size_t i = 0; i <= rows && menu.picture().rows.at(menu.picture().cursor).label != label;
+             ++i)
+            press("down");
+        ASSERT_EQ(menu.picture().rows.at(menu.picture().cursor).label, label);
     }
     void pause(std::uint32_t player) {
         shared_.progress.paused_by = player;

@@ -199,9 +199,9 @@ TEST_F(LiveTactileSession, TheRumbleSettingActsInTheMatch) {
     step();
     choose("Settings");
     press("enter");
-    choose("Each player's own settings");
+    choose("Forces and body");
     press("enter");
-    choose("Whose settings");
+    choose("Who feels it");
     press("right");
     choose("Rumble");
     press("right");

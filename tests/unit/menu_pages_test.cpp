@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/random.h"
+#include "core/text.h"
 #include "game/app/menu_rows.h"
 #include "render/font.h"
 #include "unit/menu_rig.h"
@@ -13,10 +14,10 @@ namespace {
 // ---- settings ---------------------------------------------------------------------------------------------
 
 /// Index in all_settings() of each setting on a page.
-std::vector<std::size_t> settings_of(bool sound) {
+std::vector<std::size_t> settings_of(SettingPage page) {
     std::vector<std::size_t> found;
     for (std::size_t i = 0; i < all_settings().size(); ++i)
-        if (all_settings()[i].of_sound == sound) found.push_back(i);
+        if (all_settings()[i].page == page) found.push_back(i);
     return found;
 }
 
@@ -38,16 +39,17 @@ void expect_rows_change(const MenuState& page, const std::vector<std::size_t>& s
 
 TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     const auto s = choose(start_page(), "Settings");
-    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(false).size() + 5)
-        << "sound, two pages of players, reset and back";
-    expect_rows_change(s, settings_of(false));
+    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(SettingPage::main).size() + 5)
+        << "sound, a player's page, forces and body, reset and back";
+    expect_rows_change(s, settings_of(SettingPage::main));
     EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
 }
 
 TEST(SoundPage, EveryRowChangesItsSettingAndNoOther) {
     const auto s = choose(choose(start_page(), "Settings"), "Sound");
-    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(true).size() + 2) << "reset and back";
-    expect_rows_change(s, settings_of(true));
+    EXPECT_EQ(picture_of(s, context()).rows.size(), settings_of(SettingPage::sound).size() + 2)
+        << "reset and back";
+    expect_rows_change(s, settings_of(SettingPage::sound));
     EXPECT_EQ(choose(s, "Back").pages.size(), 2U);
 }
 
@@ -58,7 +60,8 @@ TEST(SettingsPage, ResetsItsOwnValuesAndNoOthers) {
     s.settings.cauldron[1][0].on = false;
     s.settings.session[0].clear();
     const auto kept = s.settings;
-    for (const auto& setting : all_settings()) change(setting, s.settings, setting.of_sound ? -1 : 1);
+    for (const auto& setting : all_settings())
+        change(setting, s.settings, setting.page == SettingPage::sound ? -1 : 1);
     EXPECT_NE(s.settings, kept);
     s = choose(s, "Reset to defaults");
     EXPECT_NE(s.settings, kept) << "sounds have a page of their own";
@@ -74,6 +77,7 @@ TEST(PlayerPage, EveryRowChangesTheSettingOfThePlayerShown) {
     EXPECT_EQ(value_of(s, "Whose settings"), "Ember");
     for (const std::size_t player : {0UL, 1UL}) {
         for (const auto& setting : player_settings()) {
+            if (setting.page != SettingPage::main) continue;
             auto changed = choose(s, setting.label, Kind::right);
             if (changed.settings == s.settings) changed = choose(s, setting.label, Kind::left);
             const auto edits = changes(s.settings, changed.settings);
@@ -94,18 +98,6 @@ TEST(PlayerPage, ResetsThePlayerShown) {
     EXPECT_EQ(value_of(s, "Whose settings"), "Tide");
 }
 
-TEST(PlayerPage, TheJacketIsShownAndNoPressOrResetChangesIt) {
-    auto s = player_page();
-    EXPECT_EQ(value_of(s, "Jacket"), "none");
-    s.settings.players[0].jacket = "osc:vest.local:1027";
-    EXPECT_EQ(value_of(s, "Jacket"), "osc:vest.local:1027");
-    for (const auto kind : {Kind::left, Kind::right, Kind::confirm})
-        EXPECT_EQ(choose(s, "Jacket", kind).settings, s.settings);
-    EXPECT_EQ(choose(s, "Reset to defaults").settings, s.settings);
-    s.settings.players[0].jacket = "osc:a.very.long.name.of.a.vest:1027";
-    EXPECT_EQ(value_of(s, "Jacket"), "osc:a.very.long.name....");
-}
-
 TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     auto s = choose(player_page(), "Name");
     for (const char32_t c : std::u32string(U"Zoë"))
@@ -120,6 +112,105 @@ TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     EXPECT_EQ(picture_of(s, context()).seats[1].head, "Tide");
 }
 
+// ---- forces and body --------------------------------------------------------------------------------------
+
+TEST(MixerPage, EveryRowChangesItsValueOfThePlayerShown) {
+    auto s = mixer_page();
+    EXPECT_EQ(value_of(s, "Who feels it"), "Ember");
+    for (const std::size_t player : {0UL, 1UL}) {
+        const auto expect_one = [&](std::string_view row, std::string_view table, std::string_view key) {
+            auto changed = choose(s, row, Kind::right);
+            if (changed.settings == s.settings) changed = choose(s, row, Kind::left);
+            const auto edits = changes(s.settings, changed.settings);
+            ASSERT_EQ(edits.size(), 1U) << row;
+            EXPECT_EQ(edits[0].key, key);
+            EXPECT_EQ(edits[0].table, table);
+        };
+        for (const auto& setting : player_settings())
+            if (setting.page == SettingPage::mixer)
+                expect_one(setting.label, player_tables[player], setting.key);
+        for (const auto purpose : context().body)
+            expect_one(text("Body: ", label_of(purpose)), body_tables[player],
+                       tactile::purpose_names()[static_cast<std::size_t>(purpose)]);
+        s = choose(s, "Who feels it", Kind::right);
+    }
+}
+
+TEST(MixerPage, APressOnAFaderOfTheBodyAsksToPlayItsEffect) {
+    auto s = choose(mixer_page(), "Who feels it", Kind::right);
+    EXPECT_FALSE(s.tries);
+    s = choose(s, "Body: Falls");
+    ASSERT_TRUE(s.tries);
+    EXPECT_EQ(s.tries->player, 1U);
+    EXPECT_EQ(s.tries->purpose, tactile::Purpose::fall);
+    EXPECT_EQ(s.settings, mixer_page().settings) << "a press changes nothing";
+    EXPECT_FALSE(with(s, Kind::down).tries) << "it is asked once";
+}
+
+TEST(MixerPage, PresetsSetAllThatIsFeltAndNothingElse) {
+    auto s = mixer_page();
+    s.settings.players[0].name = "Zoë";
+    s.settings.players[0].jacket = "bhaptics";
+    s.settings.players[0].sensitivity = 2;
+    const auto before = s.settings;
+    EXPECT_EQ(value_of(s, "Preset"), "gentle");
+    s = choose(s, "Preset", Kind::right);
+    EXPECT_EQ(value_of(s, "Preset"), "full");
+    EXPECT_EQ(s.settings.players[0].force, full_force);
+    EXPECT_EQ(s.settings.players[0].body.of(tactile::Purpose::walk), 1);
+    s = choose(s, "Preset", Kind::right);
+    EXPECT_EQ(value_of(s, "Preset"), "silent");
+    EXPECT_EQ(force_percent_of(s.settings.players[0]), 0U);
+    EXPECT_EQ(s.settings.players[0].rumble, 0);
+    for (const double share : s.settings.players[0].body.values) EXPECT_EQ(share, 0);
+    EXPECT_EQ(s.settings.players[1], before.players[1]);
+    s = choose(s, "Body: Hits", Kind::right);
+    EXPECT_EQ(value_of(s, "Preset"), "own");
+    s = choose(s, "Preset", Kind::right);
+    EXPECT_EQ(s.settings, before) << "own values come before the first preset";
+    s = choose(choose(s, "Preset", Kind::left), "Reset to defaults");
+    EXPECT_EQ(s.settings, before);
+}
+
+TEST(MixerPage, AProfileIsSavedUnderATypedNameAndLoaded) {
+    auto s = choose(mixer_page(), "Preset", Kind::right);
+    s = choose(s, "Save as a profile");
+    ASSERT_TRUE(s.typing);
+    EXPECT_EQ(value_of(s, "Save as a profile"), "Ember_");
+    EXPECT_EQ(value_of(player_page(), "Name"), "none");
+    s = with(step(s, {.kind = Kind::character, .device = keyboard, .typed = U'2'}, context()), Kind::confirm);
+    ASSERT_TRUE(s.saves);
+    EXPECT_EQ(s.saves->name, "Ember2");
+    EXPECT_EQ(s.saves->felt.force, full_force);
+    EXPECT_EQ(s.settings.players[0].name, "") << "the player keeps the name";
+    EXPECT_FALSE(with(s, Kind::down).saves) << "it is asked once";
+
+    EXPECT_EQ(choose(mixer_page(), "Load a profile").note, "no profile was saved yet");
+    auto saved = context();
+    saved.profiles = {feel_presets()[2], *s.saves};
+    auto other = choose(mixer_page(), "Who feels it", Kind::right);
+    const auto rows = picture_of(other, saved).rows;
+    const auto row = row_named(other, "Load a profile");
+    EXPECT_EQ(rows[row].value, "silent");
+    other = step(other, {.kind = Kind::right, .device = keyboard, .row = row}, saved);
+    EXPECT_EQ(other.settings, Settings{}) << "a profile is loaded by a press";
+    other = step(other, {.kind = Kind::confirm, .device = keyboard, .row = row}, saved);
+    EXPECT_TRUE(feels_alike(feel_of(other.settings, 1), *s.saves));
+    EXPECT_EQ(other.settings.players[0], PlayerSettings{});
+}
+
+TEST(MixerPage, TheJacketIsShownAndNoPressOrResetChangesIt) {
+    auto s = mixer_page();
+    EXPECT_EQ(value_of(s, "Jacket"), "none");
+    s.settings.players[0].jacket = "osc:vest.local:1027";
+    EXPECT_EQ(value_of(s, "Jacket"), "osc:vest.local:1027");
+    for (const auto kind : {Kind::left, Kind::right, Kind::confirm})
+        EXPECT_EQ(choose(s, "Jacket", kind).settings, s.settings);
+    EXPECT_EQ(choose(s, "Reset to defaults").settings, s.settings);
+    s.settings.players[0].jacket = "osc:a.very.long.name.of.a.vest:1027";
+    EXPECT_EQ(value_of(s, "Jacket"), "osc:a.very.long.name....");
+}
+
 // ---- the cauldron -----------------------------------------------------------------------------------------
 
 constexpr std::string_view cauldron_row = "Cauldron feedback";
@@ -127,7 +218,6 @@ constexpr std::string_view cauldron_row = "Cauldron feedback";
 TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
     const auto fresh = cauldron_page();
     EXPECT_EQ(picture_of(fresh, context()).title, "Cauldron feedback");
-    EXPECT_NE(picture_of(fresh, context()).hint.find("applies from the next match"), std::string::npos);
     for (std::size_t player = 0; player < 2; ++player) {
         for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
             const auto label = label_of_fader(i);
@@ -150,16 +240,18 @@ TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
             EXPECT_EQ(choose(s, "Reset to defaults").settings, Settings{});
         }
     }
-    EXPECT_EQ(choose(fresh, "Back").pages.size(), 2U);
+    EXPECT_EQ(choose(fresh, "Back").pages.size(), 3U);
+    const auto tide = choose(mixer_page(), "Who feels it", Kind::right);
+    EXPECT_EQ(value_of(choose(tide, cauldron_row), "Whose hand"), "Tide") << "the player shown before";
 }
 
-TEST(CauldronPage, OpensForThePlayerWhoAsks) {
+TEST(MixerPage, OpensForThePlayerWhoAsks) {
     auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
     s = choose(opened(s, Page::pause), "Settings");
-    const auto row = row_named(s, cauldron_row);
+    const auto row = row_named(s, "Forces and body");
     const auto opened_by = [&](const Device& device) {
         return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
-                        "Whose hand");
+                        "Who feels it");
     };
     EXPECT_EQ(opened_by(first_pad), "Ember");
     EXPECT_EQ(opened_by(keyboard), "Tide");
@@ -221,6 +313,8 @@ std::vector<MenuState> all_pages() {
                                choose(start_page(), "Settings"),
                                player_page(),
                                choose(player_page(), "Name"),
+                               mixer_page(),
+                               choose(mixer_page(), "Save as a profile"),
                                cauldron_page()};
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) all.push_back(bindings_of(label_of_sheet(sheet)));
     return all;

@@ -23,7 +23,8 @@ inline const MenuContext& context() {
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
         .arenas = {{"boiling_court", "Boiling Court"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
-        .ends_match = true};
+        .ends_match = true,
+        .body = {tactile::Purpose::impact, tactile::Purpose::fall, tactile::Purpose::warning}};
     return context;
 }
 
@@ -68,6 +69,7 @@ inline const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Ac
 // Pages that several tests open.
 inline MenuState settings_page() { return choose(opened({}, Page::pause), "Settings"); }
 inline MenuState player_page() { return choose(settings_page(), "Each player's own settings"); }
-inline MenuState cauldron_page() { return choose(settings_page(), "Cauldron feedback"); }
+inline MenuState mixer_page() { return choose(settings_page(), "Forces and body"); }
+inline MenuState cauldron_page() { return choose(mixer_page(), "Cauldron feedback"); }
 
 }  // namespace thaum::app::menu_tests

@@ -124,6 +124,33 @@ TEST_F(TactilePlaybackTest, FramesThatWaitedWhileTheOutputHungAreDropped) {
     EXPECT_EQ(written(), 1);
 }
 
+TEST_F(TactilePlaybackTest, ATriedFrameLiesOverThoseOfAPausedMatch) {
+    playback_.try_out(frame_of(0.5F, 0, 48));
+    pass(4 * milli);
+    ASSERT_EQ(written(), 1);
+    EXPECT_EQ(newest().amplitude[0], 0.5F);
+    for (int i = 0; i < 10; ++i) {
+        if (i == 5) playback_.try_out(frame_of(0.7F, 0, 48));
+        playback_.feel(frame_of(0, 0.2F));
+        pass(4 * milli);
+        EXPECT_EQ(newest().amplitude[0], i < 5 ? 0.5F : 0.7F);
+        EXPECT_EQ(newest().amplitude[1], 0.2F) << "the match is felt, too";
+    }
+    playback_.feel(frame_of(0, 0.2F, 400));
+    pass(60 * milli);
+    playback_.feel(frame_of(0, 0.2F));
+    pass(4 * milli);
+    EXPECT_EQ(newest().amplitude[0], 0) << "the trial is over after its time to live";
+}
+
+TEST_F(TactilePlaybackTest, ATriedFrameAloneEndsByItself) {
+    playback_.try_out(frame_of(1, 0, 48));
+    pass(4 * milli);
+    ASSERT_TRUE(felt_->on);
+    pass(60 * milli);
+    EXPECT_FALSE(felt_->on);
+}
+
 TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
     playback_.feel(frame_of(1, 0));
     pass(3);

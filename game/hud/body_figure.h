@@ -1,0 +1,18 @@
+// game/hud/body_figure.h: a picture of what the body feels: the cells of front and back as dots, white on dark, larger
+// where more is felt. So it needs no colours.
+#pragma once
+#include <array>
+
+#include "game/hud/overlay.h"
+#include "game/hud/panel.h"
+#include "game/hud/picture.h"
+
+namespace thaum::game {
+
+/// Size of the figure where there is room for it (units): front and back, a gap between them.
+inline constexpr float figure_wide = 90, figure_high = 62;
+
+/// Adds the figure. `felt` has a strength of 0 to 1 for each cell. Nothing is added to an empty panel.
+void add_figure(render::Overlay& out, const Panel& panel, const std::array<float, figure_cells>& felt);
+
+}  // namespace thaum::game
