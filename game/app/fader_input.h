@@ -32,6 +32,11 @@ public:
         return {};
     }
 
+    /// Notes a move that the match has from elsewhere, or none.
+    void note(const input::FaderChange& change) {
+        if (change.fader != 0) given_.at(change.fader - 1U) = change.percent;
+    }
+
 private:
     std::array<std::atomic<std::uint8_t>, input::hand_faders> wanted_{};
     Values given_{};  ///< values that the match has

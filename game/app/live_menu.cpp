@@ -72,11 +72,24 @@ void LiveMenu::step(const MenuEvent& event) {
         sound_ = MenuSound::move;
     else if (!state_.note.empty())
         sound_ = MenuSound::refused;
+    keep_changes(before);
+}
+
+/// Lets changed settings act, and saves them.
+void LiveMenu::keep_changes(const Settings& before) {
     if (state_.settings == before) return;
     settings_changed_ = true;
     if (settings_file_.empty()) return;
     if (const auto saved = save_changes(settings_file_, before, state_.settings); !saved)
         state_.note = text("for this run only: ", saved.error().message);
+}
+
+void LiveMenu::set_own_force(std::size_t player, std::uint32_t percent) {
+    const auto before = state_.settings;
+    auto& own = state_.settings.players.at(player);
+    own.force = own_force;
+    own.own_force_percent = static_cast<int>(percent);
+    keep_changes(before);
 }
 
 /// Keeps a profile among those of the menu, and in its file.

@@ -80,6 +80,8 @@ public:
     }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
+    /// Sets the largest force that a player has found by feel (% of the device's peak), as the mixer's page does.
+    void set_own_force(std::size_t player, std::uint32_t percent);
     void choose_arena(std::size_t arena) { state_.arena = arena; }
     // Changes by the session's keys, for this run only.
     void toggle_fullscreen() { state_.settings.fullscreen = !state_.settings.fullscreen; }
@@ -95,6 +97,7 @@ private:
 
     void step(const MenuEvent& event);
     void save_profile(FeelProfile profile);
+    void keep_changes(const Settings& before);
     void give_control(const Device& device, const input::Control& control);
     void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,

@@ -163,7 +163,9 @@ void Practice::show(game::Picture& picture) {
     picture.practice.below =
         text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
     if (apprentice_) show_lesson(picture.practice);
-    if (match().match().played < caption_until_)
+    if (force_trial_.runs())
+        picture.caption = {.words = force_trial_.words()};
+    else if (match().match().played < caption_until_)
         picture.caption = caption_;
     else
         picture.caption = {};

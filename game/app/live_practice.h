@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/triple_buffer.h"
+#include "game/app/force_trial.h"
 #include "game/bots/apprentice.h"
 #include "game/bots/range_files.h"
 #include "game/hud/picture.h"
@@ -46,6 +47,12 @@ public:
     game::Simulation& match() { return *range_.match; }
     /// Takes fire out of the practising player's samples until it is released, where a step has just begun.
     void hold_fire_back(input::InputFrame& frame);
+    /// Begins to find the largest force that the player wants.
+    void find_force() { force_trial_.begin(); }
+    /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
+    std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
+        return force_trial_.step(match(), game::practising, frame);
+    }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
     /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
@@ -75,6 +82,7 @@ private:
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
     std::optional<game::Apprentice> apprentice_;
+    ForceTrial force_trial_{};
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time

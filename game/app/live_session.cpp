@@ -184,6 +184,8 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     follow_arms(shared_.arms);
     name_arms();
     follow_match(now_ns);
+    if (const auto found = shared_.progress.found_force.exchange(0); found != 0)
+        menu_.set_own_force(game::practising, found);
     menu_.repeat(now_ns);
     apply_settings();
     play_trial(now_ns);
@@ -317,7 +319,9 @@ void LiveSession::carry_out_request() {
     const bool skips = request == MenuRequest::skip_step, repeats = request == MenuRequest::repeat_step;
     if (skips) ++shared_.requests.lesson_skips;
     if (repeats) ++shared_.requests.lesson_repeats;
-    if (request == MenuRequest::go_on || skips || repeats)
+    const bool finds = request == MenuRequest::find_force;
+    if (finds) ++shared_.requests.force_trials;
+    if (request == MenuRequest::go_on || skips || repeats || finds)
         shared_.requests.go_on = first_person(shared_.seats).value_or(0);
     if (request == MenuRequest::restart) restart();
     if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match();

@@ -72,6 +72,8 @@ struct MatchRequests {
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
     std::atomic<std::uint32_t> lesson_skips{0};    ///< number of the Apprentice's steps to skip so far
     std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
+    std::atomic<std::uint32_t> force_trials{
+        0};  ///< number of wishes to find the largest force by feel so far
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
     static_assert(decltype(range)::is_always_lock_free);
 };
@@ -81,6 +83,8 @@ struct MatchProgress {
     std::atomic<PlayState> state{PlayState::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
+    /// Largest force that a player of the range has found by feel (%), until the main thread takes it; 0: none.
+    std::atomic<std::uint32_t> found_force{0};
 };
 
 struct LiveShared {

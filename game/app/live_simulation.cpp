@@ -58,8 +58,8 @@ struct SimulationThread {
     int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
     std::string fault{};           ///< words on a fault for the first seconds of the match
     std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
-    /// values of MatchRequests::lesson_skips and lesson_repeats at the last look
-    std::uint32_t skips_seen = 0, repeats_seen = 0;
+    /// values of MatchRequests::lesson_skips, lesson_repeats and force_trials at the last look
+    std::uint32_t skips_seen = 0, repeats_seen = 0, trials_seen = 0;
 };
 
 /// Log of the match; null if the match is not recorded.
@@ -101,6 +101,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.requests.marks;
     s.skips_seen = s.shared.requests.lesson_skips;
     s.repeats_seen = s.shared.requests.lesson_repeats;
+    s.trials_seen = s.shared.requests.force_trials;
     s.countdown = start.countdown;
     s.fault = std::move(start.fault);
     for (auto& seat : s.shared.seats)
@@ -202,6 +203,19 @@ void stamp_input(SimulationThread& s) {
         s.shared.stamps.push({came, s.start_ns + tick * ns_per_tick});
 }
 
+/// Lets the player of the range find the largest force by feel.
+void try_force(SimulationThread& s, Practice& practice, input::InputFrame& frame) {
+    if (const auto trials = s.shared.requests.force_trials.load(); trials != s.trials_seen) {
+        s.trials_seen = trials;
+        practice.find_force();
+    }
+    const auto found = practice.try_force(frame);
+    s.shared.seats[game::practising].faders->note(frame.devices[game::practising].change);
+    if (!found) return;
+    s.shared.progress.found_force = *found;
+    s.wake();
+}
+
 input::InputFrame take_frame(SimulationThread& s) {
     stamp_input(s);
     input::InputFrame frame;
@@ -216,7 +230,10 @@ input::InputFrame take_frame(SimulationThread& s) {
         frame.devices[device] = arm.servo.take();
         frame.devices[device].away = arm.keeper->is_lost();
     });
-    if (auto* practice = practice_of(s.round)) practice->hold_fire_back(frame);
+    if (auto* practice = practice_of(s.round)) {
+        practice->hold_fire_back(frame);
+        try_force(s, *practice, frame);
+    }
     if (s.round.match->now() % 2 == 0)
         press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {

@@ -267,6 +267,12 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
         case RowKind::profile: load_profile(s, context); break;
         case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
+        case RowKind::find_force:
+            if (can_find_force(s, context))
+                s.request = MenuRequest::find_force;
+            else
+                s.note = "open this page in the pause of the range";
+            break;
         case RowKind::body_fader: s.tries = {s.player, static_cast<tactile::Purpose>(row.index)}; break;
         case RowKind::cauldron: open(s, Page::cauldron); break;
         case RowKind::fader: switch_fader(s, row.index); break;

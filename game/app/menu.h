@@ -89,6 +89,7 @@ enum class MenuRequest : std::uint8_t {
     go_on,
     skip_step,
     repeat_step,
+    find_force,
     restart,
     leave,
     quit

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "game/bots/dummy.h"
+#include "game/bots/range.h"
 #include "game/hud/layout.h"
 
 namespace thaum::app {
@@ -14,6 +15,10 @@ using input::Control;
 std::size_t joined(const MenuState& s) {
     return static_cast<std::size_t>(
         std::count_if(s.seats.begin(), s.seats.end(), [](const auto& seat) { return seat.has_value(); }));
+}
+
+bool can_find_force(const MenuState& s, const MenuContext& context) {
+    return context.practice && !context.apprentice && s.player == game::practising;
 }
 
 bool starts_at_once(const MenuState& s, const Row& row) {
@@ -370,6 +375,14 @@ void add_body_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
                      .dim = true}});
 }
 
+Row find_force_row(const MenuState& s, const MenuContext& context) {
+    return {RowKind::find_force,
+            0,
+            {.label = "Find it by feel",
+             .help = "Kicks the hand more and more until you press fire. Only on the range.",
+             .dim = !can_find_force(s, context)}};
+}
+
 /// Whether the setting is the largest force that counts only for the choice "own".
 bool is_own_force(const PlayerSetting& setting) {
     const auto* whole = std::get_if<WholeOf<PlayerSettings>>(&setting.kind);
@@ -385,6 +398,7 @@ void add_mixer_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
             auto row = row_of(RowKind::player_setting, i, settings[i], s.settings.players[s.player]);
             row.look.dim = is_own_force(settings[i]) && s.settings.players[s.player].force != own_force;
             rows.push_back(std::move(row));
+            if (is_own_force(settings[i])) rows.push_back(find_force_row(s, context));
         }
     rows.push_back(
         {RowKind::cauldron,

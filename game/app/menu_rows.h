@@ -39,6 +39,7 @@ enum class RowKind : std::uint8_t {
     preset,
     profile,
     save_profile,
+    find_force,
     body_fader,
     cauldron,
     fader,
@@ -54,6 +55,9 @@ struct Row {
 
 /// Rows of the page that is shown.
 std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
+
+/// Whether the player of the page can find the largest force by feel: it is the one who practises on the range.
+bool can_find_force(const MenuState& state, const MenuContext& context);
 
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);

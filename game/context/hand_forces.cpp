@@ -20,6 +20,10 @@ HandState empty_hand_state() {
     return hand_state;
 }
 
+void kick_at_peak(MatchContext& context, ecs::Entity wizard, double share, Tick length) {
+    kick(context, wizard, vec3(0, 0, share * reference_peak), length);
+}
+
 void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length) {
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
     const double share = context.input.haptic_setup.recoil[player];

@@ -14,6 +14,9 @@ HandState empty_hand_state();
 /// (game.md). `newtons` is in the device frame. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
+/// Kicks the hand towards the user with a share of the largest force that the player wants.
+void kick_at_peak(MatchContext& context, ecs::Entity wizard, double share, Tick length);
+
 /// Kicks the hand towards the user by a shot of the user's own wand. The player's fader for recoil scales it.
 void recoil(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
 

@@ -403,6 +403,29 @@ TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
     EXPECT_TRUE(session_->next().is_apprentice()) << "the lessons were read again";
 }
 
+TEST_F(LiveSessionTest, ThePauseOfTheRangeFindsTheLargestForceByFeel) {
+    plan_.practice = game::DummyKind::still;
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    session_.emplace(shared_, plan_);
+    ASSERT_TRUE(session_->next().open_range());
+    session_->take_seats({});
+    session_->begin_match({});
+    pause(0);
+    step();
+    for (const auto* row : {"Settings", "Forces and body", "Find it by feel"}) {
+        choose(row);
+        press("enter");
+    }
+    step();
+    EXPECT_EQ(requests().force_trials.load(), 1U);
+    EXPECT_EQ(requests().go_on.load(), 0U) << "and the match goes on";
+    shared_.progress.found_force = 35;
+    step();
+    const auto& found = session_->menu().settings().players[0];
+    EXPECT_EQ(force_percent_of(found), 35U);
+    EXPECT_EQ(shared_.seats[0].faders->take(), (input::FaderChange{1, 35})) << "it counts at once";
+}
+
 TEST_F(LiveSessionTest, RestartingInThePauseEndsTheMatchAndBeginsAnother) {
     begin();
     pause(0);

@@ -12,6 +12,7 @@
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/live_shared.h"
+#include "game/components/hand_state.h"
 #include "game/hud/layout.h"
 
 namespace thaum::app {
@@ -252,6 +253,74 @@ TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
         }
         EXPECT_EQ(letters, 2 * shown.caption.words.size()) << "every word, and its dark copy";
     }
+}
+
+// ---- the largest force by feel ----------------------------------------------------------------------------
+
+class ForceTrialTest : public PracticeTest {
+protected:
+    /// Plays a tick of the trial. Returns what was found.
+    std::optional<std::uint32_t> tick(bool fire) {
+        input::InputFrame frame;
+        if (fire) frame.devices[0].press(input::Button::fire);
+        const auto found = practice_.try_force(frame);
+        EXPECT_FALSE(runs_ && frame.devices[0].down(input::Button::fire)) << "nothing is shot meanwhile";
+        practice_.match().tick(frame);
+        const auto& hand = practice_.match().world().get<game::HandState>(
+            game::wizard_of(practice_.match().world(), game::practising));
+        strongest_ = std::max(strongest_, glm::length(hand.servo.safety.output));
+        runs_ = runs_ && !found;
+        return found;
+    }
+
+    game::RangeFiles files_ = files();
+    Practice practice_{
+        files_.data(), {input::DeviceSpec{.name = "hand", .moves_faders = true}}, game::DummyKind::still, 1};
+    bool runs_ = true;
+    double strongest_ = 0;
+};
+
+TEST_F(ForceTrialTest, KicksGrowUntilFireIsPressed) {
+    const double peak = practice_.match().data().device.peak_force;
+    practice_.find_force();
+    double before = 0;
+    for (std::uint32_t kick = 1; kick <= 8; ++kick) {
+        strongest_ = 0;
+        for (int i = 0; i < 500; ++i)
+            ASSERT_FALSE(tick(kick == 1 && i < 100)) << "a press from before counts not";
+        if (kick > 1) {
+            EXPECT_NEAR(strongest_, 0.05 * (kick - 1) * peak, 0.03 * peak) << kick;
+            EXPECT_GT(strongest_, before);
+        }
+        before = strongest_;
+    }
+    for (Tick i = 0; i < 2 * ForceTrial::kick_length; ++i) tick(false);
+    EXPECT_EQ(tick(true), 8 * ForceTrial::percent_per_kick);
+    strongest_ = 0;
+    for (int i = 0; i < 1000; ++i) EXPECT_FALSE(tick(false));
+    EXPECT_LT(strongest_, 0.1 * peak) << "no more kicks";
+}
+
+TEST_F(ForceTrialTest, WhoNeverPressesWantsAllAndTheMotorsStayCool) {
+    practice_.find_force();
+    std::optional<std::uint32_t> found;
+    double squares = 0;
+    int ticks = 0;
+    for (; !found && ticks < 30'000; ++ticks) {
+        found = tick(false);
+        const auto& hand = practice_.match().world().get<game::HandState>(
+            game::wizard_of(practice_.match().world(), game::practising));
+        squares += glm::dot(hand.servo.safety.output, hand.servo.safety.output);
+    }
+    EXPECT_EQ(found, 100U);
+    const double peak = practice_.match().data().device.peak_force;
+    EXPECT_NEAR(strongest_, peak, 0.03 * peak) << "the last kick is whole";
+    EXPECT_LT(std::sqrt(squares / ticks), practice_.match().data().device.continuous_force);
+}
+
+TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
+    runs_ = false;
+    for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
 }
 
 }  // namespace
