@@ -51,7 +51,9 @@ public:
     void find_force() { force_trial_.begin(); }
     /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
-        return force_trial_.step(match(), game::practising, frame);
+        const auto found = force_trial_.step(match(), game::practising, frame);
+        if (found) fire_anew_ = true;  // the press that decided shoots nothing
+        return found;
     }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
