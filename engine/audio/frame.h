@@ -34,6 +34,7 @@ struct Voice {
     std::uint32_t key{};    ///< identifies a lasting voice from frame to frame; a beginning one ignores it
     std::uint32_t heard_by{3};  ///< bit i: listener i hears the voice
     bool at_ear{};              ///< true: without place, as loud wherever the listener is
+    bool sided{};               ///< true: at the ear, but the words of the sound tell the side of `position`
     vec3 position{};            ///< (m, world)
     double gain{1};             ///< 0 to 1
     double pitch{1};            ///< speed of playing, 0.25 to 4

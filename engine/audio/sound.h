@@ -28,9 +28,16 @@ struct Sound {
     std::vector<float> samples;
 };
 
+/// A sound whose recipe is faulty.
+struct FaultySound {
+    std::string name;
+    std::string reason;  ///< file and line with its folder, and what is wrong
+};
+
 /// All sounds of a program, sorted by name. A sound's number is its index.
 struct SoundBank {
     std::vector<Sound> sounds;
+    std::vector<FaultySound> faulty{};  ///< sounds that are left out, sorted by name
 
     /// Returns the number of the sound of this name, or nothing.
     std::optional<std::uint32_t> find(std::string_view name) const;

@@ -94,6 +94,31 @@ Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::p
 
 }  // namespace
 
+namespace {
+
+/// All of a sound but its samples.
+Sound head_of(const Recipe& recipe) {
+    return {.name = recipe.name,
+            .description = recipe.description,
+            .caption = recipe.caption,
+            .important = recipe.important,
+            .group = recipe.group,
+            .loops = recipe.loops,
+            .near_m = recipe.near_m,
+            .reach_m = recipe.reach_m,
+            .samples = {}};
+}
+
+Expected<Recipe> load_recipe(const std::filesystem::path& file) {
+    const auto toml = read_text_file(file, largest_recipe);
+    if (!toml) return tl::unexpected(toml.error());
+    auto recipe = read_recipe(*toml, file.stem().string());
+    if (!recipe) return fail(text(file.parent_path().string(), "/", recipe.error().message));
+    return recipe;
+}
+
+}  // namespace
+
 Sound make_sound(const Recipe& recipe) {
     Canvas canvas(recipe.seconds, recipe.loops);
     for (std::size_t i = 0; i < recipe.parts.size(); ++i)
@@ -104,34 +129,27 @@ Sound make_sound(const Recipe& recipe) {
     fade(canvas);
     const double peak = largest_of(canvas.samples());
     const double scale = peak > 1e-9 ? recipe.level / peak : 0;
-    Sound sound{.name = recipe.name,
-                .description = recipe.description,
-                .caption = recipe.caption,
-                .important = recipe.important,
-                .group = recipe.group,
-                .loops = recipe.loops,
-                .near_m = recipe.near_m,
-                .reach_m = recipe.reach_m,
-                .samples = {}};
+    auto sound = head_of(recipe);
     sound.samples.reserve(canvas.size());
     for (const double sample : canvas.samples()) sound.samples.push_back(static_cast<float>(sample * scale));
     return sound;
 }
 
-Expected<SoundBank> load_sounds(const std::filesystem::path& folder) {
+Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples samples) {
     const auto files = recipes_in(folder);
     if (!files) return tl::unexpected(files.error());
     SoundBank bank;
     double seconds = 0;
     for (const auto& file : *files) {
-        const auto toml = read_text_file(file, largest_recipe);
-        if (!toml) return tl::unexpected(toml.error());
-        const auto recipe = read_recipe(*toml, file.stem().string());
-        if (!recipe) return fail(text(folder.string(), "/", recipe.error().message));
+        const auto recipe = load_recipe(file);
+        if (!recipe) {
+            bank.faulty.push_back({file.stem().string(), recipe.error().message});
+            continue;
+        }
         seconds += recipe->seconds;
         if (seconds > most_seconds)
             return fail(text(folder.string(), ": all sounds together are longer than ", most_seconds, " s"));
-        bank.sounds.push_back(make_sound(*recipe));
+        bank.sounds.push_back(samples == WithSamples::yes ? make_sound(*recipe) : head_of(*recipe));
     }
     return bank;
 }

@@ -10,6 +10,7 @@ namespace thaum::tactile {
 namespace {
 
 constexpr std::size_t most_effects = 1000;
+constexpr std::size_t longest_caption = 32;  // letters
 
 /// Rises from 0 to 1 without corners.
 double eased(double x, bool smooth) { return smooth ? x * x * (3 - 2 * x) : x; }
@@ -152,6 +153,10 @@ Expected<Effect> read_effect(const Config& file, std::string name) {
     effect.description = root.string("description");
     if (effect.description.empty())
         root.report("description", "'description' must not be empty: say what happens");
+    effect.caption = root.string("caption", "");
+    if (effect.caption.size() > longest_caption)
+        root.report("caption", text("the caption must have at most ", longest_caption, " letters"));
+    effect.important = root.boolean("important", false);
     effect.purpose = static_cast<Purpose>(root.choice("purpose", purpose_names()));
     effect.priority = static_cast<int>(root.integer("priority", {0, 9}));
     read_force(root, effect);

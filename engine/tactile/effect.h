@@ -75,6 +75,8 @@ enum class Pattern : std::uint8_t { single, spread, sweep, heartbeat, clip };
 struct Effect {
     std::string name{};
     std::string description{};  ///< plain words for a table of what is felt
+    std::string caption{};      ///< words on the screen while it is felt; empty: none
+    bool important{};           ///< true: the caption is shown even to those who want few
     Method method{};
     double weakest{};     ///< amplitude A at strength 0 (m)
     double strongest{};   ///< amplitude A at strength 1 (m)

@@ -208,6 +208,8 @@ std::vector<std::pair<std::string, std::string>> pads() {
 Finding sound(const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return {"sound", State::note, bank.error().message, "the game is silent until this is mended"};
+    if (!bank->faulty.empty())
+        return {"sound", State::note, bank->faulty[0].reason, "that sound is silent until this is mended"};
     // A mixer prepares OpenAL, as in the game.
     const auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return {"sound", State::note, mixer.error().message, "the game is silent"};

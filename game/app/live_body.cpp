@@ -90,7 +90,7 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     if (x40 || x16) motors_.feel_jacket(player, scene.frame(x40 ? x40_frame : x16_frame));
 }
 
-void MatchBody::follow(const game::Simulation& match) {
+void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {
     if (!body_ || match.now() % tactile::frame_ticks != 0) return;
     if (data_ != &match.data()) begin(match);
     now_ = match.now();
@@ -98,6 +98,7 @@ void MatchBody::follow(const game::Simulation& match) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
         feel(p, match);
+        game::add_body_words(*scenes_.at(p), *effects_, body_->effects, sound.told(), sound.words(p));
         if (!scenes_.at(p)->frame(0).is_silent()) felt_at_.at(p) = now_;
     }
 }

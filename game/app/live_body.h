@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "game/app/live_sound.h"
 #include "game/app/live_tactile.h"
 #include "game/hud/picture.h"
 #include "game/tactile/tactile_scene.h"
@@ -35,7 +36,8 @@ public:
     MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors) : body_(body), motors_(motors) {}
 
     /// Follows the match after a tick. Another match, or changed data, begins anew.
-    void follow(const game::Simulation& match);
+    /// Adds what is felt on the body to the words of `sound`, which has followed before.
+    void follow(const game::Simulation& match, MatchSound& sound);
     /// Forgets what was felt, after a jump to another time.
     void forget();
     /// Adds the cells of the figure.

@@ -107,7 +107,7 @@ void play(ReplayThread& r) {
     do {
         r.at_end = !r.playback().step();
         r.sound.follow(r.playback().match());
-        r.body.follow(r.playback().match());
+        r.body.follow(r.playback().match(), r.sound);
     } while (!r.at_end && r.now() % every != 0 && monotonic_ns() >= r.due_ns(r.now() + 1));
     if (r.at_end || r.now() % every == 0) publish(r);
 }

@@ -327,7 +327,7 @@ void run_tick(SimulationThread& s) {
     give_orders(s);
     const auto now = round.match->now();
     s.sound.follow(*round.match);
-    s.body.follow(*round.match);
+    s.body.follow(*round.match, s.sound);
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);

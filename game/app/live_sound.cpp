@@ -38,6 +38,8 @@ audio::MixSettings mix_settings(const Settings& settings) {
 std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets, const Settings& settings) {
     auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return silent(bank.error());
+    for (const auto& sound : bank->faulty)
+        std::fprintf(stderr, "the sound '%s' is silent: %s\n", sound.name.c_str(), sound.reason.c_str());
     auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
     if (!mixer) return silent(mixer.error());
     auto sound = std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device());
@@ -75,27 +77,34 @@ void MatchSound::listen(bool first, bool second) {
     }
 }
 
-/// Makes a scene for the match's data. Returns false if a sound is missing, which is printed once.
-bool MatchSound::begin(const game::Simulation& match) {
-    data_ = &match.data();
-    scene_.reset();
+/// Makes a scene for the match's data. Missing sounds are printed.
+void MatchSound::begin(const game::Simulation& match) {
     auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
-    if (!sounds) {
-        std::fprintf(stderr, "no sound: %s\n", sounds.error().message.c_str());
-        return false;
-    }
-    scene_.emplace(std::move(*sounds));
-    return true;
+    for (const auto& line : sounds.missing) std::fprintf(stderr, "a sound is missing: %s\n", line.c_str());
+    told_ = game::told_by_sounds(sounds, sound_->bank());
+    scene_.emplace(std::move(sounds));
 }
 
-void MatchSound::follow(const game::Simulation& match) {
-    if (sound_ == nullptr || match.now() % audio::frame_ticks != 0 || !sound_->is_wanted()) return;
-    if (data_ != &match.data() && !begin(match)) return;
-    if (!scene_) return;
+void MatchSound::hear(const game::Simulation& match) {
+    if (!scene_) begin(match);
     scene_->take(match, {listening_.data(), listeners_}, frame_);
     sound_->hear(frame_);
     for (std::uint32_t i = 0; i < listeners_; ++i)
         heard_.at(listening_.at(i)).follow(frame_, sound_->bank(), i);
+}
+
+void MatchSound::follow(const game::Simulation& match) {
+    if (match.now() % audio::frame_ticks != 0) return;
+    if (data_ != &match.data()) {
+        data_ = &match.data();
+        scene_.reset();
+        forget();  // words are views of the data
+    }
+    for (auto& lines : heard_) lines.pass_frame();
+    if (sound_ != nullptr && !sound_->is_wanted()) return;
+    if (sound_ != nullptr) hear(match);
+    if (match.match().phase != game::Phase::playing || match.match().paused != 0) return;
+    for (std::uint32_t p = 0; p < game::players; ++p) hands_.at(p).take(match, p, heard_.at(p));
 }
 
 void MatchSound::count_down() {

@@ -12,6 +12,7 @@
 #include "game/app/settings.h"
 #include "game/app/told_state.h"
 #include "game/hud/picture.h"
+#include "game/senses/felt_words.h"
 #include "game/sound/sound_scene.h"
 
 namespace thaum::app {
@@ -36,14 +37,14 @@ public:
     void tell_status();
 
     // The thread of a match.
-    /// Whether anybody hears the match, or reads its sounds in words. Otherwise frames need not be made.
+    /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
     bool is_wanted() const { return words_ || speakers_.plays(); }
     void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
 
 private:
     audio::SoundBank bank_;
     audio::Speakers speakers_;
-    std::atomic<bool> words_{};  ///< some player wants sounds in words
+    std::atomic<bool> words_{};  ///< some player wants it in words
     ToldState told_{};
 };
 
@@ -63,21 +64,31 @@ public:
     void follow(const game::Simulation& match);
     /// One second of the count-down before the match.
     void count_down();
-    /// Forgets the sounds in words, after a jump to another time.
-    void forget() { heard_ = {}; }
-    /// Adds the sounds in words.
+    /// Forgets the words, after a jump to another time.
+    void forget() {
+        heard_ = {};
+        hands_ = {};
+    }
+    /// Words for one player, to which others add what is felt.
+    game::HeardLines& words(std::uint32_t player) { return heard_.at(player); }
+    /// What sounds tell by themselves in this match.
+    const game::ToldBySounds& told() const { return told_; }
+    /// Adds what is heard and felt in words.
     void show(game::Picture& picture) const;
 
 private:
-    bool begin(const game::Simulation& match);
+    void begin(const game::Simulation& match);
+    void hear(const game::Simulation& match);
 
     LiveSound* sound_;
     std::optional<game::SoundScene> scene_{};
-    const game::MatchData* data_{};  ///< data for which `scene_` was made
+    const game::MatchData* data_{};  ///< data of the match that is followed
     std::array<std::uint32_t, game::players> listening_{0, 1};
     std::size_t listeners_ = 2;
     audio::AudioFrame frame_{};
+    game::ToldBySounds told_{};
     std::array<game::HeardLines, game::players> heard_{};  ///< by player
+    std::array<game::HandWords, game::players> hands_{};   ///< by player
 };
 
 /// Settings of the mixer.

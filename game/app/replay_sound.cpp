@@ -1,5 +1,7 @@
 #include "game/app/replay_sound.h"
 
+#include <cstdio>
+
 #include "audio/synth.h"
 
 namespace thaum::app {
@@ -10,12 +12,14 @@ Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
     const auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return tl::unexpected(bank.error());
     auto sounds = game::match_sounds(*bank, *data.presentation);
-    if (!sounds) return tl::unexpected(sounds.error());
+    for (const auto& sound : bank->faulty)
+        std::fprintf(stderr, "the sound '%s' is silent: %s\n", sound.name.c_str(), sound.reason.c_str());
+    for (const auto& line : sounds.missing) std::fprintf(stderr, "a sound is missing: %s\n", line.c_str());
     auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return tl::unexpected(mixer.error());
     auto writer = audio::WavWriter::create(file, audio::WavFormat::whole_16);
     if (!writer) return tl::unexpected(writer.error());
-    return ReplaySound(std::move(*writer), std::move(*mixer), game::SoundScene(std::move(*sounds)), ears);
+    return ReplaySound(std::move(*writer), std::move(*mixer), game::SoundScene(std::move(sounds)), ears);
 }
 
 void ReplaySound::follow(const game::Simulation& match) {

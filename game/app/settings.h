@@ -39,8 +39,9 @@ inline constexpr std::size_t gentle_force = 2, full_force = 4, own_force = 5;
 struct PlayerSettings {
     std::string name{};    ///< name on the screen (player_name.h); empty: the name of the team
     bool captions = true;  ///< words in the view about what happens to the player
-    game::HeardWish heard = game::HeardWish::important;  ///< which sounds are told in words
-    bool figure = true;                                  ///< a figure in the view shows what the body feels
+    game::HeardWish heard =
+        game::HeardWish::important;  ///< what is told in words of all that is heard and felt
+    bool figure = true;              ///< a figure in the view shows what the body feels
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     /// time over which a turn by stick or keys grows to its full speed (s)

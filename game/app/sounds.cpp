@@ -91,6 +91,7 @@ int run_sounds(const std::vector<std::string>& words) {
     }
     const auto bank = audio::load_sounds(game::find_assets() / "sounds");
     if (!bank) return refuse(bank.error());
+    if (!bank->faulty.empty()) return refuse({bank->faulty[0].reason});
     const auto sounds = choose(*bank, arguments->plain());
     if (!sounds) return refuse(sounds.error());
     print_list(*sounds);

@@ -30,7 +30,7 @@ struct HudSettings {
     PlayerNames names{};
     /// true: the player's view has words about what happens to the player
     std::array<bool, players> captions{true, true};
-    std::array<HeardWish, players> heard{};        ///< which sounds each player sees in words
+    std::array<HeardWish, players> heard{};        ///< what each player sees in words of all heard and felt
     std::array<bool, players> figure{true, true};  ///< which players see what their bodies feel
     std::array<ControlNames, players> controls{};  ///< controls of each person
     std::array<PromptWish, players> prompts{};     ///< when each player's prompts are shown

@@ -155,7 +155,7 @@ void place_forces(const Arrangement& how, bool curve, InUnits& out) {
     out.forces = {{edge, top}, fvec2(edge, top) + scale * size};
 }
 
-/// Sounds in words: below the forces, left of the ring.
+/// What is heard and felt in words: below the forces, left of the ring.
 void place_heard(const Arrangement& how, InUnits& out) {
     const float top = out.forces.high.y + edge / 2;
     const float bottom = std::min(out.name.low.y, out.messages.low.y) - edge / 2;

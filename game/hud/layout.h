@@ -3,7 +3,7 @@
 //
 //     feed      |  score  |                the feed is in the outer corner beside the score
 //     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
-//     heard     ring around the crosshair  heard: sounds in words
+//     heard     ring around the crosshair  heard: what is heard and felt in words
 //                                 figure   what the body feels; not in a window with words of a lesson
 //               messages                   captions, prompts, the brew in words
 //     name, health           strip         the strip of wands
@@ -53,7 +53,7 @@ inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head
 inline constexpr float forces_wide = 186, forces_high = 76;
 /// Part of that panel that the name of the strongest force takes while there is no curve (units).
 inline constexpr float force_word_wide = 96, force_word_high = 27;
-/// Height of a line of sounds in words (units).
+/// Height of a line of what is heard (units).
 inline constexpr float heard_line_high = 20;
 
 /// `lesson`: there are words of a lesson. In an only view the other panels then grow only as far as its words have room.

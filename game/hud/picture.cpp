@@ -7,7 +7,7 @@
 #include "game/cauldron/ladle.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
-#include "game/hud/felt_source.h"
+#include "game/tactile/felt_source.h"
 #include "game/wands/belt.h"
 #include "game/wands/shot.h"
 

@@ -437,11 +437,7 @@ void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     if (p.since_felt_s <= shown_s) add_figure(out, l.figure, p.felt);
 }
 
-bool wants(HeardWish wish, const HeardLine& line) {
-    return wish == HeardWish::all || (wish == HeardWish::important && line.important);
-}
-
-/// Adds sounds in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to two lines.
+/// Adds what is heard and felt in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to two lines.
 void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
     const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
@@ -449,11 +445,9 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
     for (std::uint32_t i = p.heard_lines; i > 0; --i) {
         const auto& heard = p.heard.at(i - 1);
         if (!wants(wish, heard)) continue;
-        const auto side = heard_from_words.at(static_cast<std::size_t>(heard.from));
-        const auto words = side.empty() ? std::string(heard.words) : text(heard.words, ", ", side);
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
-        const auto fitted = fit(words, 13 * u, {room, std::min(left, most_high)});
+        const auto fitted = fit(words_of(heard), 13 * u, {room, std::min(left, most_high)});
         if (bottom < l.heard.high.y && fitted.size < 10 * u) return;  // an older line is not worth tiny words
         float wide = 0;
         for (const auto& line : fitted.lines)

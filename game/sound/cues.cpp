@@ -1,7 +1,5 @@
 #include "game/sound/cues.h"
 
-#include "core/text.h"
-
 namespace thaum::game {
 
 Material material_of(Surface surface) {
@@ -33,17 +31,6 @@ Cue hit_on(Material material) {
         case Material::stone: break;
     }
     return Cue::hit_stone;
-}
-
-Expected<CueSounds> cue_sounds(const audio::SoundBank& bank) {
-    CueSounds sounds{};
-    for (std::size_t i = 0; i < cues; ++i) {
-        const auto number = bank.find(cue_names.at(i));
-        if (!number)
-            return fail(text("assets/sounds has no '", cue_names.at(i), ".toml', which the match needs"));
-        sounds.at(i) = *number;
-    }
-    return sounds;
 }
 
 }  // namespace thaum::game

@@ -2,10 +2,10 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "audio/sound.h"
-#include "core/error.h"
 #include "game/components/body.h"
 
 namespace thaum::game {
@@ -50,9 +50,9 @@ Material material_of(Surface surface);
 Cue step_on(Material material);
 Cue hit_on(Material material);
 
+/// Number of a sound in the bank; std::nullopt: silence.
+using SoundNumber = std::optional<std::uint32_t>;
 /// Number of each cue's sound in a bank.
-using CueSounds = std::array<std::uint32_t, cues>;
-/// The error names a sound that the bank lacks.
-Expected<CueSounds> cue_sounds(const audio::SoundBank& bank);
+using CueSounds = std::array<SoundNumber, cues>;
 
 }  // namespace thaum::game

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "game/match/hurt_side.h"
 #include "game/sound/scene_parts.h"
 
 namespace thaum::game {
@@ -46,6 +47,24 @@ void tell_end_of_round(SoundWriting& writing) {
     }
 }
 
+/// Begins the sound of a hurt for the one who is hurt: at the ear, since the place is on the own body. Its words tell
+/// the side from which it came, as the body feels it. A fall has none.
+void begin_own_hurt(SoundWriting& writing, const Event& event, SoundNumber sound, double gain) {
+    constexpr double told_distance = 5;  // any distance at which a sound has a side (m)
+    const auto& world = writing.match.world();
+    const auto& rows = writing.match.data().presentation->events;
+    Heard heard{.gain = gain, .heard_by = writing.ears_of(event.subject), .at_ear = true};
+    const auto way = way_to_cause(writing.match, event, event.subject);
+    if (way && row_of(rows, event.kind).mark != HudMark::fall) {
+        const vec3 flat(way->x, 0, way->z);
+        const auto& motion = world.get<Motion>(wizard_of(world, event.subject));
+        heard.sided = true;
+        heard.place =
+            eye_of(writing.match.data().wizard, motion.position) + told_distance * glm::normalize(flat);
+    }
+    begin(writing, sound, heard);
+}
+
 void add_sound_of(SoundWriting& writing, const Event& event) {
     if (event.kind == EventKind::round_end) return tell_end_of_round(writing);
     const auto& rows = writing.match.data().presentation->events;
@@ -62,9 +81,8 @@ void add_sound_of(SoundWriting& writing, const Event& event) {
     const auto sound = sound_of(writing, event);
     if (takes_health && event.subject < players) {
         // A fall may end at another place than the wizard is put back to, so the own body is at the ear.
-        const auto own = writing.ears_of(event.subject);
-        begin(writing, sound, {.gain = heard.gain, .heard_by = own, .at_ear = true});
-        heard.heard_by &= ~own;
+        begin_own_hurt(writing, event, sound, heard.gain);
+        heard.heard_by &= ~writing.ears_of(event.subject);
     }
     begin(writing, sound, heard);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
 #include "core/units.h"
 
 namespace thaum::game {
@@ -40,11 +41,30 @@ HeardFrom side_of(const audio::Listener& listener, vec3 place) {
     return right > 0 ? HeardFrom::right : HeardFrom::left;
 }
 
-void HeardLines::hear(const HeardLine& line) {
-    const auto same = [&](const HeardLine& l) { return l.words == line.words && l.from == line.from; };
+std::string words_of(const HeardLine& line) {
+    const auto side = static_cast<std::size_t>(line.from);
+    if (line.verb.empty()) {
+        const auto from = heard_from_words.at(side);
+        return from.empty() ? std::string(line.words) : text(line.words, ", ", from);
+    }
+    const auto to = pushed_to_words.at(side);
+    auto words = text(line.words, " ", line.verb, to.empty() ? "" : " ", to);
+    if (words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
+    return words;
+}
+
+bool wants(HeardWish wish, const HeardLine& line) {
+    return wish == HeardWish::all || (wish == HeardWish::important && line.important);
+}
+
+void HeardLines::add(const HeardLine& line) {
+    const auto same = [&](const HeardLine& l) {
+        return l.words == line.words && l.verb == line.verb && (!l.verb.empty() || l.from == line.from);
+    };
     const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(count_);
     if (const auto found = std::find_if(lines_.begin(), end, same); found != end) {
         found->age_s = 0;
+        found->from = line.from;
         return;
     }
     if (count_ == lines_.size()) {
@@ -66,22 +86,26 @@ bool HeardLines::tells(const audio::SoundBank& bank, const audio::Voice& voice, 
     return loud && !heard;
 }
 
-void HeardLines::follow(const audio::AudioFrame& frame, const audio::SoundBank& bank,
-                        std::uint32_t listener) {
+void HeardLines::pass_frame() {
     for (std::size_t i = 0; i < count_; ++i) lines_.at(i).age_s += seconds(audio::frame_ticks);
     const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(count_);
     const auto kept =
         std::remove_if(lines_.begin(), end, [](const HeardLine& l) { return l.age_s > heard_seconds; });
     count_ = static_cast<std::size_t>(kept - lines_.begin());
+}
+
+void HeardLines::follow(const audio::AudioFrame& frame, const audio::SoundBank& bank,
+                        std::uint32_t listener) {
     const auto take = [&](const audio::Voice& voice) {
         if ((voice.heard_by & (1U << listener)) == 0 || voice.sound >= bank.sounds.size()) return;
         const auto& sound = bank.sounds[voice.sound];
         const auto& ears = frame.listeners.at(listener);
         const bool loud = strength_at(ears, sound, voice) >= least_strength;
         if (!tells(bank, voice, loud) || sound.caption.empty()) return;
-        hear({.words = sound.caption,
-              .from = voice.at_ear ? HeardFrom::here : side_of(ears, voice.position),
-              .important = sound.important});
+        const bool sided = !voice.at_ear || voice.sided;
+        add({.words = sound.caption,
+             .from = sided ? side_of(ears, voice.position) : HeardFrom::here,
+             .important = sound.important});
     };
     for (const auto& voice : frame.lasts) take(voice);
     for (const auto& voice : frame.begins) take(voice);

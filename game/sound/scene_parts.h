@@ -28,6 +28,7 @@ struct Heard {
     double gain{1}, pitch{1};
     std::uint32_t heard_by{3};  ///< bits of the listeners
     bool at_ear{};              ///< without place
+    bool sided{};               ///< at the ear, but the words tell the side of `place`
 };
 
 /// Begins a voice, muffled by walls. Its pitch differs a little from that of the voice before.

@@ -70,8 +70,8 @@ void add_score(SoundWriting& writing) {
         auto& now = writing.memory.score.at(i);
         now += share * (goal.at(i) - now);
         if (now < unheard) continue;
-        last(writing, SoundNumber(writing.sounds.cues.at(static_cast<std::size_t>(layers.at(i)))),
-             lasting::score + i, {.gain = now, .at_ear = true});
+        last(writing, writing.sounds.cues.at(static_cast<std::size_t>(layers.at(i))), lasting::score + i,
+             {.gain = now, .at_ear = true});
     }
 }
 

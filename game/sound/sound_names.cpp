@@ -1,11 +1,13 @@
 #include "game/sound/sound_names.h"
 
+#include <algorithm>
+
 #include "core/text.h"
 
 namespace thaum::game {
 namespace {
 
-/// Finds sounds, and keeps the first error.
+/// Finds sounds, and notes the missing ones.
 class Finder {
 public:
     explicit Finder(const audio::SoundBank& bank) : bank_(bank) {}
@@ -13,15 +15,20 @@ public:
     SoundNumber find(std::string_view name, std::string_view whose) {
         if (name.empty()) return std::nullopt;
         const auto number = bank_.find(name);
-        if (!number && !error)
-            error = Error{
-                text(whose, " names the sound '", name, "', but there is no assets/sounds/", name, ".toml")};
+        if (!number && !is_faulty(name))
+            missing.push_back(
+                text(whose, " names the sound '", name, "', but there is no assets/sounds/", name, ".toml"));
         return number;
     }
 
-    std::optional<Error> error;
+    std::vector<std::string> missing{};
 
 private:
+    bool is_faulty(std::string_view name) const {
+        return std::any_of(bank_.faulty.begin(), bank_.faulty.end(),
+                           [&](const auto& faulty) { return faulty.name == name; });
+    }
+
     const audio::SoundBank& bank_;
 };
 
@@ -46,11 +53,10 @@ void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
 
 }  // namespace
 
-Expected<MatchSounds> match_sounds(const audio::SoundBank& bank, const Presentation& shown) {
-    auto cues = cue_sounds(bank);
-    if (!cues) return tl::unexpected(cues.error());
-    MatchSounds out{.cues = *cues, .events = {}, .power_ups = {}, .wands = {}};
+MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown) {
+    MatchSounds out;
     Finder finder(bank);
+    for (std::size_t i = 0; i < cues; ++i) out.cues.at(i) = finder.find(cue_names.at(i), "the match");
     find_events(shown.events, finder, out);
     for (const auto& wand : shown.wands) {
         const auto whose = text("assets/wands/", wand.name, ".toml");
@@ -61,7 +67,7 @@ Expected<MatchSounds> match_sounds(const audio::SoundBank& bank, const Presentat
                              .ready = finder.find(names.ready, whose),
                              .hold = finder.find(names.hold, whose)});
     }
-    if (finder.error) return tl::unexpected(*finder.error);
+    out.missing = std::move(finder.missing);
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "game/components/power_up.h"
@@ -9,9 +10,6 @@
 #include "game/sound/cues.h"
 
 namespace thaum::game {
-
-/// Number of a sound in the bank; std::nullopt: silence.
-using SoundNumber = std::optional<std::uint32_t>;
 
 struct WandSoundNumbers {
     SoundNumber fire, burst, take, ready, hold;
@@ -23,9 +21,11 @@ struct MatchSounds {
     std::vector<SoundNumber> events;  ///< by EventKind; without those of power-ups
     std::array<SoundNumber, power_up_names.size()> power_ups{};
     std::vector<WandSoundNumbers> wands;  ///< in the order of Presentation::wands
+    /// A line on each sound that the bank lacks, and on who names it. Faulty sounds are not among them: the bank says why.
+    std::vector<std::string> missing{};
 };
 
-/// The error names the sound that is missing, and who names it.
-Expected<MatchSounds> match_sounds(const audio::SoundBank& bank, const Presentation& shown);
+/// A missing or faulty sound is silence, and costs no other one.
+MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown);
 
 }  // namespace thaum::game

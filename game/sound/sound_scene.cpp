@@ -66,6 +66,7 @@ void begin(SoundWriting& writing, SoundNumber sound, const Heard& heard) {
     audio::Voice voice{.sound = *sound,
                        .heard_by = heard.heard_by,
                        .at_ear = heard.at_ear,
+                       .sided = heard.sided,
                        .position = heard.place,
                        .gain = heard.gain,
                        .pitch = heard.pitch * (1 + spread)};
@@ -75,7 +76,7 @@ void begin(SoundWriting& writing, SoundNumber sound, const Heard& heard) {
 }
 
 void begin(SoundWriting& writing, Cue cue, const Heard& heard) {
-    begin(writing, SoundNumber(writing.sounds.cues.at(static_cast<std::size_t>(cue))), heard);
+    begin(writing, writing.sounds.cues.at(static_cast<std::size_t>(cue)), heard);
 }
 
 void last(SoundWriting& writing, SoundNumber sound, std::uint32_t key, const Heard& heard) {

@@ -57,7 +57,7 @@ void add_brew_sounds(SoundWriting& writing) {
     const auto& cauldron = writing.match.world().single<Cauldron>();
     const double ripe = ripeness(writing, cauldron);
     if (cauldron.begun == 0) return;
-    last(writing, SoundNumber(writing.sounds.cues.at(static_cast<std::size_t>(Cue::boil))), lasting::boil,
+    last(writing, writing.sounds.cues.at(static_cast<std::size_t>(Cue::boil)), lasting::boil,
          {.place = cauldron.middle, .gain = 0.3 + 0.7 * ripe, .pitch = 0.8 + 0.5 * ripe});
 }
 

@@ -113,8 +113,7 @@ void add_ladle(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory
     memory.ladle_inside = inside;
     if (!inside) return;
     const double thick = std::clamp(std::log2(std::max(cauldron.viscosity, 1e-3)), -3.0, 6.0);
-    last(writing, SoundNumber(writing.sounds.cues.at(static_cast<std::size_t>(Cue::stir))),
-         lasting::stir + wizard.player,
+    last(writing, writing.sounds.cues.at(static_cast<std::size_t>(Cue::stir)), lasting::stir + wizard.player,
          {.place = ladle->place, .gain = std::min(1.0, speed / fast_stir), .pitch = 1 - 0.08 * thick});
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/components/hand_state.h"
+#include "game/match/hurt_side.h"
 
 namespace thaum::game {
 namespace {
@@ -20,22 +21,19 @@ constexpr std::uint32_t heart_key = 1, stir_key = 2;
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
-    const vec3 centre = world.get<Motion>(wizard).position;
-    // A burst may be behind, although the foe is ahead. Where a missile struck is on its side of the body.
-    const auto is_beside = [](vec3 way) { return std::hypot(way.x, way.z) > 0.15; };
-    vec3 way = info_of(event.kind).placed ? event.place - centre : vec3(0);
-    if (!is_beside(way) && event.by < players && event.by != player)
-        way = world.get<Motion>(wizard_of(world, event.by)).position - centre;
-    if (!is_beside(way)) return tactile::Where::own();
-    const double feet = centre.y - match.data().wizard.height / 2;
+    const auto way = way_to_cause(match, event, player);
+    if (!way) return tactile::Where::own();
+    const double feet = world.get<Motion>(wizard).position.y - match.data().wizard.height / 2;
     const double height = info_of(event.kind).placed ? std::clamp(event.place.y - feet, 0.9, 1.35) : chest;
-    return tactile::Where::from(tactile::to_body_frame(way, world.get<Gaze>(wizard).yaw), height);
+    return tactile::Where::from(tactile::to_body_frame(*way, world.get<Gaze>(wizard).yaw), height);
 }
 
 }  // namespace
 
 TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player)
-    : effects_(effects), bank_(bank), player_(player) {}
+    : effects_(effects), bank_(bank), player_(player) {
+    cues_.reserve(256);
+}
 
 std::size_t TactileScene::add(const tactile::Layout& layout) {
     outputs_.push_back({.mixer = std::make_unique<tactile::TactileMixer>(layout, bank_)});
@@ -55,6 +53,7 @@ void TactileScene::set_faders(std::size_t layout, const tactile::Faders& faders)
 }
 
 void TactileScene::feel(const BodyCue& cue, Tick now) {
+    if (cues_.size() < cues_.capacity()) cues_.push_back(cue);
     for (auto& output : outputs_) {
         if (!output.used) continue;
         if (cue.key == 0)
@@ -70,7 +69,8 @@ void TactileScene::feel_event(const Simulation& match, const Event& event) {
     const bool takes_health = !info_of(event.kind).cause.empty();
     feel({.effect = *effects_.events[kind],
           .where = takes_health ? where_of(match, event, player_) : tactile::Where::own(),
-          .strength = takes_health ? std::clamp(event.amount / full_harm, 0.0, 1.0) : 1},
+          .strength = takes_health ? std::clamp(event.amount / full_harm, 0.0, 1.0) : 1,
+          .event = event.kind},
          match.now());
 }
 
@@ -108,6 +108,7 @@ void TactileScene::feel_own(const Simulation& match) {
 }
 
 void TactileScene::take(const Simulation& match) {
+    cues_.clear();
     const bool followed = follower_.goes_on(match);
     const bool paused = match.match().paused != 0;
     if (!followed || paused) {

@@ -5,6 +5,7 @@
 //     match -> events and state -> TactileScene -> TactileMixer of each layout -> TactileFrame every 8 ms
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "game/match/follower.h"
@@ -20,6 +21,7 @@ struct BodyCue {
     tactile::Where where{};
     double strength{1};
     std::uint32_t key{};  ///< 0: starts and plays to its end
+    EventKind event{};    ///< event that caused it; EventKind::none: the state of the match did
 };
 
 class TactileScene {
@@ -36,6 +38,8 @@ public:
     /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
     void take(const Simulation& match);
     const tactile::TactileFrame& frame(std::size_t layout) const { return outputs_[layout].frame; }
+    /// What was felt anew or lasted in the last frame, for words on it.
+    std::span<const BodyCue> cues() const { return cues_; }
     const tactile::MixerCounts& counts(std::size_t layout) const { return outputs_[layout].mixer->counts(); }
 
 private:
@@ -55,6 +59,7 @@ private:
         bool used = true;
     };
     std::vector<Output> outputs_;
+    std::vector<BodyCue> cues_{};  ///< of the last frame; never grows
 
     // The match at the last frame.
     MatchFollower follower_{};

@@ -34,6 +34,7 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"wands", 6},      {"player", 6},  {"hand", 7},  // forces on hands and arms
     {"match", 8},                                    // order of the systems, logs, results
     {"sound", 9},      {"tactile", 9},               // what players hear and feel
+    {"senses", 10},                                  // both together, in words and numbers
     {"bots", 10},      {"hud", 10},    {"lab", 10}, {"scenario", 11}, {"app", 12},
 };
 

@@ -164,16 +164,43 @@ TEST(AudioSounds, FolderFaultsNameTheFile) {
         return bank ? std::string() : bank.error().message;
     };
     EXPECT_NE(fault().find("holds no sounds"), std::string::npos) << fault();
-    ASSERT_TRUE(write_text_file(folder.path() / "bell.toml", head(0.1) + part("tone", "hz = 5")));
-    EXPECT_NE(fault().find("bell.toml:9: 'hz' is 5, must be from 20 to 20000"), std::string::npos) << fault();
-    ASSERT_TRUE(write_text_file(folder.path() / "bell.toml", std::string(70'000, '#')));
-    EXPECT_NE(fault().find("bell.toml"), std::string::npos) << fault();
     for (int i = 0; i < 9; ++i)
         ASSERT_TRUE(write_text_file(folder.path() / text("a", i, ".toml"), head(15, true) + good_tone));
     EXPECT_NE(fault().find("longer than 120 s"), std::string::npos) << fault();
     const auto none = load_sounds(folder.path() / "none");
     ASSERT_FALSE(none.has_value());
     EXPECT_NE(none.error().message.find("cannot be read"), std::string::npos);
+}
+
+TEST(AudioSounds, AFaultyRecipeCostsItsOwnSoundOnly) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_text_file(folder.path() / "a.toml", head(0.1) + good_tone));
+    ASSERT_TRUE(write_text_file(folder.path() / "bell.toml", head(0.1) + part("tone", "hz = 5")));
+    ASSERT_TRUE(write_text_file(folder.path() / "large.toml", std::string(70'000, '#')));
+    ASSERT_TRUE(write_text_file(folder.path() / "z.toml", head(0.1) + good_tone));
+    const auto bank = load_sounds(folder.path());
+    ASSERT_TRUE(bank.has_value()) << bank.error().message;
+    ASSERT_EQ(bank->sounds.size(), 2U);
+    EXPECT_EQ(bank->find("z"), 1U);
+    EXPECT_FALSE(bank->find("bell"));
+    ASSERT_EQ(bank->faulty.size(), 2U);
+    EXPECT_EQ(bank->faulty[0].name, "bell");
+    EXPECT_EQ(bank->faulty[0].reason,
+              text(folder.path().string(), "/bell.toml:9: 'hz' is 5, must be from 20 to 20000"));
+    EXPECT_NE(bank->faulty[1].reason.find(text(folder.path().string(), "/large.toml")), std::string::npos)
+        << bank->faulty[1].reason;
+}
+
+TEST(AudioSounds, WithoutSamplesASoundHasAllElse) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_text_file(folder.path() / "a.toml", head(0.1) + good_tone));
+    const auto bank = load_sounds(folder.path(), WithSamples::no), whole = load_sounds(folder.path());
+    ASSERT_TRUE(bank.has_value() && whole.has_value());
+    ASSERT_EQ(bank->sounds.size(), 1U);
+    EXPECT_TRUE(bank->sounds[0].samples.empty());
+    EXPECT_FALSE(whole->sounds[0].samples.empty());
+    EXPECT_EQ(bank->sounds[0].description, whole->sounds[0].description);
+    EXPECT_EQ(bank->sounds[0].reach_m, whole->sounds[0].reach_m);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "game/context/hand_forces.h"
 #include "game/hud/event_words.h"
-#include "game/hud/felt_source.h"
 #include "game/hud/layout.h"
+#include "game/tactile/felt_source.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {

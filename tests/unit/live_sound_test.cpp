@@ -1,10 +1,18 @@
 // Tests of the sound of a live session with a device of the test: menus, matches, words, and a device that goes.
 #include "game/app/live_sound.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <mutex>
+#include <set>
 
 #include "audio/synth.h"
 #include "core/clock.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/live_body.h"
 #include "unit/game_duel.h"
 
 namespace thaum::app::live_tests {
@@ -108,6 +116,47 @@ TEST(LiveSoundTest, AMatchIsHeardAndReadAndEndsWithIt) {
     EXPECT_GT(picture.wizards[0].heard_lines + picture.wizards[1].heard_lines, 0U);
     session.play(60);
     EXPECT_LT(session.play(5), 1e-9) << "lasting sounds end with the match";
+}
+
+TEST(LiveSoundTest, AFaultyRecipeIsToldInOneLineAndSilencesItsOwnSoundOnly) {
+    namespace fs = std::filesystem;
+    const auto folder = fs::path(testing::TempDir()) / text("thaum_faulty_sound_", ::getpid());
+    fs::create_directories(folder);
+    fs::copy(game::test::assets() / "sounds", folder / "sounds", fs::copy_options::recursive);
+    ASSERT_TRUE(write_text_file(folder / "sounds" / "bolt_shot.toml", "version = 1\nlevel = 7\n"));
+    testing::internal::CaptureStderr();
+    const auto sound = LiveSound::start(folder, Settings{});
+    ASSERT_NE(sound, nullptr);
+    const auto data = game::test::duel_data();
+    const auto sounds = game::match_sounds(sound->bank(), *data->presentation);
+    const auto said = testing::internal::GetCapturedStderr();
+    fs::remove_all(folder);
+    EXPECT_EQ(said.find("the sound 'bolt_shot' is silent: "), 0U) << said;
+    EXPECT_NE(said.find("sounds/bolt_shot.toml:"), std::string::npos) << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_EQ(sounds.missing.size(), 0U) << "it is told once";
+    EXPECT_FALSE(sound->bank().find("bolt_shot"));
+    EXPECT_TRUE(sound->bank().find("blast_shot"));
+}
+
+TEST(LiveSoundTest, WithoutSoundsTheHandAndTheBodyAreStillTold) {
+    auto duel = game::test::make_duel(3);
+    const auto body = std::optional(LiveBody::load(game::test::assets()).value());
+    LiveTactile motors;
+    MatchSound sound(nullptr);
+    MatchBody felt(body, motors);
+    std::set<std::string> told;
+    for (Tick t = 0; t < ticks(20); ++t) {
+        duel.run(1);
+        sound.follow(*duel.match);
+        felt.follow(*duel.match, sound);
+        for (std::uint32_t p = 0; p < game::players; ++p)
+            for (const auto& line : sound.words(p).lines()) told.insert(game::words_of(line));
+    }
+    EXPECT_EQ(told.count("wand kicks"), 1U);
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& line) {
+        return line.find("bolt strikes, ") == 0;
+    })) << "with its side";
 }
 
 TEST(LiveSoundTest, WithoutSoundOrReadersNothingIsMade) {

@@ -1,10 +1,19 @@
-// game/hud/felt_source.h: what the hand feels, in a word: the strongest of the forces that act on it now.
+// game/tactile/felt_source.h: what the hand feels: the forces that act on it now, and the strongest of them in a word.
 #pragma once
+#include <array>
 #include <string_view>
 
 #include "game/components/hand_state.h"
 
 namespace thaum::game {
+
+/// Sources of force on the hand.
+enum class ForceSource : std::uint8_t { recoil, spring, steady, wall, current, bowl, surface };
+inline constexpr std::size_t force_sources = 7;
+
+/// Force of each source on the hand, before the limits of safety (N, device frame; the brew's: ladle frame).
+using HandForces = std::array<vec3, force_sources>;
+HandForces forces_on(const HandState& hand_state);
 
 /// A source of force on the hand.
 struct FeltSource {

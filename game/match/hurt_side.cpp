@@ -1,0 +1,20 @@
+#include "game/match/hurt_side.h"
+
+#include <cmath>
+
+namespace thaum::game {
+
+std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player) {
+    constexpr double beside =
+        0.15;  // distance from the middle of the body from which a place is on a side (m)
+    const auto& world = match.world();
+    const auto middle_of = [&](std::uint32_t of) { return world.get<Motion>(wizard_of(world, of)).position; };
+    const auto is_beside = [](vec3 way) { return std::hypot(way.x, way.z) > beside; };
+    const vec3 centre = middle_of(player);
+    vec3 way = info_of(event.kind).placed ? event.place - centre : vec3(0);
+    if (!is_beside(way) && event.by < players && event.by != player) way = middle_of(event.by) - centre;
+    if (!is_beside(way)) return std::nullopt;
+    return way;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,13 @@
+// game/match/hurt_side.h: the side from which a player is hurt, for readers who tell or show it.
+#pragma once
+#include <optional>
+
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+
+/// Way from the middle of the player's body towards what has hurt it (m, world): the place of the event, or
+/// the player who caused it. A burst may be behind, although the foe is ahead. std::nullopt: from no side, as a fall.
+std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player);
+
+}  // namespace thaum::game
