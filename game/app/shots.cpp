@@ -11,6 +11,7 @@
 #include "game/app/command.h"
 #include "game/app/highlight.h"
 #include "game/app/recorded_names.h"
+#include "game/app/settings.h"
 #include "game/match/tables.h"
 
 namespace thaum::app {
@@ -20,6 +21,22 @@ namespace {
 std::string padded(Tick tick) {
     const auto digits = text(tick);
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
+}
+
+/// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
+std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
+    auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
+    auto senses = loaded ? game::Senses::create(*loaded, *data.presentation)
+                         : Expected<std::unique_ptr<game::Senses>>(tl::unexpected(loaded.error()));
+    if (senses) return std::move(*senses);
+    std::fprintf(stderr, "pictures show nothing that is heard or felt: %s\n", senses.error().message.c_str());
+    return nullptr;
+}
+
+/// The HUD of a player who has changed no setting.
+game::HudSettings hud_of(const game::Playback& playback) {
+    const PlayerSettings usual;
+    return {.names = recorded_names(playback.log().header()), .heard = {usual.heard, usual.heard}};
 }
 
 }  // namespace
@@ -35,7 +52,7 @@ Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
         return tl::unexpected(free.error());
     auto still = Still::create(data, assets, plan.size);
     if (!still) return tl::unexpected(still.error());
-    return Shots(std::move(plan), std::move(*still));
+    return Shots(std::move(plan), std::move(*still), senses_of(data, assets));
 }
 
 /// Suffix of the due picture's file name; std::nullopt if no picture is due.
@@ -58,12 +75,13 @@ std::optional<std::string> Shots::due(const game::Playback& playback) {
 }
 
 Expected<void> Shots::follow(const game::Playback& playback) {
+    const auto& match = playback.match();
+    if (senses_) senses_->follow(match);
     const auto what = due(playback);
     if (!what) return {};
     ++taken_;
-    const auto& match = playback.match();
     unconfirmed_.push_back(plan_.folder / text("shot_", padded(match.now()), *what, ".png"));
-    return still_.save(match, {.names = recorded_names(playback.log().header())}, unconfirmed_.back());
+    return still_.save(match, hud_of(playback), unconfirmed_.back(), senses_.get());
 }
 
 void Shots::remove_unconfirmed() {
@@ -112,13 +130,17 @@ int run_shots(const std::vector<std::string>& words) {
     if (best.tick == 0)
         return refuse({text(log, ": the two wizards never meet in this log; take a longer match")});
     playback = game::Playback::open(log, game::find_assets());
-    if (!playback || !playback->play_to(best.tick))
-        return refuse({text(log, ": the file changed while it was read; start again")});
+    if (!playback) return refuse(playback.error());
     const auto& match = playback->match();
+    const auto senses = senses_of(match.data(), game::find_assets());
+    while (match.now() < best.tick) {
+        if (!playback->step())
+            return refuse({text(log, ": the file changed while it was read; start again")});
+        if (senses) senses->follow(match);
+    }
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    if (const auto saved = still->save(match, {.names = recorded_names(playback->log().header())}, file);
-        !saved)
+    if (const auto saved = still->save(match, hud_of(*playback), file, senses.get()); !saved)
         return refuse(saved.error());
     std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best.tick), file.c_str());
     return done;

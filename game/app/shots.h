@@ -29,7 +29,8 @@ public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const game::MatchData& data,
                                   const std::filesystem::path& assets);
-    /// Saves the picture that is due in the playback's state now; at most one per tick.
+    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each tick, so that
+    /// pictures show what was heard and felt.
     Expected<void> follow(const game::Playback& playback);
     /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
     void confirm() { unconfirmed_.clear(); }
@@ -39,11 +40,13 @@ public:
     std::size_t taken() const { return taken_; }
 
 private:
-    Shots(ShotPlan plan, Still still) : plan_(std::move(plan)), still_(std::move(still)) {}
+    Shots(ShotPlan plan, Still still, std::unique_ptr<game::Senses> senses)
+        : plan_(std::move(plan)), still_(std::move(still)), senses_(std::move(senses)) {}
     std::optional<std::string> due(const game::Playback& playback);
 
     ShotPlan plan_;
     Still still_;
+    std::unique_ptr<game::Senses> senses_;  ///< null: a data file is faulty
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
     std::uint64_t seen_ = 0;  ///< value of EventJournal::count at the last look
     std::vector<std::filesystem::path> unconfirmed_{};

@@ -1,5 +1,7 @@
 #include "game/app/still.h"
 
+#include <algorithm>
+
 #include "game/hud/arena_scene.h"
 #include "game/hud/picture.h"
 #include "render/context.h"
@@ -33,16 +35,33 @@ Expected<Still> Still::create(const game::MatchData& data, const std::filesystem
     return Still(std::move(state));
 }
 
-render::Image Still::draw(const game::Simulation& match, const game::HudSettings& settings) {
+namespace {
+
+void show(const game::Senses& senses, game::Picture& picture) {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        auto& shown = picture.wizards.at(p);
+        const auto lines = senses.lines(p);
+        shown.heard_lines = static_cast<std::uint32_t>(std::min(lines.size(), shown.heard.size()));
+        std::copy_n(lines.begin(), shown.heard_lines, shown.heard.begin());
+        std::copy_n(senses.felt(p, 0).amplitude.begin(), game::figure_cells, shown.felt.begin());
+        shown.since_felt_s = senses.since_felt_s(p);
+    }
+}
+
+}  // namespace
+
+render::Image Still::draw(const game::Simulation& match, const game::HudSettings& settings,
+                          const game::Senses* senses) {
     auto& s = *state_;
     game::take_picture(match, s.picture);
+    if (senses != nullptr) show(*senses, s.picture);
     s.renderer->draw(game::make_frame(s.arena_scene, s.picture, settings, s.context.size(), s.memory));
     return s.renderer->read_pixels();
 }
 
 Expected<void> Still::save(const game::Simulation& match, const game::HudSettings& settings,
-                           const std::filesystem::path& file) {
-    return render::write_png(file, draw(match, settings));
+                           const std::filesystem::path& file, const game::Senses* senses) {
+    return render::write_png(file, draw(match, settings, senses));
 }
 
 }  // namespace thaum::app

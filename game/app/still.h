@@ -5,6 +5,7 @@
 
 #include "game/hud/hud.h"
 #include "game/match/simulation.h"
+#include "game/senses/senses.h"
 #include "render/image.h"
 
 namespace thaum::app {
@@ -19,10 +20,12 @@ public:
     Still& operator=(Still&&) noexcept;
     ~Still();
 
-    render::Image draw(const game::Simulation& match, const game::HudSettings& settings);
+    /// `senses`: what players have heard and felt of the match so far; null: nothing is shown of that.
+    render::Image draw(const game::Simulation& match, const game::HudSettings& settings,
+                       const game::Senses* senses = nullptr);
     /// Draws the match and saves the picture as a PNG file.
     Expected<void> save(const game::Simulation& match, const game::HudSettings& settings,
-                        const std::filesystem::path& file);
+                        const std::filesystem::path& file, const game::Senses* senses = nullptr);
 
 private:
     struct State;

@@ -1,0 +1,63 @@
+// Tests of pictures of a replay: they show what players hear and feel, as the live view does.
+#include "game/app/shots.h"
+
+#include "game/app/recorded_names.h"
+#include "unit/read_png.h"
+#include "unit/replay_rig.h"
+
+namespace thaum::app {
+namespace {
+
+/// Number of pixels that differ within a part of two pictures of equal size (shares of width and height).
+std::size_t differing(const render::Image& a, const render::Image& b, fvec2 low, fvec2 high) {
+    std::size_t count = 0;
+    const auto pixel = [](float share, int size) {
+        return static_cast<int>(share * static_cast<float>(size));
+    };
+    for (int y = pixel(low.y, a.height); y < pixel(high.y, a.height); ++y) {
+        for (int x = pixel(low.x, a.width); x < pixel(high.x, a.width); ++x) {
+            const auto at = static_cast<std::size_t>(3 * (y * a.width + x));
+            count += std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(at),
+                                a.rgb.begin() + static_cast<std::ptrdiff_t>(at + 3),
+                                b.rgb.begin() + static_cast<std::ptrdiff_t>(at))
+                         ? 0U
+                         : 1U;
+        }
+    }
+    return count;
+}
+
+TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
+    const game::test::RecordedDuel recorded("shots.thaumlog", 6000);
+    auto playback = recorded.opened();
+    const auto folder = std::filesystem::path(testing::TempDir()) / text("thaum_shots_", ::getpid());
+    ShotPlan plan{.folder = folder, .size = {640, 360}};
+    plan.on.at(static_cast<std::size_t>(game::hit_kind("bolt_hit"))) = true;
+    const auto assets = game::test::assets();
+    auto shots = Shots::create(plan, playback.match().data(), assets);
+    ASSERT_TRUE(shots) << shots.error().message;
+    while (shots->taken() == 0 && playback.step()) ASSERT_TRUE(shots->follow(playback));
+    ASSERT_EQ(shots->taken(), 1U) << "nobody is hit";
+    const auto hit = playback.match().now();
+    for (Tick t = 0; t < 16; ++t) playback.step();
+    // The picture of the hit itself has the words of the shots before; one 16 ms later has the hit's.
+    shots = Shots::create({.folder = folder, .at = {hit + 16}, .size = {640, 360}}, playback.match().data(),
+                          assets);
+    ASSERT_TRUE(shots) << shots.error().message;
+    playback = recorded.opened();
+    while (shots->taken() == 0 && playback.step()) ASSERT_TRUE(shots->follow(playback));
+    const auto file = folder / text("shot_0000", hit + 16, ".png");
+    const auto shown = render::read_png(file);
+    ASSERT_TRUE(shown) << file;
+    auto still = Still::create(playback.match().data(), assets, {640, 360});
+    ASSERT_TRUE(still) << still.error().message;
+    const auto plain = still->draw(playback.match(), {.names = recorded_names(playback.log().header())});
+    std::filesystem::remove_all(folder);
+    const auto words = differing(*shown, plain, {0, 0}, {0.35F, 1});
+    const auto figure = differing(*shown, plain, {0.65F, 0}, {1, 1});
+    EXPECT_GT(words, 100U) << "words at the left of a view";
+    EXPECT_GT(figure, 100U) << "the figure at the right of a view";
+}
+
+}  // namespace
+}  // namespace thaum::app
