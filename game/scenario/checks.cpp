@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/hash.h"
 #include "core/random.h"
 #include "core/text.h"
 #include "ecs/diff.h"
@@ -125,6 +126,11 @@ std::string other_state(const Play& play, const char* which, const std::vector<s
     return {};
 }
 
+/// Hashes of the state and of the forces on both hands.
+std::uint64_t hash_of_all(const Simulation& match) {
+    return hash_value(match.force_hash(), match.state_hash());
+}
+
 }  // namespace
 
 std::string check_seek(const Play& play, const std::vector<Tick>& ticks) {
@@ -165,6 +171,26 @@ std::string check_threads(const Play& play, unsigned workers) {
     const auto which = text("match with ", workers, " threads beside its own has another state");
     if (auto found = other_state(play, "threaded", hashes); !found.empty()) return found;
     return difference(play.match->now(), which.c_str(), reached(*play.match), reached(match));
+}
+
+std::string check_senses(const Play& play, const std::vector<std::string>& layouts, Tick quit) {
+    Simulation plain(play.data, play.match->setup()), other(play.data, play.match->setup());
+    auto senses = PlaySenses::create(play.options->assets, *play.data->presentation, layouts, true);
+    if (!senses) return senses.error().message;
+    for (const auto& frame : play.frames) {
+        plain.tick(frame);
+        other.tick(frame);
+        if (other.now() == quit) senses->reset();
+        if (*senses) (*senses)->follow(other);
+        if (other.now() % hash_interval == 0 && hash_of_all(plain) != hash_of_all(other))
+            return text("tick ", other.now(),
+                        ": the match that is heard and felt has other states or forces");
+    }
+    const auto end =
+        plain.force_hash() != other.force_hash() || play.match->force_hash() != plain.force_hash();
+    if (end) return "the match that is heard and felt ends with other forces";
+    return difference(play.match->now(), "the match that is heard and felt differs", reached(*play.match),
+                      reached(other));
 }
 
 }  // namespace thaum::game

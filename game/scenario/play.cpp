@@ -142,6 +142,7 @@ void tick(Play& play) {
     if (play.save_at == match.now()) match.save(play.saved);
     for (auto& trace : play.traces) trace_now(play, trace);
     note_forces(play);
+    if (play.senses) play.senses->follow(match);
 }
 
 void stall(Play& play, Tick ticks) {

@@ -12,6 +12,7 @@
 #include "game/match/record.h"
 #include "game/match/simulation.h"
 #include "game/scenario/force_trace.h"
+#include "game/scenario/play_senses.h"
 #include "game/scenario/runner.h"
 #include "game/scenario/script_arm.h"
 #include "input/log.h"
@@ -93,6 +94,7 @@ struct Play {
     std::vector<SpawnedThing> things;
     std::vector<Trace> traces;
     std::optional<FeltForces> felt;
+    std::unique_ptr<PlaySenses> senses;  ///< null until the script calls senses{}
     std::vector<Pixels> pictures;
     std::vector<std::string> files;
     std::string write_fault;  ///< first file that could not be written, with the reason; empty: none
@@ -150,5 +152,8 @@ std::string check_seek(const Play& play, const std::vector<Tick>& ticks);
 std::string check_late(const Play& play, std::uint64_t seed);
 /// Plays the same frames in a match with `workers` extra job threads.
 std::string check_threads(const Play& play, unsigned workers);
+/// Plays the same frames in two matches, one of them heard and felt with these layouts until the tick `quit`. Compares
+/// states and forces.
+std::string check_senses(const Play& play, const std::vector<std::string>& layouts, Tick quit);
 
 }  // namespace thaum::game

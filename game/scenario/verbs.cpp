@@ -437,8 +437,8 @@ constexpr VerbName match_verbs[] = {
 }  // namespace
 
 Expected<void> add_verbs(Sandbox& sandbox, Play& play) {
-    for (const auto list :
-         {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs(), brew_verbs()}) {
+    for (const auto list : {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs(),
+                            brew_verbs(), sense_verbs()}) {
         for (const auto& [name, verb] : list) sandbox.add(name, verb, &play);
     }
     return sandbox.run_prelude(prelude);

@@ -44,10 +44,29 @@
 //                         colours of the picture; coordinates are 0..1 from the top left corner
 //     on_screen(words)    true if the words are shown over the views
 //     check_seek{ticks = {...} | count = , seed = }, check_late{seed = }, check_threads(count)
+//     senses{layouts = {"x40", "pad"}, sound = true}
+//                         begins to hear and feel the match, on the figure of the view and on layouts of
+//                         assets/tactile/layouts; sound: also mixes what is heard, as loudspeakers play it
+//     body(n [, layout [, age]])
+//                         cells of a layout (default: "abstract_4x5", the figure) as a list of {at = , felt = in 0..1,
+//                         hz = }; at: body frame, x right, y up, z front (m); age: as the device plays it so many
+//                         seconds after its link died
+//     body_counts(n [, layout])
+//                         {offered = , started = , merged = }: effects since the beginning
+//     heard(n)            lines in words as a list of {line = , words = , side = , important = }, the oldest first
+//     sound()             what was mixed since the last call: {db = of the loudest 50 ms, bands = {dB of 24 bands}}
+//     sounds(), loopback(name)
+//                         names of all sounds; one of them alone as it is mixed: {db = , bands = , like = the name of the
+//                         sound that it resembles most}
+//     event_rows()        kinds of event with a sound or an effect, as a list of {kind = , sound = , tactile = }
+//     happen{kind = , subject = , by = , amount = , at = }
+//                         sets the scene: records an event that did not happen, to be heard and felt
+//     check_senses{layouts = , quit = seconds}
+//                         plays the same frames again, with and without hearing and feeling; quit: all of it dies then
 //     distance(a, b), length(v), log(...)
 //
 // Verbs that set the scene are not actions of a player, so the input alone cannot replay the match. A scenario
-// that uses them leaves no log and cannot use check_seek, check_late or check_threads.
+// that uses them leaves no log and cannot use check_seek, check_late, check_threads or check_senses.
 #pragma once
 #include "game/scenario/play.h"
 #include "game/scenario/sandbox.h"

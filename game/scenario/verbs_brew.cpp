@@ -13,11 +13,6 @@ const Cauldron& cauldron_of(const Play& play) {
     return world_of(play).single<Cauldron>();
 }
 
-void set_number(lua_State* lua, const char* key, double value) {
-    lua_pushnumber(lua, value);
-    lua_setfield(lua, -2, key);
-}
-
 /// Sets the list of ingredients in the brew, such as {"ember", "salt"}.
 void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
     lua_newtable(lua);
@@ -35,13 +30,13 @@ int verb_brew(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& cauldron = cauldron_of(play);
     lua_createtable(lua, 0, 10);
-    set_number(lua, "speed", cauldron.speed);
-    set_number(lua, "mixing", cauldron.mixing);
-    set_number(lua, "viscosity", cauldron.viscosity);
-    set_number(lua, "density", cauldron.density);
+    arg::set_number(lua, "speed", cauldron.speed);
+    arg::set_number(lua, "mixing", cauldron.mixing);
+    arg::set_number(lua, "viscosity", cauldron.viscosity);
+    arg::set_number(lua, "density", cauldron.density);
     arg::push_place(lua, cauldron.middle);
     lua_setfield(lua, -2, "middle");
-    if (cauldron.owner < players) set_number(lua, "owner", cauldron.owner + 1);
+    if (cauldron.owner < players) arg::set_number(lua, "owner", cauldron.owner + 1);
     lua_pushboolean(lua, static_cast<int>(cauldron.step_running == 0 && cauldron.surface_asleep != 0));
     lua_setfield(lua, -2, "asleep");
     set_contents(lua, play, cauldron);

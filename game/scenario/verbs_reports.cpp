@@ -29,13 +29,6 @@ struct EventFilter {
     }
 };
 
-EventKind read_kind(lua_State* lua, int index) {
-    const auto name = arg::string(lua, index, "kind");
-    const auto kind = event_kind(name);
-    if (!kind) fault("there is no event '", name, "'");
-    return *kind;
-}
-
 EventFilter read_event_filter(lua_State* lua) {
     EventFilter filter;
     if (lua_isnoneornil(lua, 1)) return filter;

@@ -204,6 +204,24 @@ TEST(ScenarioRunner, MisuseOfMatchIsSaid) {
     }
 }
 
+TEST(ScenarioRunner, MisuseOfSensesIsSaid) {
+    const Folder folder;
+    for (const auto& [source, wanted] :
+         {Misuse{"match {} body(1)", "senses{...} comes first"},
+          Misuse{"match {} senses {layouts = {'coat'}}", "coat.toml"},
+          Misuse{"match {} senses {layouts = {'../x16'}}", "must be made of a-z"},
+          Misuse{"match {} senses {} body(1, 'x16')", "has no 'x16'"},
+          Misuse{"match {} senses {} body(3)", "a player"},
+          Misuse{"match {} senses {} sound()", "senses{sound = true}"},
+          Misuse{"match {} happen {kind = 'rain'}", "no event 'rain'"},
+          Misuse{"match {} happen {kind = 'fall', amount = 0/0}", "amount"},
+          Misuse{"match {} happen {kind = 'fall', subject = 1} check_senses {}", "has set the scene"}}) {
+        const auto result = run(source, folder);
+        EXPECT_FALSE(result.passed) << source;
+        EXPECT_TRUE(has(result.message, wanted)) << source << ": " << result.message;
+    }
+}
+
 TEST(ScenarioRunner, AScenarioThatSetsTheSceneLeavesNoLog) {
     const Folder folder;
     const auto result =

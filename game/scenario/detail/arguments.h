@@ -80,6 +80,16 @@ inline vec3 place(lua_State* lua, int index, std::string_view name, double most)
     return value;
 }
 
+/// Sets a field of the table on top of the stack.
+inline void set_number(lua_State* lua, const char* key, double value) {
+    lua_pushnumber(lua, value);
+    lua_setfield(lua, -2, key);
+}
+inline void set_text(lua_State* lua, const char* key, std::string_view value) {
+    lua_pushlstring(lua, value.data(), value.size());
+    lua_setfield(lua, -2, key);
+}
+
 inline void push_place(lua_State* lua, vec3 value) {
     lua_createtable(lua, 0, 3);
     lua_pushnumber(lua, value.x);

@@ -17,6 +17,7 @@ struct VerbName {
 std::span<const VerbName> thing_verbs();
 std::span<const VerbName> report_verbs();
 std::span<const VerbName> brew_verbs();
+std::span<const VerbName> sense_verbs();
 
 // Limits that keep a script's values in the range of the physics.
 inline constexpr double farthest = 500;  ///< greatest distance from the origin (m)
@@ -27,6 +28,14 @@ inline Play& began(void* context) {
     auto& play = *static_cast<Play*>(context);
     if (!play.match) arguments::fault("there is no match yet: match{...} comes first");
     return play;
+}
+
+/// Reads the name of a kind of event.
+inline EventKind read_kind(lua_State* lua, int index) {
+    const auto name = arguments::string(lua, index, "kind");
+    const auto kind = event_kind(name);
+    if (!kind) arguments::fault("there is no event '", name, "'");
+    return *kind;
 }
 
 inline const ecs::World& world_of(const Play& play) { return play.match->world(); }
