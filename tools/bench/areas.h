@@ -15,6 +15,8 @@ void replay(const Options& options, Report& report);
 /// Stress test of the area `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
+/// Part of the area `skip`: sound and jackets.
+void skip_senses(const Options& options, Report& report);
 /// Virtual coupling, alone and with Bullet.
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);

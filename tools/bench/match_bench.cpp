@@ -346,6 +346,9 @@ void tick(const Options& options, Report& report) {
     tick_duel_felt(options, report);
 }
 
-void skip(const Options& options, Report& report) { skip_features(options, report); }
+void skip(const Options& options, Report& report) {
+    skip_features(options, report);
+    skip_senses(options, report);
+}
 
 }  // namespace thaum::bench

@@ -1,6 +1,6 @@
 // Stress test of the tick: matches of the best bots for the requested number of ticks, then the same on two
-// threads at once. All three runs must reach the same states, everything must stay finite and within
-// bounds, and memory must not grow.
+// threads at once, one of them heard and felt. All three runs must reach the same states, everything must stay
+// finite and within bounds, and memory must not grow.
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "game/bots/duel.h"
+#include "game/senses/senses.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 
@@ -63,17 +64,40 @@ std::string disorder(const game::Simulation& match) {
     return wrong;
 }
 
+/// First value out of bounds of what is heard and felt; empty: none.
+std::string disorder(const game::Senses& senses) {
+    for (const auto* list : {&senses.heard().begins, &senses.heard().lasts}) {
+        if (list->left_out != 0) return "a voice was left out";
+        for (const auto& voice : *list)
+            if (!is_finite(voice.position) || !(voice.gain >= 0 && voice.gain <= 1))
+                return text("sound ", voice.sound, " has no place, or the gain ", voice.gain);
+    }
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        double sum = 0;
+        for (const float amplitude : senses.felt(p, 0).amplitude) {
+            if (!(amplitude >= 0 && amplitude <= 1)) return text("a cell has the strength ", amplitude);
+            sum += static_cast<double>(amplitude) * static_cast<double>(amplitude);
+        }
+        if (sum > 1.5 + 1e-6) return text("all cells together have the strength ", sum);
+        const auto& counts = senses.counts(p, 0);
+        if (counts.started + counts.merged != counts.offered) return "an effect was lost";
+    }
+    return {};
+}
+
 struct Course {
     std::shared_ptr<const game::MatchData> data{};
     std::filesystem::path assets{};
     int level{};
     Tick ticks{};
-    const char* name = nullptr;  ///< name in the progress lines; null: no lines
+    const char* name = nullptr;                       ///< name in the progress lines; null: no lines
+    std::shared_ptr<const game::SenseData> senses{};  ///< sounds and effects; null: neither heard nor felt
 };
 
 struct Soaked {
     std::uint64_t hash = 0;  ///< hash of the states at every hash_every ticks
     std::uint64_t matches = 0, kills = 0;
+    std::uint64_t voices = 0, lines = 0;  ///< voices that began, and most lines in words at once
     /// Memory after a tenth of the ticks, and largest memory after that (MiB).
     double first_mib = 0, most_mib = 0;
     std::string fault{};
@@ -95,21 +119,45 @@ void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
     }
 }
 
+/// Hears and feels the tick, if the course says so.
+void follow(const game::Simulation& match, game::Senses* senses, Soaked& soaked) {
+    if (senses == nullptr) return;
+    senses->follow(match);
+    if (match.now() % audio::frame_ticks != 0) return;
+    soaked.voices += senses->heard().begins.count;
+    soaked.lines = std::max<std::uint64_t>(soaked.lines, senses->lines(0).size());
+    soaked.fault = disorder(*senses);
+}
+
+/// Begins the next match, or returns a fault.
+std::string begin_match(const Course& course, Soaked& soaked, std::optional<game::BotDuel>& duel,
+                        std::unique_ptr<game::Senses>& senses) {
+    duel.reset();
+    auto made =
+        game::make_bot_duel(course.assets, course.data, {course.level, course.level}, ++soaked.matches);
+    if (!made) return made.error().message;
+    duel.emplace(std::move(*made));
+    if (!course.senses) return {};
+    auto sensed = game::Senses::create(course.senses, *course.data->presentation);
+    if (!sensed) return sensed.error().message;
+    senses = std::move(*sensed);
+    return {};
+}
+
 Soaked soak_once(const Course& course) {
     Soaked soaked;
     std::optional<game::BotDuel> duel;
+    std::unique_ptr<game::Senses> senses;
     const auto look_every = std::max<Tick>(course.ticks / 20, 1);
     for (Tick t = 0; t < course.ticks && soaked.fault.empty(); ++t) {
         if (!duel || duel->match->match().phase == game::Phase::over) {
             if (duel) count_kills(*duel->match, soaked);
-            duel.reset();
-            auto made = game::make_bot_duel(course.assets, course.data, {course.level, course.level},
-                                            ++soaked.matches);
-            if (!made) return soaked.fault = made.error().message, soaked;
-            duel.emplace(std::move(*made));
+            soaked.fault = begin_match(course, soaked, duel, senses);
+            if (!soaked.fault.empty()) return soaked;
         }
         duel->run(1);
-        if (t % check_interval == 0) soaked.fault = disorder(*duel->match);
+        follow(*duel->match, senses.get(), soaked);
+        if (soaked.fault.empty() && t % check_interval == 0) soaked.fault = disorder(*duel->match);
         if (!soaked.fault.empty()) soaked.fault += text(" at tick ", t, " of match ", soaked.matches);
         if (t % hash_every == 0) soaked.hash = hash_combine(soaked.hash, duel->match->state_hash());
         if ((t + 1) % look_every == 0) look_at_memory(course, t + 1, soaked);
@@ -129,6 +177,8 @@ void add_row(const Course& course, std::int64_t threads, const Soaked& soaked, d
                            .metrics = {{"ticks", static_cast<double>(course.ticks)},
                                        {"matches", static_cast<double>(soaked.matches)},
                                        {"kills", static_cast<double>(soaked.kills)},
+                                       {"voices", static_cast<double>(soaked.voices)},
+                                       {"most_lines", static_cast<double>(soaked.lines)},
                                        {"us_per_tick", took_s * 1e6 / static_cast<double>(course.ticks)},
                                        {"memory_after_a_tenth_mib", soaked.first_mib},
                                        {"memory_growth_mib", soaked.most_mib - soaked.first_mib}},
@@ -146,6 +196,9 @@ void soak(const Options& options, Report& report) {
     course.data = std::make_shared<const game::MatchData>(std::move(*data));
     course.level = best_level(course.assets);
 
+    const auto senses = game::SenseData::load(course.assets, audio::WithSamples::no);
+    if (!senses) return report.faults.push_back(text("soak: ", senses.error().message));
+
     Soaked alone;
     const double alone_s = 1e-6 * us_of([&] { alone = soak_once(course); });
     add_row(course, 1, alone, alone_s, report);
@@ -158,6 +211,7 @@ void soak(const Options& options, Report& report) {
                                 course.name = "one of two";
                                 auto silent = course;
                                 silent.name = nullptr;
+                                course.senses = *senses;
                                 std::jthread other([&] { beside[1] = soak_once(silent); });
                                 beside[0] = soak_once(course);
                             });
