@@ -283,8 +283,29 @@ std::size_t unbroken_part(std::string_view words) {
     return words.size();
 }
 
-/// Breaks words at spaces. At the smallest size a word that is longer than a line is broken, too.
+constexpr std::string_view group_gap = "   ";
+
+/// Breaks words between groups, which have three spaces between them, such as the keys of a replay.
+std::vector<std::string> broken_between_groups(std::string_view words, float size, float wide) {
+    std::vector<std::string> lines;
+    while (!words.empty()) {
+        const auto end = std::min(words.find(group_gap), words.size());
+        const auto group = words.substr(0, end);
+        words.remove_prefix(std::min(end + group_gap.size(), words.size()));
+        if (!lines.empty() &&
+            width_of(lines.back(), size) + width_of(group_gap, size) + width_of(group, size) <= wide)
+            lines.back().append(group_gap).append(group);
+        else
+            lines.emplace_back(group);
+    }
+    return lines;
+}
+
+/// Breaks words at spaces, or between groups if there are some. At the smallest size a word that is longer than a line is
+/// broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
+    if (size > smallest_words && words.find(group_gap) != std::string_view::npos)
+        return broken_between_groups(words, size, wide);
     std::vector<std::string> lines;
     while (!words.empty()) {
         const auto end =

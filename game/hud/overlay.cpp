@@ -9,6 +9,7 @@ namespace thaum::game {
 
 using render::Align;
 using render::Overlay;
+using render::RectItem;
 
 void add_text(Overlay& out, std::string words, fvec2 position, float size, fvec4 paint, Align align) {
     const float shift = std::max(1.0F, size / 14);
@@ -28,6 +29,25 @@ void add_text_in(Overlay& out, const Panel& box, std::string_view words, float s
         add_text(out, line, {x, y}, fitted.size, paint, align);
         y += fitted.line_height();
     }
+}
+
+void add_text_on_plate(Overlay& out, const Panel& box, std::string_view words, float size, fvec4 paint,
+                       Align align) {
+    const float inset = 0.3F * size;
+    const Panel inner{box.low + fvec2(inset, 0), box.high - fvec2(inset, 0)};
+    const auto fitted = fit(words, size, inner.high - inner.low);
+    float wide = 0;
+    for (const auto& line : fitted.lines) wide = std::max(wide, width_of(line, fitted.size));
+    const float whole = box.high.x - box.low.x;
+    wide = std::min(wide + 2 * inset, whole);
+    const float left = align == Align::left    ? box.low.x
+                       : align == Align::right ? box.high.x - wide
+                                               : box.low.x + (whole - wide) / 2;
+    const float high = std::min(fitted.height(), box.high.y - box.low.y);
+    if (!words.empty())
+        out.items.emplace_back(
+            RectItem{{left, box.low.y}, {left + wide, box.low.y + high}, paints.plate, 0.3F * fitted.size});
+    add_text_in(out, inner, words, size, paint, align);
 }
 
 void add_plate(Overlay& out, const Panel& box, float top, const FittedWords& words, fvec4 paint) {

@@ -112,8 +112,8 @@ void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, co
         const bool alone = is_alone(fed.event);
         const auto words = event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing);
         const auto who = alone ? fed.event.subject : fed.event.by;
-        add_text_in(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
-                    opaque(team_colours(who).light), left ? Align::left : Align::right);
+        add_text_on_plate(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
+                          opaque(team_colours(who).light), left ? Align::left : Align::right);
         top += line;
     }
 }
@@ -494,8 +494,8 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     }
     if (plays) add_messages(out, messages_to(picture, settings, player, l), l);
     add_health(out, p, player, l);
-    add_text_in(out, l.name, name_of(settings.names, player), 14 * l.unit, opaque(team_colours(player).light),
-                Align::left);
+    add_text_on_plate(out, l.name, name_of(settings.names, player), 14 * l.unit,
+                      opaque(team_colours(player).light), Align::left);
     add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, l);
     if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);

@@ -257,5 +257,34 @@ TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     EXPECT_EQ(picture_of(match).wizards[0].arc_points, 0U);
 }
 
+TEST(HudWords, NamesAndFeedStandOnAPlateSoThatNoGroundHidesThem) {
+    auto picture = picture_of(*new_match());
+    picture.feed_lines = 1;
+    picture.feed[0] = {.event = {.kind = EventKind::death, .subject = 1, .by = 0}};
+    for (const auto& [size, scale] :
+         {std::pair{render::Size{1280, 720}, 1.0}, {render::Size{640, 480}, 2.5}}) {
+        render::Overlay overlay;
+        make_overlay(picture, {.text_scale = scale}, size, overlay);
+        int named = 0;
+        for (const auto& item : overlay.items) {
+            const auto* line = std::get_if<render::TextItem>(&item);
+            if (line == nullptr || line->text.find("Ember") == std::string::npos) continue;
+            const float wide = width_of(line->text, line->size);
+            const float left =
+                line->align == render::Align::right ? line->position.x - wide : line->position.x;
+            const auto covers = [&](const auto& other) {
+                const auto* plate = std::get_if<render::RectItem>(&other);
+                return plate != nullptr && plate->colour.a >= 0.75F && plate->low.x <= left + 1 &&
+                       plate->high.x >= left + wide - 4 && plate->low.y <= line->position.y + 1 &&
+                       plate->high.y >= line->position.y + line->size - 1;
+            };
+            ++named;
+            EXPECT_TRUE(std::any_of(overlay.items.begin(), overlay.items.end(), covers))
+                << line->text << " at " << line->position.x << ", " << line->position.y;
+        }
+        EXPECT_GE(named, 4) << "the name, a line of the feed, and their shadows";
+    }
+}
+
 }  // namespace
 }  // namespace thaum::game::hud_tests

@@ -2,6 +2,7 @@
 #include "game/app/replay_view.h"
 
 #include "game/hud/layout.h"
+#include "game/hud/overlay.h"
 
 #include "unit/live_rig.h"
 #include "unit/replay_rig.h"
@@ -81,6 +82,25 @@ TEST(ReplayView, OtherKeysDoNothing) {
     EXPECT_LE(game::width_of(replay_keys(), 1), game::replay_keys_wide) << "the bar has room for them";
     EXPECT_FALSE(replay_deed_of(rig::key("w")));
     EXPECT_FALSE(replay_deed_of(-1));
+}
+
+TEST(ReplayView, NoKeyIsPartedFromItsWordsAtAnySizeOfText) {
+    for (const render::Size window : {render::Size{640, 480}, {1280, 720}, {1920, 1080}, {400, 300}}) {
+        for (const double scale : {1.0, 1.5, 2.0, 2.5}) {
+            const auto bar = game::lay_out_replay_bar(scale, window);
+            render::Overlay overlay;
+            game::add_replay_bar(
+                overlay, {.length = 1000, .eyes = "both views", .keys = replay_keys(), .kills = {}}, 0, bar);
+            std::string all;
+            for (const auto& item : overlay.items) {
+                const auto* line = std::get_if<render::TextItem>(&item);
+                if (line == nullptr || line->position.y < bar.keys.low.y - 1) continue;
+                if (line->colour != game::paints.soft) continue;  // the shadow
+                all += text(all.empty() ? "" : "   ", line->text);
+            }
+            EXPECT_EQ(all, replay_keys()) << window.width << ", " << scale;
+        }
+    }
 }
 
 TEST(ReplayView, EveryLengthHasPlaces) {
