@@ -4,5 +4,5 @@ thaum_test(test_sounds
     LINK thaum_audio
     NOT_SANITIZED GameSounds.EachIsTold*)
 thaum_test(test_sound_pictures
-    SOURCES unit/shots_test.cpp unit/sound_picture_test.cpp
+    SOURCES unit/offscreen_duel_test.cpp unit/shots_test.cpp unit/sound_picture_test.cpp
     LINK thaum_commands)

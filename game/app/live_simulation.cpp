@@ -22,7 +22,6 @@ constexpr Tick publish_period = 4;  ///< period of published pictures in real ti
 // Periods for a pause and the time after the end, when little moves:
 constexpr Tick idle_wake = 8;             ///< ticks computed at each wake-up of the thread
 constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread shows one picture (ticks)
-constexpr Tick log_after_end = 500;       ///< ticks of the result screen that are still recorded
 /// delay after the end before a rematch counts, because players may still be shooting (ticks)
 constexpr Tick rematch_not_before = 800;
 constexpr Tick demo_result_shown = ticks(8.0);  ///< time for which a demo shows a result (ticks)
@@ -329,7 +328,7 @@ void run_tick(SimulationThread& s) {
     s.sound.follow(*round.match);
     s.body.follow(*round.match, s.sound);
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
-    if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
+    if (round.over_at && now == *round.over_at + game::log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_progress(s);
     if (now % (is_idle(s) ? idle_publish_period : publish_period) == 0) publish(s);

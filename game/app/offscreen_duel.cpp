@@ -32,11 +32,13 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
         game::log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
         input::WhenBehind::wait);
     if (!log) return tl::unexpected(log.error());
-    while (match.now() < ticks(plan.seconds) && match.match().phase != game::Phase::over) {
+    std::optional<Tick> over_at;
+    while (over_at ? match.now() < *over_at + game::log_after_end : match.now() < ticks(plan.seconds)) {
         const auto frame = played.duel.next_frame();
         game::tick_and_record(match, frame, &*log);
         played.frames.push_back(frame);
-        watch_for_highlight(match, played.highlight);
+        if (!over_at) watch_for_highlight(match, played.highlight);
+        if (!over_at && match.match().phase == game::Phase::over) over_at = match.now();
     }
     if (auto closed = game::close_log(*log, match); !closed) played.log_fault = closed.error();
     return played;

@@ -15,7 +15,8 @@ struct OffscreenDuel {
     game::DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, game::players> levels{1, 1};
-    double seconds = 60;  ///< longest simulated time (s); the duel ends earlier when the round is over
+    /// longest simulated time (s); the duel ends earlier when the match is over, and the log goes on for log_after_end
+    double seconds = 60;
 };
 
 /// Plays faster than real time. Returns an exit code. Without OpenGL there is no picture, and one line says

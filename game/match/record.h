@@ -8,6 +8,9 @@
 
 namespace thaum::game {
 
+/// Ticks after the end of a match that are still recorded, so that a replay shows how it ends.
+inline constexpr Tick log_after_end = 500;
+
 /// Header of a match that is about to begin. `players` describes the players: "human", "bot 1".
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup, std::vector<std::string> players);
 
