@@ -180,14 +180,15 @@ namespace {
 Expected<Effect> load_effect(const std::filesystem::path& path) {
     auto content = read_text_file(path, 1U << 16U);
     if (!content) return tl::unexpected(std::move(content.error()));
-    const auto file = Config::parse(*content, path.filename().string(), 1);
+    const auto file = Config::parse(*content, path.string(), 1);
     if (!file) return tl::unexpected(file.error());
     auto effect = read_effect(*file, path.stem().string());
     if (!effect || effect->pattern != Pattern::clip) return effect;
     const auto json = read_text_file(path.parent_path() / effect->clip_file, most_tact_bytes);
     if (!json) return tl::unexpected(json.error());
     auto imported = import_tact(*json);
-    if (!imported) return fail(text(effect->clip_file, ": ", imported.error().message));
+    if (!imported)
+        return fail(text((path.parent_path() / effect->clip_file).string(), ": ", imported.error().message));
     effect->clip = std::move(imported->clip.frames);
     return effect;
 }

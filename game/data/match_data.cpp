@@ -62,10 +62,15 @@ private:
         if (!error) error = std::move(e);
     }
 
+    /// Name of the folder of all data files, for messages: "assets".
+    std::filesystem::path folder_name() const {
+        return assets_.has_filename() ? assets_.filename() : assets_.parent_path().filename();
+    }
+
     Expected<Config> open(const std::string& name, bool decides) {
         const auto source = read_text_file(assets_ / name, max_data_file);
         if (!source) return tl::unexpected(source.error());
-        auto config = Config::parse(*source, name, 1);
+        auto config = Config::parse(*source, (folder_name() / name).string(), 1);
         if (!config) return config;
         if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";

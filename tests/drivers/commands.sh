@@ -143,8 +143,12 @@ THAUM_ASSETS=$folder/assets "$thaum" replay "$log" --verify >/dev/null ||
     { echo "failed: a comment in a data file changes the match"; failures=$((failures + 1)); }
 sed -i 's/^damage = 6/damage = 7/' "$folder/assets/wands/bolt.toml"
 THAUM_ASSETS=$folder/assets expect 2 "wands/bolt.toml has changed" replay "$log" --verify
+cp "$folder/assets/events.toml" "$folder/events.toml"
+printf '[rain]\n' >>"$folder/assets/events.toml"
+THAUM_ASSETS=$folder/assets expect 2 "assets/events.toml:$(grep -n rain "$folder/assets/events.toml" | cut -d: -f1): 'rain' is no event" --headless --seconds 1
+cp "$folder/events.toml" "$folder/assets/events.toml"
 printf 'colour = 3\n' >>"$folder/assets/rules/quick.toml"
-THAUM_ASSETS=$folder/assets expect 2 "rules/quick.toml:9: unknown key 'colour'" --headless --seconds 1
+THAUM_ASSETS=$folder/assets expect 2 "assets/rules/quick.toml:9: unknown key 'colour'" --headless --seconds 1
 "$thaum" replay "$log" --dump 4000 "$folder/a.dump" >/dev/null
 "$thaum" replay "$log" --dump 4001 "$folder/b.dump" >/dev/null
 "$thaum" diff "$folder/a.dump" "$folder/a.dump" >/dev/null || { echo "failed: a dump differs from itself"; failures=$((failures + 1)); }

@@ -1,6 +1,9 @@
 // Files of layouts and effects: the shipped ones are read, and each fault is named.
+#include <unistd.h>
+
 #include <set>
 
+#include "core/text.h"
 #include "unit/tactile_rig.h"
 
 namespace thaum::tactile {
@@ -161,6 +164,13 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
          "one entry"},
     });
     EXPECT_FALSE(load_effects(tactile_assets / "nowhere").has_value());
+    const auto folder = std::filesystem::path(testing::TempDir()) / text("thaum_effects_", ::getpid());
+    std::filesystem::create_directories(folder);
+    ASSERT_TRUE(write_text_file(folder / "rain.toml", "version = 1\ncolour = 3\n"));
+    const auto faulty = load_effects(folder);
+    std::filesystem::remove_all(folder);
+    ASSERT_FALSE(faulty);
+    EXPECT_EQ(faulty.error().message.find((folder / "rain.toml:").string()), 0U) << faulty.error().message;
 }
 
 }  // namespace
