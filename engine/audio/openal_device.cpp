@@ -1,4 +1,5 @@
 #include <optional>
+#include <utility>
 
 #include "audio/detail/block_stream.h"
 #include "audio/sound_device.h"
@@ -6,8 +7,14 @@
 namespace thaum::audio {
 namespace {
 
+// ALC_SOFT_output_mode, which headers older than OpenAL Soft 1.22 lack.
+constexpr ALCenum output_mode = 0x19AC;
+constexpr ALCint surround_7_1 = 0x1506;
+
 class OpenAlDevice final : public SoundDevice {
 public:
+    OpenAlDevice() = default;
+    OpenAlDevice(std::string name, std::size_t channels) : name_(std::move(name)), channels_(channels) {}
     ~OpenAlDevice() override { end(); }
 
     Expected<void> open() override {
@@ -17,18 +24,23 @@ public:
             if (!found) return tl::unexpected(found.error());
             al_ = *found;
         }
-        device_ = alcOpenDevice(nullptr);
-        if (device_ == nullptr) return fail("no sound device was found");
+        device_ = alcOpenDevice(name_.empty() ? nullptr : name_.c_str());
+        if (device_ == nullptr)
+            return fail(name_.empty() ? "no sound device was found"
+                                      : "there is no sound device of this name");
         const ALCint attributes[] = {ALC_FREQUENCY, static_cast<ALCint>(sample_rate), 0};
         context_ = alcCreateContext(device_, attributes);
-        if (context_ == nullptr) {
+        if (context_ == nullptr || !has_channels()) {
+            const bool plays = context_ != nullptr;
             end();
-            return fail("the sound device does not play");
+            return fail(plays ? "the sound device does not have the eight channels of 7.1 sound"
+                              : "the sound device does not play");
         }
         ALCint periods_per_second = 0;
         alcGetIntegerv(device_, ALC_REFRESH, 1, &periods_per_second);
         const detail::ContextScope scope(al_, context_);
-        stream_.emplace(detail::blocks_to_queue(sample_rate / static_cast<double>(periods_per_second)));
+        stream_.emplace(detail::blocks_to_queue(sample_rate / static_cast<double>(periods_per_second)),
+                        channels_);
         return {};
     }
 
@@ -52,6 +64,15 @@ public:
     void close() override { end(); }
 
 private:
+    /// An OpenAL that does not tell the number of its channels is believed.
+    bool has_channels() const {
+        if (channels_ == 2 || alcIsExtensionPresent(device_, "ALC_SOFT_output_mode") == ALC_FALSE)
+            return true;
+        ALCint mode = 0;
+        alcGetIntegerv(device_, output_mode, 1, &mode);
+        return mode == surround_7_1;
+    }
+
     void end() {
         if (stream_) {
             const detail::ContextScope scope(al_, context_);
@@ -64,6 +85,8 @@ private:
         device_ = nullptr;
     }
 
+    const std::string name_{};
+    const std::size_t channels_ = 2;
     detail::OpenAl al_{};
     ALCdevice* device_{};
     ALCcontext* context_{};
@@ -73,5 +96,18 @@ private:
 }  // namespace
 
 std::unique_ptr<SoundDevice> openal_device() { return std::make_unique<OpenAlDevice>(); }
+
+std::unique_ptr<SoundDevice> openal_channels(std::string name, std::size_t channels) {
+    return std::make_unique<OpenAlDevice>(std::move(name), channels);
+}
+
+std::vector<std::string> sound_device_names() {
+    prepare_openal();
+    std::vector<std::string> names;
+    // The list is words that each end in NUL, and an empty word.
+    const ALCchar* word = alcGetString(nullptr, ALC_ALL_DEVICES_SPECIFIER);
+    for (; word != nullptr && *word != '\0'; word += names.back().size() + 1) names.emplace_back(word);
+    return names;
+}
 
 }  // namespace thaum::audio

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 
 namespace thaum::audio {
 
-/// A device that takes stereo blocks of 384 samples at 48 kHz. One thread calls all functions. `open` and `close` may
+/// A device that takes blocks of 384 samples for each channel at 48 kHz; stereo where nothing else is said. One thread calls all functions. `open` and `close` may
 /// take long; the others must not.
 class SoundDevice {
 public:
@@ -18,7 +20,7 @@ public:
     /// Number of blocks that the device takes now. A block that it has taken begins to sound after one more block,
     /// unless the device plays in longer periods or had gaps.
     virtual std::size_t wanted() = 0;
-    /// Queues one block: block_values values (audio/mixer.h), left and right in turn.
+    /// Queues one block: a value for each channel in turn, so block_values values (audio/mixer.h) for stereo.
     virtual void write(std::span<const float> block) = 0;
     /// False once the device is gone, such as headphones that were pulled out.
     virtual bool is_connected() = 0;
@@ -27,5 +29,13 @@ public:
 
 /// The system's usual device, by OpenAL. It plays at any rate; OpenAL resamples.
 std::unique_ptr<SoundDevice> openal_device();
+
+/// A device by OpenAL whose channels each play to their own speaker, with nothing mixed or placed. `name`: one of
+/// sound_device_names, or empty for the usual device. `channels`: 2, or 8 in the order of surround_channels
+/// (audio/channels.h).
+std::unique_ptr<SoundDevice> openal_channels(std::string name, std::size_t channels);
+
+/// Names of the devices that OpenAL finds.
+std::vector<std::string> sound_device_names();
 
 }  // namespace thaum::audio

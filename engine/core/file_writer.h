@@ -28,12 +28,15 @@ public:
     void write(std::string_view text);
     /// Replaces the first bytes of what was written, such as a header with a length that is known only at the end.
     void replace_start(std::span<const std::byte> bytes);
+    /// Hands all bytes to the system.
+    void flush();
+    /// False after a failure. Bytes that wait for a `flush` may still fail.
+    bool is_whole() const { return fault_ == 0; }
     /// Flushes the bytes to the disk and renames the file to its target. The error names the path.
     Expected<void> close();
 
 private:
     FileWriter(std::filesystem::path name, std::filesystem::path target, std::string part, int fd);
-    void flush();
     tl::unexpected<Error> give_up(std::string_view doing, int why);
 
     std::filesystem::path name_;    ///< path as given by the caller, for messages

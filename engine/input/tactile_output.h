@@ -26,6 +26,10 @@ public:
     virtual void silence() = 0;
     /// False once the device is gone or has refused a call.
     virtual bool is_connected() = 0;
+    /// Why the device is no longer connected: words for one line, without the device's name.
+    virtual std::string fault() { return "it is gone"; }
+    /// True for a recorder: `write` gets every frame that is not silent, without merging, and late ones too.
+    virtual bool wants_every_frame() const { return false; }
     /// Stops all actuators and frees the device.
     virtual void close() = 0;
     /// Name for messages: "pad 'Microsoft X-Box 360 pad'".

@@ -120,13 +120,14 @@ void TactilePlayback::try_open(double now_s) {
 }
 
 void TactilePlayback::lose(double now_s) {
+    const auto fault = output_->fault();
     output_->close();
     open_ = false;
     sounding_ = false;
     ++report_.times_lost;
     // A device that is there again is opened at once, but one that fails at each opening does not keep a core busy.
     next_try_s_ = std::max(now_s, opened_at_s_ + retry_s);
-    say(text(output_->name(), ": it is gone"));
+    say(text(output_->name(), ": ", fault));
 }
 
 /// Drops frames that nobody feels.
@@ -153,8 +154,17 @@ std::size_t TactilePlayback::take_frames() {
     return count;
 }
 
+/// Passes each waiting frame as it is, for an output that wants every one.
+void TactilePlayback::pass_all(double now_s) {
+    for (; frames_.front() != nullptr; frames_.pop()) {
+        ++report_.frames_sent;
+        if (!frames_.front()->is_silent()) output_->write(*frames_.front(), now_s);
+    }
+}
+
 /// Plays what waits. `age_s` is the age that the waiting frames may have.
 void TactilePlayback::play(double now_s, double age_s) {
+    if (output_->wants_every_frame()) return pass_all(now_s);
     const bool tried = take_trial(now_s);
     const auto count = take_frames();
     if (count > 0 && now_s < trial_until_s_) {

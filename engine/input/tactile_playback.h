@@ -69,6 +69,7 @@ private:
     void drop_waiting();
     bool take_trial(double now_s);
     std::size_t take_frames();
+    void pass_all(double now_s);
     void play(double now_s, double age_s);
     void send(double now_s, double life_s);
     void say(std::string status);

@@ -12,10 +12,12 @@
 #include "audio/synth.h"
 #include "core/clock.h"
 #include "core/file.h"
+#include "core/one_line.h"
 #include "core/processor.h"
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/jacket.h"
 #include "game/app/live_shared.h"
 #include "game/app/settings.h"
 #include "game/app/still.h"
@@ -30,8 +32,8 @@ constexpr std::string_view doctor_help =
     R"(usage: thaum doctor [--json FILE]
 
 Checks this machine and reports what is missing: processor, data files, OpenGL,
-display, sound, the hands' devices, pads and their permissions, the accuracy of a
-1 kHz clock, and the folders of settings and logs. If there is a display, a match is shown for three seconds to measure the delay from a
+display, sound, the hands' devices, pads and their permissions, jackets, the
+accuracy of a 1 kHz clock, and the folders of settings and logs. If there is a display, a match is shown for three seconds to measure the delay from a
 movement to its picture. Force feedback arms are listed with the numbers by
 which --hands arm:0 names them. Each is used for two seconds without force, to
 measure how evenly its ticks come and the delay from a pose to its force. Hold
@@ -41,6 +43,8 @@ the arms still.
 
 Exit code 0: a match can be played here; 1: a needed part is missing.
 )";
+
+constexpr std::size_t most_of_name_shown = 100;
 
 enum class State { good, note, missing };
 
@@ -220,6 +224,37 @@ Finding sound(const std::filesystem::path& assets) {
     return {"sound", State::good, text(bank->sounds.size(), " sounds, and a device that plays them"), ""};
 }
 
+/// What a player's jacket says when it is opened. It is silent, and nothing is recorded.
+Finding jacket_of_player(const Settings& settings, std::uint32_t player) {
+    const auto& words = settings.players.at(player).jacket;
+    const auto jacket = parse_jacket(words).value_or(Jacket{});
+    const auto output = jacket_output(jacket, player);
+    const auto whose = text("player ", player + 1, ": ", output->name());
+    if (jacket.link == Jacket::Link::record) return {"jacket", State::good, whose, ""};
+    if (const auto opened = output->open(); !opened)
+        return {"jacket", State::note, text(whose, ": ", opened.error().message),
+                "it is looked for every two seconds in a session"};
+    output->close();
+    const bool unknown = jacket.link == Jacket::Link::osc;
+    return {"jacket", State::good,
+            text(whose, unknown ? " is sent to; nobody can tell whether it listens" : " can be used"), ""};
+}
+
+/// Jackets of the settings file, and the names that its forms "audio:DEVICE" and "hid:VVVV:PPPP" may have.
+void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& assets) {
+    std::error_code ignored;
+    const auto file = settings_file();
+    const auto read = std::filesystem::exists(file, ignored) ? load_settings(file, assets) : Settings{};
+    for (std::uint32_t p = 0; read && p < game::players; ++p)
+        if (!read->players.at(p).jacket.empty()) findings.push_back(jacket_of_player(*read, p));
+    for (const auto& name : audio::sound_device_names())
+        findings.push_back({"shakers", State::good,
+                            text("could be on \"audio:", printable(name, most_of_name_shown), "\""), ""});
+    for (const auto& [id, name] : hid_devices())
+        findings.push_back({"HID device", State::good,
+                            text("\"hid:", words_of(id), "\" is ", printable(name, most_of_name_shown)), ""});
+}
+
 void add_pads(std::vector<Finding>& findings) {
     const auto all = pads();
     if (all.empty()) findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
@@ -294,6 +329,7 @@ std::vector<Finding> examine() {
                                   hands(data),  opengl(assets, data), display(),
                                   sound(assets)};
     add_pads(findings);
+    add_jackets(findings, assets);
     add_arms(findings);
     findings.push_back(tick_clock());
     findings.push_back(input_to_picture(assets, data));

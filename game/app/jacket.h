@@ -5,26 +5,42 @@
 //     "osc16:HOST:PORT"     the same with 16 motors
 //     "bhaptics"            a vest of bHaptics, by the Player on this machine (bhaptics_jacket.h)
 //     "bhaptics:HOST:PORT"  the same by a Player at another place
+//     "hid:VVVV:PPPP"       40 motors, by HID reports (hid_report.h)
+//     "audio"               two speakers or shakers on the usual sound device (audio_jacket.h)
+//     "audio8"              eight of them on its channels of 7.1 sound
+//     "audio:DEVICE"        the same on a device of this name; "audio8:DEVICE"
+//     "record:FILE.csv"     no jacket: a file with what it would play (felt_recorder.h)
 //
-// HOST is a name, an IPv4 address, or an IPv6 address in brackets.
+// HOST is a name, an IPv4 address, or an IPv6 address in brackets. VVVV and PPPP are the numbers of maker and product,
+// four hexadecimal digits each.
 #pragma once
+#include <array>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "core/error.h"
+#include "game/app/hid_jacket.h"
 #include "input/osc_jacket.h"
 
 namespace thaum::app {
 
 struct Jacket {
-    enum class Link : std::uint8_t { none, osc, bhaptics };
-    enum class Layout : std::uint8_t { none, x40, x16 };
+    enum class Link : std::uint8_t { none, osc, bhaptics, hid, audio, record };
+    enum class Layout : std::uint8_t { none, x40, x16, speakers, shakers8, figure };
 
     Link link{};
-    input::NetAddress address{};
+    input::NetAddress address{};  ///< of osc and bhaptics
     Layout layout{};
+    HidId hid{};         ///< of hid
+    std::string name{};  ///< device of audio, empty for the usual one; path of record
     bool operator==(const Jacket&) const = default;
 };
+
+/// All layouts but none, in the order of Layout.
+inline constexpr std::array<Jacket::Layout, 5> jacket_layouts{
+    Jacket::Layout::x40, Jacket::Layout::x16, Jacket::Layout::speakers, Jacket::Layout::shakers8,
+    Jacket::Layout::figure};
 
 /// Name of a layout's file in assets/tactile/layouts, without its ending; empty for none.
 std::string_view name_of(Jacket::Layout layout);
@@ -34,7 +50,10 @@ std::size_t motors_of(Jacket::Layout layout);
 /// Reads the setting. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
 
-/// The jacket as an output, not opened yet; null for none.
-std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket);
+/// Whether two jackets are one device, or one file.
+bool is_same_device(const Jacket& a, const Jacket& b);
+
+/// The jacket as an output, not opened yet; null for none. `player`: 0 or 1.
+std::unique_ptr<input::TactileOutput> jacket_output(const Jacket& jacket, std::uint32_t player);
 
 }  // namespace thaum::app

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/text.h"
+
 namespace thaum::app {
 namespace {
 
-/// Numbers of layouts in a scene, after the figure.
-constexpr std::size_t pad_frame = 1, x40_frame = 2, x16_frame = 3;
+/// Numbers of layouts in a scene, after the figure. That of the first jacket.
+constexpr std::size_t pad_frame = 1, first_jacket_frame = 2;
 
-Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, const char* file) {
-    return tactile::load_layout(assets / "tactile" / "layouts" / file);
+Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, std::string_view name) {
+    return tactile::load_layout(assets / "tactile" / "layouts" / text(name, ".toml"));
 }
 
 }  // namespace
@@ -18,18 +20,29 @@ Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, const c
 Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
     if (!effects) return tl::unexpected(effects.error());
-    auto figure = layout_of(assets, "abstract_4x5.toml"), pad = layout_of(assets, "pad.toml"),
-         x40 = layout_of(assets, "x40.toml"), x16 = layout_of(assets, "x16.toml");
-    for (const auto* layout : {&figure, &pad, &x40, &x16})
-        if (!*layout) return tl::unexpected(layout->error());
-    if (figure->actuators.size() != game::figure_cells)
-        return fail("abstract_4x5.toml must have 40 actuators: the figure on the screen shows them");
-    return LiveBody{std::move(*effects), std::move(*figure), std::move(*pad), std::move(*x40),
-                    std::move(*x16)};
+    LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}, .jackets = {}};
+    std::vector<std::pair<std::string_view, tactile::Layout*>> layouts{
+        {name_of(Jacket::Layout::figure), &body.figure}, {"pad", &body.pad}};
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        layouts.emplace_back(name_of(jacket_layouts.at(i)), &body.jackets.at(i));
+    for (const auto& [name, layout] : layouts) {
+        auto read = layout_of(assets, name);
+        if (!read) return tl::unexpected(read.error());
+        *layout = std::move(*read);
+    }
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i) {
+        const auto motors = motors_of(jacket_layouts.at(i));
+        if (body.jackets.at(i).actuators.size() != motors)
+            return fail(text(assets.string(), "/tactile/layouts/", name_of(jacket_layouts.at(i)),
+                             ".toml must have ", motors, " actuators"));
+    }
+    return body;
 }
 
 const tactile::Layout* LiveBody::layout_named(std::string_view name) const {
-    return name == "x40" ? &x40 : name == "x16" ? &x16 : nullptr;
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        if (name == name_of(jacket_layouts.at(i))) return &jackets.at(i);
+    return nullptr;
 }
 
 std::vector<tactile::Purpose> LiveBody::purposes() const {
@@ -56,8 +69,7 @@ void MatchBody::begin(const game::Simulation& match) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
-        scenes_.at(p)->add(body_->x40);
-        scenes_.at(p)->add(body_->x16);
+        for (const auto& jacket : body_->jackets) scenes_.at(p)->add(jacket);
         // The figure shows what comes from outside. The own shots would hide it.
         // The player's own faders are for motors.
         tactile::Faders shown;
@@ -80,14 +92,15 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     auto& scene = *scenes_.at(player);
     const bool pad = motors_.feels(player);
     const auto jacket = motors_.jacket_layout(player);
-    const bool x40 = jacket == "x40", x16 = jacket == "x16";
     take_faders(player);
     scene.set_used(pad_frame, pad);
-    scene.set_used(x40_frame, x40);
-    scene.set_used(x16_frame, x16);
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        scene.set_used(first_jacket_frame + i, jacket == name_of(jacket_layouts.at(i)));
     scene.take(match);
     if (pad) motors_.feel(player, scene.frame(pad_frame));
-    if (x40 || x16) motors_.feel_jacket(player, scene.frame(x40 ? x40_frame : x16_frame));
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        if (jacket == name_of(jacket_layouts.at(i)))
+            motors_.feel_jacket(player, scene.frame(first_jacket_frame + i));
 }
 
 void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {

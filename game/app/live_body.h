@@ -18,9 +18,9 @@ namespace thaum::app {
 /// Effects and layouts of the program.
 struct LiveBody {
     tactile::EffectBank effects;
-    tactile::Layout figure;    ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
-    tactile::Layout pad;       ///< the two motors of a pad
-    tactile::Layout x40, x16;  ///< jackets
+    tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+    tactile::Layout pad;     ///< the two motors of a pad
+    std::array<tactile::Layout, jacket_layouts.size()> jackets;  ///< in the order of jacket_layouts
 
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a jacket by its file's name; null for another name.

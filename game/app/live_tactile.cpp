@@ -12,12 +12,12 @@ LiveTactile::LiveTactile(MakeOutput make, MakeJacket make_jacket)
 }
 
 void LiveTactile::apply(const Settings& settings) {
-    for (std::size_t p = 0; p < seats_.size(); ++p) {
+    for (std::uint32_t p = 0; p < seats_.size(); ++p) {
         auto& seat = seats_.at(p);
         seat.gain = static_cast<float>(settings.players.at(p).rumble);
         const auto& body = settings.players.at(p).body.values;
         for (std::size_t i = 0; i < body.size(); ++i) seat.faders.at(i) = body.at(i);
-        use_jacket(seat, settings.players.at(p).jacket);
+        use_jacket(p, settings.players.at(p).jacket);
     }
 }
 
@@ -36,13 +36,14 @@ void LiveTactile::use_pad(std::uint32_t player, const render::PadState* pad) {
     seat.motors.use(make_(*seat.pad));
 }
 
-void LiveTactile::use_jacket(Seat& seat, const std::string& words) {
+void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {
+    auto& seat = seats_.at(player);
     if (seat.jacket_words == words) return;
     seat.jacket_words = words;
     const auto jacket = parse_jacket(words).value_or(Jacket{});
     // Frames of the former layout do not reach the next jacket.
     seat.layout = Jacket::Layout::none;
-    seat.jacket.use(make_jacket_(jacket));
+    seat.jacket.use(make_jacket_(jacket, player));
     seat.layout = jacket.layout;
 }
 

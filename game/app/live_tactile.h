@@ -26,7 +26,8 @@ namespace thaum::app {
 class LiveTactile {
 public:
     using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadId&)>;
-    using MakeJacket = std::function<std::unique_ptr<input::TactileOutput>(const Jacket&)>;
+    using MakeJacket =
+        std::function<std::unique_ptr<input::TactileOutput>(const Jacket&, std::uint32_t player)>;
     /// Tests pass makers of fakes.
     explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
@@ -82,7 +83,7 @@ private:
         Socket jacket{};
         std::atomic<Jacket::Layout> layout{};
     };
-    void use_jacket(Seat& seat, const std::string& words);
+    void use_jacket(std::uint32_t player, const std::string& words);
 
     MakeOutput make_;
     MakeJacket make_jacket_;

@@ -10,6 +10,7 @@
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/feel.h"
+#include "game/app/felt_rows.h"
 #include "game/app/recorded_names.h"
 #include "game/app/replay_body.h"
 #include "game/app/replay_sound.h"
@@ -96,7 +97,7 @@ struct Outputs {
 
 Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outputs& out) {
     if (!pass.tactile) return {};
-    if (auto opened = out.tactile.open(pass.tactile, ReplayBody::header()); !opened) return opened;
+    if (auto opened = out.tactile.open(pass.tactile, felt_header()); !opened) return opened;
     auto body = ReplayBody::create(playback.match().data(), game::find_assets());
     if (!body) return tl::unexpected(body.error());
     out.body.emplace(std::move(*body));

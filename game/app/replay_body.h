@@ -13,9 +13,7 @@ public:
     /// The error is one line.
     static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets);
 
-    /// Names of the columns: tick, player, and the cells of the figure.
-    static std::string header();
-    /// Appends a row for each player who feels something, at every eighth tick.
+    /// Appends a row (felt_rows.h) for each player who feels something, at every eighth tick.
     void follow(const game::Simulation& match, std::string& rows);
 
 private:

@@ -15,10 +15,14 @@ Outcome read_reply(const std::string& input, const Places&) {
 Outcome read_setting(const std::string& input, const Places&) {
     const auto jacket = app::parse_jacket(input);
     if (!jacket) return {.refusal = jacket.error().message};
-    const auto output = app::jacket_output(*jacket);
+    const auto output = app::jacket_output(*jacket, 0);
     const bool none = jacket->link == app::Jacket::Link::none;
     if (none != (output == nullptr)) return {.fault = "a jacket without an output"};
-    if (!none && (jacket->address.host.empty() || jacket->address.port == 0)) return {.fault = "no address"};
+    using Link = app::Jacket::Link;
+    const bool net = jacket->link == Link::osc || jacket->link == Link::bhaptics;
+    if (net && (jacket->address.host.empty() || jacket->address.port == 0)) return {.fault = "no address"};
+    if (jacket->link == Link::record && jacket->name.empty()) return {.fault = "no file"};
+    if (none != (app::motors_of(jacket->layout) == 0)) return {.fault = "no motors"};
     return {.accepted = true};
 }
 
@@ -27,7 +31,15 @@ std::vector<std::string> replies(const Places&) {
         R"({"ConnectedDeviceCount":2,"ConnectedPositions":["Vest","Head"],"Status":{"Head":[0,0,0,0,0,0]}})"};
 }
 std::vector<std::string> settings(const Places&) {
-    return {"", "bhaptics", "bhaptics:player:15881", "osc:192.168.1.7:1027", "osc16:[fe80::1%eth0]:9000"};
+    return {"",
+            "bhaptics",
+            "bhaptics:player:15881",
+            "osc:192.168.1.7:1027",
+            "osc16:[fe80::1%eth0]:9000",
+            "hid:1209:c0de",
+            "audio",
+            "audio8:Surround 7.1",
+            "record:felt.csv"};
 }
 
 }  // namespace

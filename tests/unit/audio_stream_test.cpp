@@ -6,44 +6,12 @@
 
 #include "audio/detail/block_stream.h"
 #include "unit/audio_rig.h"
+#include "unit/loopback_card.h"
 
 namespace thaum::audio {
 namespace {
 
 using namespace rig;
-
-/// A loopback device of any rate stands for a sound card.
-class Card {
-public:
-    explicit Card(int rate) {
-        const auto found = detail::find_openal();
-        EXPECT_TRUE(found);
-        al_ = *found;
-        device_ = al_.open_loopback(nullptr);
-        const ALCint attributes[] = {
-            ALC_FREQUENCY,  rate, ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT,
-            ALC_FLOAT_SOFT, 0};
-        context_ = alcCreateContext(device_, attributes);
-        EXPECT_NE(context_, nullptr);
-    }
-    ~Card() {
-        alcDestroyContext(context_);
-        alcCloseDevice(device_);
-    }
-    Card(const Card&) = delete;
-    Card& operator=(const Card&) = delete;
-
-    detail::ContextScope enter() { return {al_, context_}; }
-    void render(std::vector<float>& heard, std::size_t frames) {
-        heard.resize(heard.size() + 2 * frames);
-        al_.render(device_, heard.data() + heard.size() - 2 * frames, static_cast<ALCsizei>(frames));
-    }
-
-private:
-    detail::OpenAl al_{};
-    ALCdevice* device_{};
-    ALCcontext* context_{};
-};
 
 /// A sine on the left, nothing on the right, in blocks.
 class Tone {

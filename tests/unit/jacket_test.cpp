@@ -34,14 +34,61 @@ TEST(Jacket, WordsOfTheSettingAreRead) {
               (Jacket{Link::osc, {"my-vest_2.local", 65535}, Layout::x16}));
     EXPECT_EQ(parse_jacket("osc:[fe80::1%eth0]:1").value(),
               (Jacket{Link::osc, {"fe80::1%eth0", 1}, Layout::x40}));
+    EXPECT_EQ(parse_jacket("hid:1209:C0de").value(), (Jacket{Link::hid, {}, Layout::x40, {0x1209, 0xC0DE}}));
+    EXPECT_EQ(parse_jacket("audio").value(), (Jacket{Link::audio, {}, Layout::speakers}));
+    EXPECT_EQ(parse_jacket("audio8").value(), (Jacket{Link::audio, {}, Layout::shakers8}));
+    EXPECT_EQ(parse_jacket("audio:Box: 7.1 (left)").value(),
+              (Jacket{Link::audio, {}, Layout::speakers, {}, "Box: 7.1 (left)"}));
+    EXPECT_EQ(parse_jacket("audio8:Box").value(), (Jacket{Link::audio, {}, Layout::shakers8, {}, "Box"}));
+    EXPECT_EQ(parse_jacket("record:/tmp/felt.csv").value(),
+              (Jacket{Link::record, {}, Layout::figure, {}, "/tmp/felt.csv"}));
 }
 
+constexpr const char* no_jackets[] = {"osc",
+                                      "osc:",
+                                      "osc:vest",
+                                      "osc:vest:",
+                                      "osc:vest:0",
+                                      "osc:vest:65536",
+                                      "osc:vest:-1",
+                                      "osc:vest:+1",
+                                      "osc:vest: 1",
+                                      "osc::1",
+                                      "osc:[]:1",
+                                      "osc:::1:1027",
+                                      "osc:a b:1",
+                                      "osc:a\n:1",
+                                      "osc:\xFF:1",
+                                      "osc:a\":1",
+                                      "OSC:vest:1",
+                                      "osc17:vest:1",
+                                      "none",
+                                      " ",
+                                      "bhaptics:",
+                                      "bhaptics ",
+                                      "hid",
+                                      "hid:",
+                                      "hid:1209",
+                                      "hid:1209:",
+                                      "hid:1209:c0d",
+                                      "hid:12090:c0de",
+                                      "hid:1209:c0de:1",
+                                      "hid:0x12:c0de",
+                                      "hid:-209:c0de",
+                                      "audio:",
+                                      "audio8:",
+                                      "audio 8",
+                                      "audio7:x",
+                                      "audio:a\nb",
+                                      "record",
+                                      "record:",
+                                      "record:.csv",
+                                      "record:felt",
+                                      "record:a/.csv",
+                                      "record:a\n.csv"};
+
 TEST(Jacket, WordsThatNameNoJacketAreRefusedInOneLine) {
-    for (const auto* words :
-         {"osc",         "osc:",        "osc:vest",    "osc:vest:", "osc:vest:0", "osc:vest:65536",
-          "osc:vest:-1", "osc:vest:+1", "osc:vest: 1", "osc::1",    "osc:[]:1",   "osc:::1:1027",
-          "osc:a b:1",   "osc:a\n:1",   "osc:\xFF:1",  "osc:a\":1", "OSC:vest:1", "osc17:vest:1",
-          "none",        " ",           "bhaptics:",   "bhaptics "}) {
+    for (const auto* words : no_jackets) {
         const auto jacket = parse_jacket(words);
         ASSERT_FALSE(jacket) << words;
         EXPECT_EQ(jacket.error().message.find('\n'), std::string::npos);
@@ -52,7 +99,7 @@ TEST(Jacket, WordsThatNameNoJacketAreRefusedInOneLine) {
 }
 
 TEST(Jacket, EachLayoutIsAShippedFileWithItsMotors) {
-    for (const auto layout : {Layout::x40, Layout::x16}) {
+    for (const auto layout : jacket_layouts) {
         const auto file = std::filesystem::path(THAUM_SOURCE_DIR) / "assets/tactile/layouts" /
                           (std::string(name_of(layout)) + ".toml");
         const auto read = tactile::load_layout(file);
@@ -83,6 +130,10 @@ TEST(Jacket, TheSettingsFileRefusesNonsenseAndOneJacketForTwoPlayers) {
     EXPECT_EQ(shared->fault->message, "s:5: 'jacket': it is player 1's; give each player another");
     EXPECT_EQ(shared->settings.players[0].jacket, "osc:vest:1");
     EXPECT_EQ(shared->settings.players[1].jacket, "");
+    EXPECT_TRUE(read_settings(both("hid:1209:c0de", "hid:1209:C0DE"), "s")->fault);
+    EXPECT_TRUE(read_settings(both("audio:Box", "audio8:Box"), "s")->fault);
+    EXPECT_TRUE(read_settings(both("record:a.csv", "record:a.csv"), "s")->fault);
+    EXPECT_FALSE(read_settings(both("record:a.csv", "record:b.csv"), "s")->fault);
     const auto apart = read_settings(both("osc:vest:1", "osc:vest:2"), "s");
     ASSERT_TRUE(apart);
     EXPECT_FALSE(apart->fault);
@@ -93,7 +144,7 @@ TEST(Jacket, TheSettingsFileRefusesNonsenseAndOneJacketForTwoPlayers) {
 class Jackets {
 public:
     LiveTactile::MakeJacket maker() {
-        return [this](const Jacket& jacket) -> std::unique_ptr<input::TactileOutput> {
+        return [this](const Jacket& jacket, std::uint32_t) -> std::unique_ptr<input::TactileOutput> {
             ++made;
             if (jacket.link == Link::none) return nullptr;
             return std::make_unique<FakeOutput>(of(jacket.address.port));

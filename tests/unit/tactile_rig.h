@@ -15,7 +15,8 @@ namespace thaum::tactile {
 
 inline const std::filesystem::path tactile_assets =
     std::filesystem::path(THAUM_SOURCE_DIR) / "assets/tactile";
-inline constexpr const char* layout_names[] = {"abstract_4x5", "x40", "x16", "pad", "speakers", "sleeves"};
+inline constexpr const char* layout_names[] = {"abstract_4x5", "x40",      "x16",    "pad",
+                                               "speakers",     "shakers8", "sleeves"};
 
 inline Layout shipped_layout(const std::string& name) {
     auto layout = load_layout(tactile_assets / "layouts" / (name + ".toml"));

@@ -13,7 +13,8 @@ std::size_t blocks_to_queue(double period) {
     return std::clamp(static_cast<std::size_t>(needed), BlockStream::least_queued, BlockStream::most_queued);
 }
 
-BlockStream::BlockStream(std::size_t queued) : queued_(queued) {
+BlockStream::BlockStream(std::size_t queued, std::size_t channels)
+    : queued_(queued), format_(channels == 2 ? AL_FORMAT_STEREO_FLOAT32 : AL_FORMAT_71CHN32) {
     alGenSources(1, &source_);
     alGenBuffers(static_cast<ALsizei>(free_.size()), free_.data());
     // The block is mixed already: each channel goes to its speaker.
@@ -51,7 +52,7 @@ std::size_t BlockStream::wanted() {
 void BlockStream::write(std::span<const float> block) {
     if (free_count_ == 0) return;
     const ALuint buffer = free_[--free_count_];
-    alBufferData(buffer, AL_FORMAT_STEREO_FLOAT32, block.data(), static_cast<ALsizei>(block.size_bytes()),
+    alBufferData(buffer, format_, block.data(), static_cast<ALsizei>(block.size_bytes()),
                  static_cast<ALsizei>(sample_rate));
     alSourceQueueBuffers(source_, 1, &buffer);
     if (playing_ || waiting() < queued_) return;

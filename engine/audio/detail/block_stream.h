@@ -16,8 +16,9 @@ class BlockStream {
 public:
     static constexpr std::size_t least_queued = 2, most_queued = 24;
 
-    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more.
-    explicit BlockStream(std::size_t queued);
+    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more. `channels`: 2,
+    /// or 8 in the order of surround_channels (audio/channels.h).
+    explicit BlockStream(std::size_t queued, std::size_t channels = 2);
     void destroy();
 
     std::size_t wanted();
@@ -30,6 +31,7 @@ private:
     std::size_t waiting() const { return most_queued - free_count_; }
 
     std::size_t queued_;
+    ALenum format_;
     bool playing_{};
     ALuint source_{};
     std::array<ALuint, most_queued> free_{};  ///< buffers that are not in the queue

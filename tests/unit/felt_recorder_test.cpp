@@ -1,0 +1,129 @@
+// The recorder of what a player feels: its rows, the names of its files, and a full disk.
+#include "game/app/felt_recorder.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <thread>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/felt_rows.h"
+#include "game/app/live_tactile.h"
+#include "unit/jacket_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::rig::jacket_frame;
+
+std::string read(const std::filesystem::path& file) {
+    const auto words = read_text_file(file, 1U << 20U);
+    EXPECT_TRUE(words) << words.error().message;
+    return words.value_or("");
+}
+
+tactile::TactileFrame frame_at(Tick tick) {
+    auto frame = jacket_frame(40, {{0, 0.5F}, {39, 1.0F}});
+    frame.tick = tick;
+    return frame;
+}
+
+std::string row_of(Tick tick, int player) {
+    std::string row = text(tick, ",", player, ",0.5000");
+    for (int i = 1; i < 39; ++i) row += ",0.0000";
+    return row + ",1.0000\n";
+}
+
+TEST(FeltRecorder, WritesTheTableOfAReplay) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "felt.csv";
+    const auto recorder = felt_recorder(file, 1);
+    ASSERT_TRUE(recorder->open());
+    recorder->write(frame_at(8), 1);
+    recorder->silence();
+    recorder->write(frame_at(32), 2);
+    EXPECT_TRUE(recorder->is_connected());
+    EXPECT_FALSE(std::filesystem::exists(file)) << "a file is there when it is complete";
+    recorder->close();
+    EXPECT_EQ(read(file), felt_header() + row_of(8, 2) + row_of(32, 2));
+    EXPECT_EQ(felt_header().find("tick,player,front_1_1,front_1_2,"), 0U);
+}
+
+TEST(FeltRecorder, NoFileIsEverReplaced) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "felt.csv";
+    std::ofstream(file) << "mine\n";
+    std::filesystem::create_symlink("nowhere", folder.path() / "felt_2.csv");
+    for (int i = 0; i < 2; ++i) {
+        const auto recorder = felt_recorder(file, 0);
+        ASSERT_TRUE(recorder->open());
+        recorder->write(frame_at(static_cast<Tick>(8 * i)), 0);
+    }
+    EXPECT_EQ(read(file), "mine\n");
+    EXPECT_EQ(read(folder.path() / "felt_3.csv"), felt_header() + row_of(0, 1));
+    EXPECT_EQ(read(folder.path() / "felt_4.csv"), felt_header() + row_of(8, 1));
+}
+
+TEST(FeltRecorder, AFolderThatIsMissingIsToldInOneLine) {
+    const auto recorder = felt_recorder("/no/such/folder/felt.csv", 0);
+    const auto opened = recorder->open();
+    ASSERT_FALSE(opened);
+    EXPECT_NE(opened.error().message.find("/no/such/folder/felt.csv: cannot create: "), std::string::npos)
+        << opened.error().message;
+    recorder->write(frame_at(0), 0);
+    recorder->close();
+    EXPECT_EQ(recorder->name(), "recording of what is felt, /no/such/folder/felt.csv");
+}
+
+TEST(FeltRecorder, AFullDiskIsToldOnceAndLeavesNoFile) {
+    const TemporaryFolder folder;
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limited = before;
+    limited.rlim_cur = 10'000;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limited), 0);
+    const auto recorder = felt_recorder(folder.path() / "felt.csv", 0);
+    EXPECT_TRUE(recorder->open());
+    int rows = 0;
+    while (recorder->is_connected() && rows < 10'000)
+        recorder->write(frame_at(static_cast<Tick>(8 * rows++)), 0);
+    const auto fault = recorder->fault();
+    recorder->close();
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_LT(rows, 1000) << "noticed while the match goes on";
+    EXPECT_EQ(fault, "it cannot be written, such as on a full disk; nothing is kept");
+    EXPECT_EQ(recorder->open().error().message, fault) << "it is not tried again";
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(FeltRecorder, EveryFrameIsWrittenInASession) {
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "felt.csv";
+    Settings settings;
+    settings.players[1].jacket = "record:" + file.string();
+    constexpr Tick frames = 400;
+    std::string wanted = felt_header();
+    {
+        LiveTactile tactile([](const input::PadId&) { return nullptr; });
+        tactile.apply(settings);
+        while (tactile.jacket_layout(1) != "abstract_4x5") std::this_thread::yield();
+        for (Tick i = 0; i < frames; ++i) {
+            // Frames wait in a queue of 32 while the recorder's thread rests.
+            while (tactile.jacket_report(1).frames_sent + 16 < i) std::this_thread::yield();
+            auto frame = frame_at(8 * i);
+            if (i % 5 == 0) frame.amplitude.fill(0);
+            tactile.feel_jacket(1, frame);
+            if (i % 5 != 0) wanted += row_of(8 * i, 2);
+        }
+        while (tactile.jacket_report(1).frames_sent < frames) std::this_thread::yield();
+    }
+    EXPECT_EQ(read(file), wanted);
+}
+
+}  // namespace
+}  // namespace thaum::app
