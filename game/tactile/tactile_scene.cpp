@@ -14,6 +14,8 @@ constexpr double full_recoil = 3;  ///< kick of the hand that is felt at full st
 constexpr double full_drag = 20;   ///< drag at the ladle that is felt at full strength (N)
 constexpr double chest = 1.15;     ///< height of a blow whose height is unknown (m)
 
+constexpr double least_raise = 0.02;  ///< smallest move of an arm that is passed on (rad)
+
 /// Keys of lasting effects.
 constexpr std::uint32_t heart_key = 1, stir_key = 2;
 
@@ -28,6 +30,21 @@ tactile::Where where_of(const Simulation& match, const Event& event, std::uint32
     return tactile::Where::from(tactile::to_body_frame(*way, world.get<Gaze>(wizard).yaw), height);
 }
 
+bool has_arms(const tactile::Layout& layout) {
+    return std::any_of(layout.actuators.begin(), layout.actuators.end(), [](const auto& actuator) {
+        const auto region = tactile::region_of(actuator.place.part);
+        return region != tactile::Region::torso && region != tactile::Region::whole;
+    });
+}
+
+/// Angle of the arm that holds the wand, from hanging down forwards (rad). The wand points where the wizard looks; a
+/// dead one's arm hangs down.
+double raised_arm(const Simulation& match, std::uint32_t player) {
+    const auto& world = match.world();
+    const auto wizard = wizard_of(world, player);
+    return world.has<Dead>(wizard) ? 0 : std::clamp(pi / 2 + world.get<Gaze>(wizard).pitch, 0.0, pi);
+}
+
 }  // namespace
 
 TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player)
@@ -36,7 +53,12 @@ TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBan
 }
 
 std::size_t TactileScene::add(const tactile::Layout& layout) {
-    outputs_.push_back({.mixer = std::make_unique<tactile::TactileMixer>(layout, bank_)});
+    outputs_.push_back(
+        {.mixer = std::make_unique<tactile::TactileMixer>(layout, bank_), .has_arms = has_arms(layout)});
+    if (outputs_.back().has_arms) {
+        any_arms_ = true;
+        outputs_.back().mixer->set_pose(tactile::pose_with_arms(0, raised_));
+    }
     return outputs_.size() - 1;
 }
 
@@ -78,6 +100,17 @@ void TactileScene::feel_events(const Simulation& match) {
     follower_.each_event(match, [&](const Event& event) { feel_event(match, event); });
 }
 
+/// Moves the arm that holds the wand, the right one, on the layouts that have arms.
+void TactileScene::follow_arm(const Simulation& match, bool anew) {
+    if (!any_arms_) return;
+    const double raised = raised_arm(match, player_);
+    if (!anew && std::abs(raised - raised_) < least_raise) return;
+    raised_ = raised;
+    const auto pose = tactile::pose_with_arms(0, raised);
+    for (auto& output : outputs_)
+        if (output.has_arms) output.mixer->set_pose(pose);
+}
+
 void TactileScene::feel_steps(const Simulation& match, ecs::Entity wizard) {
     const auto& world = match.world();
     if (!stride_.walks(world.get<Stance>(wizard), world.get<Motion>(wizard), seconds(tactile::frame_ticks)))
@@ -111,6 +144,7 @@ void TactileScene::take(const Simulation& match) {
     cues_.clear();
     const bool followed = follower_.goes_on(match);
     const bool paused = match.match().paused != 0;
+    follow_arm(match, !followed);
     if (!followed || paused) {
         for (auto& output : outputs_) output.mixer->stop();
     }

@@ -1,6 +1,6 @@
 // game/tactile/tactile_scene.h: what one player feels on the body during a match. It reads a Simulation every eighth
 // tick and starts effects on every layout that the player has: the picture of a jacket, a pad, a recorder. It never
-// changes the match, and equal matches give equal frames.
+// changes the match, and equal matches give equal frames. Actuators on the right arm move with the wand.
 //
 //     match -> events and state -> TactileScene -> TactileMixer of each layout -> TactileFrame every 8 ms
 #pragma once
@@ -47,6 +47,7 @@ private:
     void feel_events(const Simulation& match);
     void feel_event(const Simulation& match, const Event& event);
     void feel_own(const Simulation& match);
+    void follow_arm(const Simulation& match, bool anew);
     void feel_steps(const Simulation& match, ecs::Entity wizard);
 
     const MatchEffects& effects_;
@@ -57,9 +58,12 @@ private:
         std::unique_ptr<tactile::TactileMixer> mixer;
         tactile::TactileFrame frame{};
         bool used = true;
+        bool has_arms{};  ///< some actuator sits on an arm or a shoulder
     };
     std::vector<Output> outputs_;
     std::vector<BodyCue> cues_{};  ///< of the last frame; never grows
+    bool any_arms_{};
+    double raised_{};  ///< angle of the wand's arm in the mixers, from hanging down forwards (rad)
 
     // The match at the last frame.
     MatchFollower follower_{};

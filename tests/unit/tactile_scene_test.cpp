@@ -145,6 +145,38 @@ TEST(TactileScene, ABlastSpreadsOverTheBody) {
     EXPECT_GT(later, 6U) << "cells that feel it more than 40 ms later";
 }
 
+/// Largest amplitude at each actuator of a suit with sleeves after a blast from the right, with the gaze at a pitch
+/// (rad).
+std::vector<float> blast_on_sleeves(double pitch) {
+    const auto sleeves = tactile::load_layout(assets() / "tactile/layouts/sleeves.toml");
+    EXPECT_TRUE(sleeves);
+    BodyRig rig;
+    rig.turn(0);
+    rig.match.world_to_change().get<Gaze>(wizard_of(rig.match.world(), 0)).pitch = pitch;
+    const auto number = rig.scene.add(*sleeves);
+    rig.strike("blast_hit", rig.middle() + vec3(5, 0, 0), 60);
+    std::vector<float> peaks(sleeves->actuators.size());
+    for (int frame = 0; frame < 60; ++frame) {
+        rig.play(tactile::frame_ticks);
+        for (std::size_t i = 0; i < peaks.size(); ++i)
+            peaks[i] = std::max(peaks[i], rig.scene.frame(number).amplitude.at(i));
+    }
+    return peaks;
+}
+
+TEST(TactileScene, ABlastFromTheSideHitsAHangingWandArmAndPassesARaisedOne) {
+    // Numbers of actuators of sleeves.toml.
+    constexpr std::size_t left_elbow = 13, right_elbow = 18;
+    const auto hanging = blast_on_sleeves(-pi / 2), raised = blast_on_sleeves(0);
+    EXPECT_GT(hanging[right_elbow], 0.3F);
+    EXPECT_EQ(raised[right_elbow], 0) << "the elbow is 0.3 m ahead of the shoulder";
+    EXPECT_EQ(hanging[left_elbow], raised[left_elbow]) << "the other arm does not move";
+    // The cells at the side of the torso feel it as before.
+    constexpr std::size_t front_right = 3;
+    EXPECT_GT(raised[front_right], 0.2F);
+    EXPECT_NEAR(hanging[front_right], raised[front_right], 1e-3);
+}
+
 TEST(TactileScene, AHundredHitsInOneTickKeepTheLimitsAndLoseNone) {
     BodyRig rig;
     for (int i = 0; i < 100; ++i)
