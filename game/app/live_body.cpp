@@ -57,6 +57,7 @@ std::vector<tactile::Purpose> LiveBody::purposes() const {
 
 void MatchBody::begin(const game::Simulation& match) {
     data_ = &match.data();
+    felt_sound_.reset();
     for (auto& scene : scenes_) scene.reset();
     faders_ = {};
     auto effects = game::match_effects(body_->effects, *match.data().presentation);
@@ -69,7 +70,7 @@ void MatchBody::begin(const game::Simulation& match) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
-        for (const auto& jacket : body_->jackets) scenes_.at(p)->add(jacket);
+        for (const auto& jacket : body_->jackets) scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket), true);
         // The figure shows what comes from outside. The own shots would hide it.
         // The player's own faders are for motors.
         tactile::Faders shown;
@@ -83,8 +84,26 @@ void MatchBody::take_faders(std::uint32_t player) {
     const auto faders = motors_.faders(player);
     if (faders_.at(player) == faders) return;
     faders_.at(player) = faders;
-    for (const auto layout : {pad_frame, x40_frame, x16_frame})
-        scenes_.at(player)->set_faders(layout, faders);
+    scenes_.at(player)->set_faders(pad_frame, faders);
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
+}
+
+/// Whether a player feels sounds at present.
+bool MatchBody::hears(std::uint32_t player) const {
+    return motors_.felt_sound(player).strength > 0 && !motors_.jacket_layout(player).empty();
+}
+
+/// Hears the match for the players who feel sounds. While nobody does, nothing is computed.
+void MatchBody::hear(const game::Simulation& match) {
+    const auto* courses = sound_ != nullptr && (hears(0) || hears(1)) ? sound_->felt_courses() : nullptr;
+    if (courses == nullptr) return felt_sound_.reset();
+    if (!felt_sound_) {
+        auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
+        if (!sounds) return;  // the loudspeakers have told it
+        felt_sound_.emplace(std::move(*sounds), *courses);
+    }
+    felt_sound_->take(match);
 }
 
 /// Makes the frames of the player's outputs, and of no others, and passes them on.
@@ -94,6 +113,8 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     const auto jacket = motors_.jacket_layout(player);
     take_faders(player);
     scene.set_used(pad_frame, pad);
+    scene.set_sound(felt_sound_ && hears(player) ? felt_sound_->strengths(player, motors_.felt_sound(player))
+                                                 : game::BandStrengths{});
     for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
         scene.set_used(first_jacket_frame + i, jacket == name_of(jacket_layouts.at(i)));
     scene.take(match);
@@ -108,6 +129,7 @@ void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {
     if (data_ != &match.data()) begin(match);
     now_ = match.now();
     still_ = false;
+    hear(match);
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
         feel(p, match);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "game/app/body_sound.h"
 #include "game/app/live_sound.h"
 #include "game/app/live_tactile.h"
 #include "game/hud/picture.h"
@@ -33,7 +34,9 @@ struct LiveBody {
 class MatchBody {
 public:
     /// `body`: std::nullopt for nothing. Then nothing is computed. `motors` get the frames of the pads.
-    MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors) : body_(body), motors_(motors) {}
+    /// `sound`: null for none on the jackets.
+    MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors, const LiveSound* sound)
+        : body_(body), motors_(motors), sound_(sound) {}
 
     /// Follows the match after a tick. Another match, or changed data, begins anew.
     /// Adds what is felt on the body to the words of `sound`, which has followed before.
@@ -45,12 +48,16 @@ public:
 
 private:
     void begin(const game::Simulation& match);
+    bool hears(std::uint32_t player) const;
+    void hear(const game::Simulation& match);
     void feel(std::uint32_t player, const game::Simulation& match);
 
     void take_faders(std::uint32_t player);
 
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;
+    const LiveSound* sound_;
+    std::optional<BodySound> felt_sound_{};
     const game::MatchData* data_{};  ///< data for which the scenes were made
     std::optional<game::MatchEffects> effects_{};
     std::array<std::optional<game::TactileScene>, game::players> scenes_{};

@@ -119,7 +119,7 @@ void run_replay(const LivePlan& plan, LiveShared& shared, const std::function<vo
     ReplayThread r{.replay = *plan.replay,
                    .shared = shared,
                    .sound = MatchSound(shared.sound.get()),
-                   .body = MatchBody(shared.body, shared.tactile),
+                   .body = MatchBody(shared.body, shared.tactile, shared.sound.get()),
                    .speed = plan.replay->speed};
     begin_clock(r);
     publish(r);

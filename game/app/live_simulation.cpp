@@ -430,7 +430,7 @@ void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
                              .shared = shared,
                              .wake = wake,
                              .sound = MatchSound(shared.sound.get()),
-                             .body = MatchBody(shared.body, shared.tactile)};
+                             .body = MatchBody(shared.body, shared.tactile, shared.sound.get())};
     if (start_round(session, std::move(start))) {
         begin_match(session);
         run_session(session);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "audio/synth.h"
+#include "game/app/body_sound.h"
 
 namespace thaum::app {
 namespace {
@@ -42,18 +44,35 @@ std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets,
         std::fprintf(stderr, "the sound '%s' is silent: %s\n", sound.name.c_str(), sound.reason.c_str());
     auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
     if (!mixer) return silent(mixer.error());
-    auto sound = std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device());
+    auto sound =
+        std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer), audio::openal_device(), assets);
     sound->apply(settings);
     return sound;
 }
 
-LiveSound::LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device)
-    : bank_(std::move(bank)), speakers_(std::move(mixer), std::move(device)) {}
+LiveSound::LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,
+                     std::filesystem::path assets)
+    : bank_(std::move(bank)), speakers_(std::move(mixer), std::move(device)), assets_(std::move(assets)) {}
+
+/// Makes the courses of all sounds, once. A fault is told, and then no sound is felt.
+void LiveSound::make_courses() {
+    if (std::exchange(tried_courses_, true) || assets_.empty()) return;
+    auto courses = load_felt_courses(bank_, assets_);
+    if (!courses) {
+        std::fprintf(stderr, "no sound on the jacket: %s\n", courses.error().message.c_str());
+        return;
+    }
+    made_courses_ = std::make_unique<const game::FeltCourses>(std::move(*courses));
+    courses_ = made_courses_.get();
+}
 
 void LiveSound::apply(const Settings& settings) {
     speakers_.set(mix_settings(settings));
     words_ = std::any_of(settings.players.begin(), settings.players.end(),
                          [](const auto& player) { return player.heard != game::HeardWish::none; });
+    if (std::any_of(settings.players.begin(), settings.players.end(),
+                    [](const auto& player) { return player.jacket_sound > 0; }))
+        make_courses();
 }
 
 void LiveSound::play(MenuSound sound) {

@@ -14,6 +14,7 @@
 #include "game/hud/picture.h"
 #include "game/senses/felt_words.h"
 #include "game/sound/sound_scene.h"
+#include "game/tactile/felt_sound.h"
 
 namespace thaum::app {
 
@@ -25,7 +26,8 @@ public:
     /// Makes all sounds and starts the loudspeakers' thread. Null after an error, which is printed in one line.
     static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
     /// For tests: sounds for a device of their own.
-    LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device);
+    LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,
+              std::filesystem::path assets = {});
 
     const audio::SoundBank& bank() const { return bank_; }
 
@@ -37,13 +39,21 @@ public:
     void tell_status();
 
     // The thread of a match.
+    /// Courses of the sounds for players who feel them; null while no player wants that.
+    const game::FeltCourses* felt_courses() const { return courses_; }
     /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
     bool is_wanted() const { return words_ || speakers_.plays(); }
     void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
 
 private:
+    void make_courses();
+
     audio::SoundBank bank_;
     audio::Speakers speakers_;
+    std::filesystem::path assets_{};  ///< empty: without the bands of felt sounds
+    std::unique_ptr<const game::FeltCourses> made_courses_{};
+    std::atomic<const game::FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
+    bool tried_courses_ = false;
     std::atomic<bool> words_{};  ///< some player wants it in words
     ToldState told_{};
 };

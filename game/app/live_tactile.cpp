@@ -17,6 +17,8 @@ void LiveTactile::apply(const Settings& settings) {
         seat.gain = static_cast<float>(settings.players.at(p).rumble);
         const auto& body = settings.players.at(p).body.values;
         for (std::size_t i = 0; i < body.size(); ++i) seat.faders.at(i) = body.at(i);
+        seat.sound = settings.players.at(p).jacket_sound;
+        seat.sound_of = settings.players.at(p).jacket_sound_of;
         use_jacket(p, settings.players.at(p).jacket);
     }
 }
@@ -119,6 +121,11 @@ void LiveTactile::try_out_jacket(std::uint32_t player, const tactile::TactileFra
 std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {
     const auto& seat = seats_.at(player);
     return seat.jacket.is_open() ? name_of(seat.layout) : std::string_view();
+}
+
+game::FeltSoundWish LiveTactile::felt_sound(std::uint32_t player) const {
+    const auto& seat = seats_.at(player);
+    return {seat.sound, seat.sound_of};
 }
 
 void LiveTactile::feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame) {

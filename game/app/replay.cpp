@@ -36,14 +36,14 @@ Replays a recorded match: everything but the input is computed again, without bo
   --state FILE.csv    place, speed, health, energy and gaze of both players
   --every N             at every Nth tick (1)
   --forces FILE.csv   both hands' devices, one row a tick of play: position and force
-  --tactile FILE.csv  what both bodies feel, one row a frame of 8 ticks: 40 cells
+  --tactile FILE.csv  what both bodies feel, one row a frame of 8 ticks: 40 cells;
+                      --felt-sound music, effects or both: those sounds, too
   --wav FILE.wav      what both players hear; --ears N: player N alone (1 or 2)
   --feel DEVICE       plays the forces of --player N (1) on a force feedback arm, in real
                       time. DEVICE: the arm's name or number in `thaum doctor`
-  --shots DIR         pictures (PNG), by default every 10 s
+  --shots DIR         pictures (PNG), by default every 10 s; --size WxH (1280x720)
   --shot-every S, --shot-at S   every S seconds; at second S, which may be repeated
   --shot-on KIND        at events of that kind (death, spawn, ..., mark); repeats
-  --size WxH            in px (1280x720)
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
 
 Options with files, --verify and --shots can be combined. Every replay is compared
@@ -55,7 +55,8 @@ with code 1. An existing FILE is replaced, but never LOG, data or a recording.
 struct Pass {
     bool verify = false;
     std::optional<std::filesystem::path> events{}, state{}, forces{}, tactile{}, wav{};
-    std::optional<std::uint32_t> ears{};  ///< player who hears `wav`; std::nullopt: both
+    std::optional<game::FeltGroups> felt_sound{};  ///< sounds in `tactile`; std::nullopt: none
+    std::optional<std::uint32_t> ears{};           ///< player who hears `wav`; std::nullopt: both
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
 
@@ -98,7 +99,7 @@ struct Outputs {
 Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outputs& out) {
     if (!pass.tactile) return {};
     if (auto opened = out.tactile.open(pass.tactile, felt_header()); !opened) return opened;
-    auto body = ReplayBody::create(playback.match().data(), game::find_assets());
+    auto body = ReplayBody::create(playback.match().data(), game::find_assets(), pass.felt_sound);
     if (!body) return tl::unexpected(body.error());
     out.body.emplace(std::move(*body));
     return {};
@@ -279,6 +280,7 @@ Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     }
     if (arguments.has("--every") && !pass.state) return fail("--every needs --state");
     if (arguments.has("--ears") && !pass.wav) return fail("--ears needs --wav");
+    if (arguments.has("--felt-sound") && !pass.tactile) return fail("--felt-sound needs --tactile");
     if (arguments.has("--player") && !arguments.has("--feel")) return fail("--player needs --feel");
     for (const auto* word : {"--at", "--speed", "--out", "--dump", "--feel"}) {
         if (arguments.has(word) && pass.any())
@@ -297,6 +299,13 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     if (const auto file = arguments.value("--forces")) pass.forces = *file;
     if (const auto file = arguments.value("--tactile")) pass.tactile = *file;
     if (const auto file = arguments.value("--wav")) pass.wav = *file;
+    if (const auto groups = arguments.value("--felt-sound")) {
+        constexpr std::array<std::string_view, 3> names{"music", "effects", "both"};
+        const auto found = std::find(names.begin(), names.end(), *groups);
+        if (found == names.end())
+            return fail(text("--felt-sound is music, effects or both, not '", *groups, "'"));
+        pass.felt_sound = static_cast<game::FeltGroups>(found - names.begin());
+    }
     if (arguments.has("--ears")) {
         const auto ears = arguments.whole("--ears", 1, game::players, 1);
         if (!ears) return tl::unexpected(ears.error());
@@ -358,11 +367,17 @@ int print_header(const std::vector<std::string>& words, const std::string& path)
 }
 
 int run_replay(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {
-        {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},          {"--out", 1},
-        {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},         {"--shots", 1},
-        {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}, {"--feel", 1},
-        {"--player", 1}, {"--header"},        {"--tactile", 1},       {"--wav", 1},           {"--ears", 1}};
+    static constexpr Option options[] = {{"--verify"},           {"--at", 1},
+                                         {"--speed", 1},         {"--dump", 2},
+                                         {"--out", 1},           {"--events", 1},
+                                         {"--state", 1},         {"--forces", 1},
+                                         {"--every", 1},         {"--shots", 1},
+                                         {"--size", 1},          {"--shot-every", 1},
+                                         {"--shot-at", 1, true}, {"--shot-on", 1, true},
+                                         {"--feel", 1},          {"--player", 1},
+                                         {"--header"},           {"--tactile", 1},
+                                         {"--wav", 1},           {"--ears", 1},
+                                         {"--felt-sound", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});

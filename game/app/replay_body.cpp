@@ -1,26 +1,48 @@
 #include "game/app/replay_body.h"
 
+#include "audio/synth.h"
 #include "game/app/felt_rows.h"
 
 namespace thaum::app {
 
-Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::filesystem::path& assets) {
+Expected<void> ReplayBody::add_sound(State& state, const game::MatchData& data,
+                                     const std::filesystem::path& assets) {
+    const auto bank = audio::load_sounds(assets / "sounds");
+    if (!bank) return tl::unexpected(bank.error());
+    auto courses = load_felt_courses(*bank, assets);
+    if (!courses) return tl::unexpected(courses.error());
+    auto sounds = game::match_sounds(*bank, *data.presentation);
+    if (!sounds) return tl::unexpected(sounds.error());
+    state.courses.emplace(std::move(*courses));
+    state.sound.emplace(std::move(*sounds), *state.courses);
+    for (auto& scene : state.scenes) scene->set_hears(0, true);
+    return {};
+}
+
+Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::filesystem::path& assets,
+                                        std::optional<game::FeltGroups> sounds) {
     auto body = LiveBody::load(assets);
     if (!body) return tl::unexpected(body.error());
     auto effects = game::match_effects(body->effects, *data.presentation);
     if (!effects) return tl::unexpected(effects.error());
-    auto state = std::make_unique<State>(State{std::move(*body), std::move(*effects), {}});
+    auto state = std::make_unique<State>(State{std::move(*body), std::move(*effects), {}, {}, {}, {}});
     for (std::uint32_t p = 0; p < game::players; ++p) {
         state->scenes.at(p).emplace(state->effects, state->body.effects, p);
         state->scenes.at(p)->add(state->body.figure);
+    }
+    if (sounds) {
+        state->wish = {1, *sounds};
+        if (auto added = add_sound(*state, data, assets); !added) return tl::unexpected(added.error());
     }
     return ReplayBody(std::move(state));
 }
 
 void ReplayBody::follow(const game::Simulation& match, std::string& rows) {
     if (match.now() % tactile::frame_ticks != 0) return;
+    if (state_->sound) state_->sound->take(match);
     for (std::uint32_t p = 0; p < game::players; ++p) {
         auto& scene = *state_->scenes.at(p);
+        if (state_->sound) scene.set_sound(state_->sound->strengths(p, state_->wish));
         scene.take(match);
         if (!scene.frame(0).is_silent()) append_felt(rows, p, scene.frame(0));
     }

@@ -4,14 +4,16 @@
 #include <memory>
 #include <string>
 
+#include "game/app/body_sound.h"
 #include "game/app/live_body.h"
 
 namespace thaum::app {
 
 class ReplayBody {
 public:
-    /// The error is one line.
-    static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets);
+    /// `sounds`: sounds that are felt, too, at full strength. The error is one line.
+    static Expected<ReplayBody> create(const game::MatchData& data, const std::filesystem::path& assets,
+                                       std::optional<game::FeltGroups> sounds);
 
     /// Appends a row (felt_rows.h) for each player who feels something, at every eighth tick.
     void follow(const game::Simulation& match, std::string& rows);
@@ -22,7 +24,12 @@ private:
         LiveBody body;
         game::MatchEffects effects;
         std::array<std::optional<game::TactileScene>, game::players> scenes{};
+        game::FeltSoundWish wish{};
+        std::optional<game::FeltCourses> courses{};
+        std::optional<BodySound> sound{};
     };
+    static Expected<void> add_sound(State& state, const game::MatchData& data,
+                                    const std::filesystem::path& assets);
     explicit ReplayBody(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
     std::unique_ptr<State> state_;

@@ -36,6 +36,12 @@ ChoiceOf<PlayerSettings> heard_setting() {
             [](PlayerSettings& p, std::size_t i) { p.heard = static_cast<game::HeardWish>(i); }};
 }
 
+ChoiceOf<PlayerSettings> felt_groups_setting() {
+    return {{"music", "effects", "both"},
+            [](const PlayerSettings& p) { return static_cast<std::size_t>(p.jacket_sound_of); },
+            [](PlayerSettings& p, std::size_t i) { p.jacket_sound_of = static_cast<game::FeltGroups>(i); }};
+}
+
 ChoiceOf<PlayerSettings> prompts_setting() {
     return {{game::prompt_wishes.begin(), game::prompt_wishes.end()},
             [](const PlayerSettings& p) { return static_cast<std::size_t>(p.prompts); },
@@ -169,6 +175,11 @@ std::vector<PlayerSetting> felt_settings() {
          Number{&PlayerSettings::roughness, 0, 1, 0.25, 100, " %"}, false, SettingPage::mixer},
         {"rumble", "Rumble", "Makes a pad's motors stronger or weaker; the match stays the same.",
          Number{&PlayerSettings::rumble, 0, 1, 0.1, 100, " %"}, false, SettingPage::mixer},
+        {"jacket_sound", "Sound on the jacket",
+         "Plays sounds on a jacket: low ones at the belly, high above.",
+         Number{&PlayerSettings::jacket_sound, 0, 1, 0.1, 100, " %"}, false, SettingPage::mixer},
+        {"jacket_sound_of", "Sounds on the jacket", "Says which sounds the jacket plays.",
+         felt_groups_setting(), false, SettingPage::mixer},
     };
 }
 

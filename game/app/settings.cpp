@@ -12,7 +12,7 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
-#include "game/app/jacket.h"
+#include "game/app/jacket_settings.h"
 #include "game/app/player_name.h"
 #include "game/hud/figures.h"
 #include "input/log.h"
@@ -84,23 +84,6 @@ void read_name(const ConfigTable& table, PlayerSettings& player) {
         player.name = std::move(*name);
     else
         table.report("name", text("'name': ", name.error().message));
-}
-
-void read_jacket(const ConfigTable& table, PlayerSettings& player) {
-    auto words = table.string("jacket", player.jacket);
-    if (const auto jacket = parse_jacket(words); !jacket)
-        table.report("jacket", text("'jacket': ", jacket.error().message));
-    else
-        player.jacket = std::move(words);
-}
-
-/// Takes a jacket that both players have from the second one.
-void divide_jackets(const ConfigTable& root, Settings& s) {
-    const auto first = parse_jacket(s.players[0].jacket), second = parse_jacket(s.players[1].jacket);
-    if (!first || !second || first->link == Jacket::Link::none) return;
-    if (!is_same_device(*first, *second)) return;
-    root.table(player_tables[1]).report("jacket", "'jacket': it is player 1's; give each player another");
-    s.players[1].jacket.clear();
 }
 
 /// Reads the largest force of each player from its place in files of earlier versions.

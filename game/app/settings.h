@@ -14,6 +14,7 @@
 #include "game/app/body_faders.h"
 #include "game/app/faders.h"
 #include "game/hud/prompts.h"
+#include "game/tactile/felt_sound.h"
 #include "input/bindings.h"
 #include "input/stick.h"
 #include "render/scene.h"
@@ -61,7 +62,9 @@ struct PlayerSettings {
     double recoil = 1;           ///< felt share of the wands' recoil (0 to 1)
     double roughness = 1;        ///< felt share of the friction of touched things (0 to 1)
     game::PromptWish prompts{};  ///< when the screen says which control does what
-    std::string jacket{};        ///< the player's jacket (jacket.h); empty: none
+    double jacket_sound = 0;     ///< strength of sounds on the jacket (0 to 1); 0: none
+    game::FeltGroups jacket_sound_of = game::FeltGroups::music;  ///< sounds that the jacket plays
+    std::string jacket{};  ///< the player's jacket (jacket.h); empty: none
     tactile::Faders body{};  ///< strengths of the effects on jacket and motors, one fader for each purpose
 
     bool operator==(const PlayerSettings&) const = default;

@@ -17,11 +17,11 @@ Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Pres
             return fail(text("event '", name_of(static_cast<EventKind>(kind)), "' names the effect '", name,
                              "', but there is no assets/tactile/effects/", name, ".toml"));
     }
-    const std::pair<std::string_view, std::uint32_t*> needed[] = {{"recoil", &out.recoil},
-                                                                  {"stir", &out.stir},
-                                                                  {"heartbeat", &out.heartbeat},
-                                                                  {"walk_left", &out.walk_left},
-                                                                  {"walk_right", &out.walk_right}};
+    const std::pair<std::string_view, std::uint32_t*> needed[] = {
+        {"recoil", &out.recoil},          {"stir", &out.stir},
+        {"heartbeat", &out.heartbeat},    {"walk_left", &out.walk_left},
+        {"walk_right", &out.walk_right},  {"sound_low", &out.sounds[0]},
+        {"sound_middle", &out.sounds[1]}, {"sound_high", &out.sounds[2]}};
     for (const auto& [name, number] : needed) {
         const auto found = bank.find(name);
         if (!found)

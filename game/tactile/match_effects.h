@@ -1,10 +1,12 @@
 // game/tactile/match_effects.h: the effects on the body that events name in their rows, and those that the state of a
 // match causes, found in the bank of effects once.
 #pragma once
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "game/data/presentation.h"
+#include "game/tactile/felt_sound.h"
 #include "tactile/effect.h"
 
 namespace thaum::game {
@@ -15,6 +17,7 @@ using EffectNumber = std::optional<std::uint32_t>;
 struct MatchEffects {
     std::vector<EffectNumber> events;  ///< by EventKind
     std::uint32_t recoil{}, stir{}, heartbeat{}, walk_left{}, walk_right{};
+    std::array<std::uint32_t, felt_bands> sounds{};  ///< by band, the lowest first
 };
 
 /// The error names the effect that is missing, and who names it.

@@ -9,15 +9,16 @@
 namespace thaum::game {
 namespace {
 
-constexpr double full_harm = 60;   ///< harm that is felt at full strength (HP)
-constexpr double full_recoil = 3;  ///< kick of the hand that is felt at full strength (N)
-constexpr double full_drag = 20;   ///< drag at the ladle that is felt at full strength (N)
-constexpr double chest = 1.15;     ///< height of a blow whose height is unknown (m)
+constexpr double full_harm = 60;         ///< harm that is felt at full strength (HP)
+constexpr double full_recoil = 3;        ///< kick of the hand that is felt at full strength (N)
+constexpr double full_drag = 20;         ///< drag at the ladle that is felt at full strength (N)
+constexpr Tick quiet_after_event = 250;  ///< time in which an event is felt without sounds (ticks)
+constexpr double chest = 1.15;           ///< height of a blow whose height is unknown (m)
 
 constexpr double least_raise = 0.02;  ///< smallest move of an arm that is passed on (rad)
 
 /// Keys of lasting effects.
-constexpr std::uint32_t heart_key = 1, stir_key = 2;
+constexpr std::uint32_t heart_key = 1, stir_key = 2, first_sound_key = 10;
 
 /// Place at which a player feels an event: on the side of the event's place, or of the player who caused it.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
@@ -88,6 +89,7 @@ void TactileScene::feel(const BodyCue& cue, Tick now) {
 void TactileScene::feel_event(const Simulation& match, const Event& event) {
     const auto kind = static_cast<std::size_t>(event.kind);
     if (event.subject != player_ || kind >= effects_.events.size() || !effects_.events[kind]) return;
+    quiet_until_ = match.now() + quiet_after_event;
     const bool takes_health = !info_of(event.kind).cause.empty();
     feel({.effect = *effects_.events[kind],
           .where = takes_health ? where_of(match, event, player_) : tactile::Where::own(),
@@ -140,6 +142,22 @@ void TactileScene::feel_own(const Simulation& match) {
     }
 }
 
+/// Sounds are felt only where no blow is: for a moment after an event they are still.
+void TactileScene::feel_sound(Tick now) {
+    constexpr double least = 1.0 / 256;  // a motor does not run any weaker
+    const bool quiet = now < quiet_until_ && quiet_until_ - now <= quiet_after_event;
+    for (std::uint32_t band = 0; band < felt_bands; ++band) {
+        const double strength = quiet || sound_.at(band) < least ? 0 : sound_.at(band);
+        const bool ends = strength == 0 && sounding_.at(band);
+        if (strength == 0 && !ends) continue;
+        sounding_.at(band) = !ends;
+        for (auto& output : outputs_)
+            if (output.used && output.hears)
+                output.mixer->drive(first_sound_key + band, effects_.sounds.at(band), tactile::Where::own(),
+                                    strength, now);
+    }
+}
+
 void TactileScene::take(const Simulation& match) {
     cues_.clear();
     const bool followed = follower_.goes_on(match);
@@ -155,6 +173,7 @@ void TactileScene::take(const Simulation& match) {
     } else if (!paused) {
         feel_events(match);
         if (match.match().phase == Phase::playing) feel_own(match);
+        feel_sound(match.now());
     }
     follower_.look(match);
     for (auto& output : outputs_)

@@ -35,6 +35,11 @@ public:
     void set_used(std::size_t layout, bool used);
     void set_faders(std::size_t layout, const tactile::Faders& faders);
 
+    /// Whether a layout feels sounds, too. New ones do not.
+    void set_hears(std::size_t layout, bool hears) { outputs_[layout].hears = hears; }
+    /// Strengths of the sounds in the next frame, 0 to 1; all 0 for none.
+    void set_sound(const BandStrengths& strengths) { sound_ = strengths; }
+
     /// Makes the frames of the eight ticks that have passed. In a pause, and after a jump of the clock, all is still.
     void take(const Simulation& match);
     const tactile::TactileFrame& frame(std::size_t layout) const { return outputs_[layout].frame; }
@@ -46,6 +51,7 @@ private:
     void feel(const BodyCue& cue, Tick now);
     void feel_events(const Simulation& match);
     void feel_event(const Simulation& match, const Event& event);
+    void feel_sound(Tick now);
     void feel_own(const Simulation& match);
     void follow_arm(const Simulation& match, bool anew);
     void feel_steps(const Simulation& match, ecs::Entity wizard);
@@ -58,10 +64,14 @@ private:
         std::unique_ptr<tactile::TactileMixer> mixer;
         tactile::TactileFrame frame{};
         bool used = true;
+        bool hears{};
         bool has_arms{};  ///< some actuator sits on an arm or a shoulder
     };
     std::vector<Output> outputs_;
     std::vector<BodyCue> cues_{};  ///< of the last frame; never grows
+    BandStrengths sound_{};
+    std::array<bool, felt_bands> sounding_{};  ///< bands that play
+    Tick quiet_until_{};                       ///< Simulation::now from which sounds are felt again
     bool any_arms_{};
     double raised_{};  ///< angle of the wand's arm in the mixers, from hanging down forwards (rad)
 

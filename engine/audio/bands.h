@@ -1,0 +1,48 @@
+// audio/bands.h: how strong a sound is in a few bands of frequencies, every 8 ms. For those who feel it instead of
+// hearing it: motors on the body follow such a course, and are too slow to follow the samples.
+//
+// Each band is cut out by Butterworth filters of the fourth order, so its ends are 3 dB down, and an octave beyond them
+// 24 dB. The power is smoothed over a third of the longest period of the band and given as the amplitude of a sine of
+// that power. The course of a looping sound has no seam. Equal sounds give equal courses, bit for bit.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "audio/frame.h"
+#include "audio/sound.h"
+
+namespace thaum::audio {
+
+inline constexpr std::size_t most_bands = 4;
+
+struct Band {
+    double low_hz{};   ///< lower end, at least 10 (Hz)
+    double high_hz{};  ///< upper end, at most 1200 (Hz)
+};
+
+/// Amplitude of each band (0 to about 1). Bands beyond those asked for have 0.
+using BandLevels = std::array<float, most_bands>;
+
+/// The course of one sound.
+struct BandCourse {
+    std::vector<BandLevels>
+        levels{};      ///< one for each block of frame_samples samples, and a tail of a sound that ends
+    double samples{};  ///< length of the sound (samples)
+    bool loops{};
+    SoundGroup group{};
+    double near_m{}, reach_m{};  ///< as of the sound (m)
+
+    /// Levels at a time since the start (samples, >= 0); a sound that has ended has zeros.
+    BandLevels at(double sample) const;
+    /// Whether nothing is left at a time since the start (samples).
+    bool has_ended(double sample) const;
+};
+
+/// Courses of all sounds of a bank, by the number of the sound.
+std::vector<BandCourse> band_courses(const SoundBank& bank, std::span<const Band> bands);
+
+/// The course of one sound, for at most most_bands bands.
+BandCourse band_course(const Sound& sound, std::span<const Band> bands);
+
+}  // namespace thaum::audio
