@@ -1,6 +1,7 @@
 #include "input/osc_jacket.h"
 
 #include <netdb.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -59,6 +60,7 @@ public:
 
 private:
     bool send(const std::string& message);
+    void send_ping();
     void send_silence();
     void end();
 
@@ -86,9 +88,22 @@ Expected<void> OscJacket::open() {
         peer_size_ = one->ai_addrlen;
     }
     if (socket_ < 0) return fail(text("no socket: ", std::strerror(errno)));
+    send_ping();
     // Motors that an earlier program left on stop.
     silence();
     return {};
+}
+
+/// Tells the jacket where we are. Without a port of our own it is left out: the frames need no answer.
+void OscJacket::send_ping() {
+    sockaddr_storage own{};  // any address and port
+    own.ss_family = peer_.ss_family;
+    socklen_t size = peer_size_;
+    auto* const address = reinterpret_cast<sockaddr*>(&own);
+    if (::bind(socket_, address, size) != 0 || ::getsockname(socket_, address, &size) != 0) return;
+    const auto port = own.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&own)->sin6_port
+                                                : reinterpret_cast<const sockaddr_in*>(&own)->sin_port;
+    send(detail::osc_ping(ntohs(port)));
 }
 
 void OscJacket::write(const tactile::TactileFrame& frame, double now_s) {

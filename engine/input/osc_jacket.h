@@ -1,8 +1,9 @@
 // input/osc_jacket.h: a jacket that takes OSC messages by UDP, such as the Wi-Fi vests of the VRCH server.
 //
 // Each message is absolute: the strengths of all motors. One goes out when they have changed, and after half of the
-// frame's time to live. UDP loses messages, so the message of silence goes out several times. Nothing is read, and
-// nobody knows whether a jacket listens: a dead one costs only its small messages.
+// frame's time to live. UDP loses messages, so the message of silence goes out several times. At first, as by
+// the VRCH server, it gets "/ping" with our port, to which it may send heartbeats. Nothing is read, and nobody knows
+// whether a jacket listens: a dead one costs only its small messages.
 //
 // The jacket itself must stop its motors when messages stay out. The program cannot do it over a dead link.
 #pragma once

@@ -172,7 +172,7 @@ Expected<Layout> read_layout(const Config& file) {
 Expected<Layout> load_layout(const std::filesystem::path& path) {
     auto content = read_text_file(path, 1U << 16U);
     if (!content) return tl::unexpected(std::move(content.error()));
-    const auto file = Config::parse(*content, path.filename().string(), 1);
+    const auto file = Config::parse(*content, path.string(), 1);
     if (!file) return tl::unexpected(file.error());
     return read_layout(*file);
 }

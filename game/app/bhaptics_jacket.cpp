@@ -56,7 +56,7 @@ public:
 
     bool is_up() const { return up_; }
     bool is_idle() const { return request_.empty(); }
-    std::optional<std::int64_t> devices() const { return devices_; }
+    const std::optional<BhapticsReply>& reply() const { return newest_; }
 
 private:
     static int on_event(lws* socket, lws_callback_reasons reason, void*, void* data, std::size_t size);
@@ -75,8 +75,8 @@ private:
     Clock::time_point queued_{};
     bool pinged_ = false;  ///< a ping has no answer yet
     Clock::time_point pinged_at_{};
-    std::string reply_{};  ///< the part of a reply that has come
-    std::optional<std::int64_t> devices_{};
+    std::string reply_{};                    ///< the part of a reply that has come
+    std::optional<BhapticsReply> newest_{};  ///< the newest reply that tells of devices
 };
 
 bool PlayerLink::start_context() {
@@ -209,10 +209,13 @@ int PlayerLink::take_piece(const char* data, std::size_t size) {
     reply_.append(data, size);
     if (lws_remaining_packet_payload(socket_) > 0 || lws_is_final_fragment(socket_) == 0) return 0;
     // A message that is no reply does no harm.
-    if (const auto reply = read_bhaptics_reply(reply_); reply && reply->devices) devices_ = reply->devices;
+    if (const auto reply = read_bhaptics_reply(reply_); reply && (reply->devices || reply->vest))
+        newest_ = *reply;
     reply_.clear();
     return 0;
 }
+
+constexpr const char* no_vest = "the Player has no vest; switch it on and pair it";
 
 class BhapticsJacket final : public input::TactileOutput {
 public:
@@ -223,11 +226,12 @@ public:
     void write(const tactile::TactileFrame& frame, double now_s) override;
     void silence() override;
     bool is_connected() override;
+    std::string fault() override;
     void close() override { end(); }
     std::string name() const override { return text("bHaptics Player at ", input::words_of(address_)); }
 
 private:
-    bool has_vest() const { return link_->devices().value_or(1) > 0; }
+    bool has_vest() const { return link_->reply().value_or(BhapticsReply{}).may_have_vest(); }
     void end();
 
     const input::NetAddress address_;
@@ -245,11 +249,11 @@ Expected<void> BhapticsJacket::open() {
     }
     // Motors that an earlier program left on stop, and the reply tells of the vest. Not every Player replies.
     silence();
-    link_->serve_until([this] { return !link_->is_up() || link_->devices(); }, longest_first_reply);
+    link_->serve_until([this] { return !link_->is_up() || link_->reply(); }, longest_first_reply);
     if (link_->is_up() && has_vest()) return {};
     const bool up = link_->is_up();
     link_.reset();
-    return fail(up ? "the Player has no vest; switch it on and pair it" : "the Player closes the connection");
+    return fail(up ? no_vest : "the Player closes the connection");
 }
 
 void BhapticsJacket::write(const tactile::TactileFrame& frame, double now_s) {
@@ -272,6 +276,10 @@ bool BhapticsJacket::is_connected() {
     if (link_ == nullptr) return false;
     link_->serve();
     return link_->is_up() && has_vest();
+}
+
+std::string BhapticsJacket::fault() {
+    return link_ != nullptr && link_->is_up() && !has_vest() ? no_vest : "it is gone";
 }
 
 void BhapticsJacket::end() {

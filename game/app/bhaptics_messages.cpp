@@ -47,6 +47,15 @@ std::string part_of(const tactile::TactileFrame& frame, const Side& side) {
                 R"(","dotPoints":[)", dots, R"(],"pathPoints":[]}})");
 }
 
+/// True for a place that a vest has: its name, or its number.
+bool is_vest(const nlohmann::json& position) {
+    constexpr std::array<std::string_view, 3> names{"Vest", "VestFront", "VestBack"};
+    constexpr std::array<std::int64_t, 3> numbers{3, 201, 202};
+    if (position.is_string()) return std::count(names.begin(), names.end(), position.get<std::string>()) > 0;
+    return position.is_number_integer() &&
+           std::count(numbers.begin(), numbers.end(), position.get<std::int64_t>()) > 0;
+}
+
 }  // namespace
 
 std::string bhaptics_request(const tactile::TactileFrame& frame) {
@@ -61,6 +70,9 @@ Expected<BhapticsReply> read_bhaptics_reply(std::string_view json) {
     BhapticsReply read;
     const auto count = reply.find("ConnectedDeviceCount");
     if (count != reply.end() && count->is_number_integer()) read.devices = count->get<std::int64_t>();
+    const auto positions = reply.find("ConnectedPositions");
+    if (positions != reply.end() && positions->is_array())
+        read.vest = std::any_of(positions->begin(), positions->end(), is_vest);
     return read;
 }
 

@@ -23,7 +23,10 @@ std::string bhaptics_request(const tactile::TactileFrame& frame);
 
 /// The part of a reply that is used.
 struct BhapticsReply {
-    std::optional<std::int64_t> devices{};  ///< devices that the Player is connected to
+    std::optional<std::int64_t> devices{};  ///< number of devices that the Player is connected to
+    std::optional<bool> vest{};             ///< whether a vest is among them
+    /// Whether there is a vest, as far as the reply tells; it tells nothing of older Players' devices.
+    bool may_have_vest() const { return vest.value_or(devices.value_or(1) > 0); }
 };
 /// Reads a reply of at most most_reply_bytes. Unknown keys are ignored. The error says why it is none.
 Expected<BhapticsReply> read_bhaptics_reply(std::string_view json);

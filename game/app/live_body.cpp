@@ -8,8 +8,8 @@
 namespace thaum::app {
 namespace {
 
-/// Numbers of layouts in a scene, after the figure. That of the first jacket.
-constexpr std::size_t pad_frame = 1, first_jacket_frame = 2;
+/// Numbers of layouts in a scene.
+constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
 
 Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, std::string_view name) {
     return tactile::load_layout(assets / "tactile" / "layouts" / text(name, ".toml"));
@@ -112,6 +112,7 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     const bool pad = motors_.feels(player);
     const auto jacket = motors_.jacket_layout(player);
     take_faders(player);
+    scene.set_used(figure_frame, motors_.shows_figure(player));
     scene.set_used(pad_frame, pad);
     scene.set_sound(felt_sound_ && hears(player) ? felt_sound_->strengths(player, motors_.felt_sound(player))
                                                  : game::BandStrengths{});
@@ -134,7 +135,7 @@ void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {
         if (!scenes_.at(p)) continue;
         feel(p, match);
         game::add_body_words(*scenes_.at(p), *effects_, body_->effects, sound.told(), sound.words(p));
-        if (!scenes_.at(p)->frame(0).is_silent()) felt_at_.at(p) = now_;
+        if (!scenes_.at(p)->frame(figure_frame).is_silent()) felt_at_.at(p) = now_;
     }
 }
 
@@ -147,7 +148,7 @@ void MatchBody::show(game::Picture& picture) const {
     for (std::size_t p = 0; p < game::players; ++p) {
         if (!scenes_.at(p)) continue;
         auto& shown = picture.wizards.at(p);
-        const auto& amplitude = scenes_.at(p)->frame(0).amplitude;
+        const auto& amplitude = scenes_.at(p)->frame(figure_frame).amplitude;
         shown.felt.fill(0);
         if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
         shown.since_felt_s = felt_at_.at(p) == 0 ? 1e6 : seconds(now_ - std::min(now_, felt_at_.at(p)));

@@ -19,6 +19,7 @@ void LiveTactile::apply(const Settings& settings) {
         for (std::size_t i = 0; i < body.size(); ++i) seat.faders.at(i) = body.at(i);
         seat.sound = settings.players.at(p).jacket_sound;
         seat.sound_of = settings.players.at(p).jacket_sound_of;
+        seat.figure = settings.players.at(p).figure;
         use_jacket(p, settings.players.at(p).jacket);
     }
 }

@@ -57,6 +57,8 @@ public:
     /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at present; else
     /// empty, and frames need not be made.
     std::string_view jacket_layout(std::uint32_t player) const;
+    /// Whether a player's view shows the figure of the body.
+    bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
     /// Sounds that a player wants on the jacket.
     game::FeltSoundWish felt_sound(std::uint32_t player) const;
     /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is dropped: the
@@ -84,6 +86,7 @@ private:
         std::string jacket_words{};  ///< the setting
         Socket jacket{};
         std::atomic<Jacket::Layout> layout{};
+        std::atomic<bool> figure{};
         std::atomic<double> sound{};
         std::atomic<game::FeltGroups> sound_of{};
     };

@@ -75,6 +75,13 @@ TEST(BhapticsMessages, RepliesAreReadWithinBounds) {
     EXPECT_EQ(read_bhaptics_reply("{}")->devices, std::nullopt);
     EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedDeviceCount":"2"})")->devices, std::nullopt);
     EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedDeviceCount":1e99})")->devices, std::nullopt);
+    EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedPositions":["Head","VestBack"]})")->vest, true);
+    EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedPositions":[4,201]})")->vest, true);
+    EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedPositions":["Head",4,3.5,{},null]})")->vest, false);
+    EXPECT_EQ(read_bhaptics_reply(R"({"ConnectedPositions":"Vest"})")->vest, std::nullopt);
+    EXPECT_FALSE(
+        read_bhaptics_reply(R"({"ConnectedDeviceCount":1,"ConnectedPositions":[]})")->may_have_vest());
+    EXPECT_TRUE(read_bhaptics_reply(R"({"ConnectedDeviceCount":1})")->may_have_vest());
     for (const auto* words : {"", "[]", "7", "{", "null", "{\"a\":1}x", "\xFF"})
         EXPECT_FALSE(read_bhaptics_reply(words)) << words;
     EXPECT_FALSE(read_bhaptics_reply(std::string(most_reply_bytes, '[')));
@@ -135,6 +142,7 @@ TEST(BhapticsJacketThreads, APlayerThatIsNoneIsRefusedInOneLine) {
           {Manner::answers_404, "no bHaptics Player is there; start it"},
           {Manner::answers_noise, "no bHaptics Player is there; start it"},
           {Manner::replies_no_vest, "the Player has no vest; switch it on and pair it"},
+          {Manner::replies_head, "the Player has no vest; switch it on and pair it"},
           {Manner::hangs_up, "the Player closes the connection"}}) {
         const FakeBhaptics player(manner);
         const auto jacket = jacket_for(player);
@@ -155,6 +163,20 @@ TEST(BhapticsJacketThreads, APlayerThatIsNoneIsRefusedInOneLine) {
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().message, "no bHaptics Player is there; start it");
     EXPECT_FALSE(bhaptics_jacket({"no..host", 1})->open());
+}
+
+TEST(BhapticsJacketThreads, AVestThatIsSwitchedOffIsToldAndItsFramesAreNotPlayed) {
+    FakeBhaptics player(Manner::replies);
+    const auto jacket = jacket_for(player);
+    ASSERT_TRUE(jacket->open());
+    player.behave(Manner::replies_head);
+    for (float strength = 0.1F; jacket->is_connected(); strength = 1.1F - strength)
+        jacket->write(jacket_frame(40, {{0, strength}}), 1);
+    EXPECT_EQ(jacket->fault(), "the Player has no vest; switch it on and pair it");
+    jacket->close();
+    EXPECT_FALSE(jacket->open()) << "so no frame counts as felt";
+    player.behave(Manner::replies);
+    EXPECT_TRUE(jacket->open());
 }
 
 TEST(BhapticsJacketThreads, NonsenseAndPiecesDoNoHarm) {

@@ -20,6 +20,8 @@ constexpr unsigned char final_text = 0x81, first_text = 0x01, more = 0x00, final
 
 constexpr std::string_view one_device =
     R"({"ConnectedDeviceCount":1,"ActiveKeys":[],"ConnectedPositions":["Vest"],"RegisteredKeys":[],"Status":{}})";
+constexpr std::string_view head_device =
+    R"({"ConnectedDeviceCount":1,"ActiveKeys":[],"ConnectedPositions":["Head"],"RegisteredKeys":[],"Status":{}})";
 constexpr std::string_view no_device =
     R"({"ConnectedDeviceCount":0,"ActiveKeys":[],"ConnectedPositions":[],"RegisteredKeys":[],"Status":{}})";
 
@@ -201,6 +203,7 @@ bool FakeBhaptics::react(int peer, const std::string& request) {
     switch (manner_) {
         case Manner::replies: return write(peer, frame_of(final_text, one_device));
         case Manner::replies_no_vest: return write(peer, frame_of(final_text, no_device));
+        case Manner::replies_head: return write(peer, frame_of(final_text, head_device));
         case Manner::sends_pieces: return send_pieces(peer);
         case Manner::hangs_up: return false;
         default: return true;

@@ -17,6 +17,7 @@ namespace thaum::app::rig {
 enum class Manner : std::uint8_t {
     replies,          ///< answers each request, with one device
     replies_no_vest,  ///< answers each request, with no device
+    replies_head,     ///< answers each request, with a device for the head alone
     never_replies,    ///< takes requests and says nothing
     never_answers,    ///< takes the connection and says nothing
     answers_404,      ///< knows no WebSocket

@@ -19,6 +19,7 @@ struct Felt {
     bool present{true};    ///< false: it cannot be opened
     bool connected{true};  ///< false: it is gone
     bool hangs{};          ///< true: the next call of `write` or `open` does not return
+    bool wants_every{};    ///< it gets every frame that is not silent
     bool in_hang{};        ///< a call hangs
     int opened{}, closed{}, silenced{};
     bool on{};  ///< some actuator is on
@@ -72,6 +73,9 @@ public:
     }
     void close() override {
         felt_->with([this] { ++felt_->closed, felt_->on = false; });
+    }
+    bool wants_every_frame() const override {
+        return felt_->with([this] { return felt_->wants_every; });
     }
     std::string name() const override { return "fake"; }
 

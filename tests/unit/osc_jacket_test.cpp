@@ -34,6 +34,7 @@ TEST(OscMessage, HasTheBytesOfTheTraces) {
     EXPECT_EQ(detail::osc_message(some_frame(), 16), trace("osc_x16.hex"));
     EXPECT_EQ(detail::osc_message(jacket_frame(40, {{20, 0.25F}, {39, 0.75F}}), 40), trace("osc_x40.hex"));
     EXPECT_EQ(detail::osc_message({}, 16), silent());
+    EXPECT_EQ(detail::osc_ping(1500), trace("osc_ping.hex"));
 }
 
 TEST(OscMessage, AnyAmplitudesGiveALegalMessage) {
@@ -66,6 +67,8 @@ TEST(OscJacket, SendsAFrameWhenItChangedAndAfterHalfOfItsTime) {
     UdpReceiver receiver;
     const auto jacket = jacket_for(receiver);
     ASSERT_TRUE(jacket->open());
+    const auto ping = receiver.next();
+    EXPECT_EQ(ping, detail::osc_ping(receiver.sender_port())) << "first it tells where heartbeats may go";
     EXPECT_EQ(receiver.next(), silent()) << "motors that were left on stop at once";
     const auto frame = some_frame();
     for (const double now_s : {1.0, 1.008, 1.016, 1.04, 1.0499}) jacket->write(frame, now_s);

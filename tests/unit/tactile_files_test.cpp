@@ -173,5 +173,20 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
     EXPECT_EQ(faulty.error().message.find((folder / "rain.toml:").string()), 0U) << faulty.error().message;
 }
 
+TEST(TactileFiles, AFaultNamesTheFileWithItsFolder) {
+    const TemporaryFolder folder;
+    const auto layout = folder.path() / "vest.toml", effect = folder.path() / "hit.toml";
+    ASSERT_TRUE(write_text_file(layout, "version = 1\n"));
+    EXPECT_EQ(load_layout(layout).error().message.find(layout.string()), 0U);
+    ASSERT_TRUE(write_text_file(effect, "version = 1\n"));
+    std::filesystem::remove(layout);
+    EXPECT_EQ(load_effects(folder.path()).error().message.find(effect.string()), 0U);
+    ASSERT_TRUE(write_text_file(effect, shipped("effects/death.toml")));
+    const auto clip = folder.path() / "death.tact";
+    EXPECT_EQ(load_effects(folder.path()).error().message.find(clip.string()), 0U) << "it is missing";
+    ASSERT_TRUE(write_text_file(clip, "[]"));
+    EXPECT_EQ(load_effects(folder.path()).error().message.find(clip.string()), 0U) << "it is no clip";
+}
+
 }  // namespace
 }  // namespace thaum::tactile

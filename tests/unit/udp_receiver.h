@@ -39,10 +39,16 @@ public:
         pollfd state{socket_, POLLIN, 0};
         if (::poll(&state, 1, wait_ms) <= 0) return std::nullopt;
         std::array<char, 2048> bytes{};
-        const auto size = ::recv(socket_, bytes.data(), bytes.size(), 0);
+        sockaddr_in from{};
+        socklen_t from_size = sizeof from;
+        const auto size = ::recvfrom(socket_, bytes.data(), bytes.size(), 0,
+                                     reinterpret_cast<sockaddr*>(&from), &from_size);
         if (size < 0) return std::nullopt;
+        sender_port_ = ntohs(from.sin_port);
         return std::string(bytes.data(), static_cast<std::size_t>(size));
     }
+    /// Port from which the last message came.
+    std::uint16_t sender_port() const { return sender_port_; }
     /// Waits for a message. Returns false if it does not come in time.
     bool gets(const std::string& wanted) {
         for (int i = 0; i < 10'000; ++i) {
@@ -62,6 +68,7 @@ public:
 private:
     int socket_;
     std::uint16_t port_ = 0;
+    std::uint16_t sender_port_ = 0;
 };
 
 }  // namespace thaum::input::rig

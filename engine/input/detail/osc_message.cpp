@@ -37,4 +37,13 @@ std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors) 
     return message;
 }
 
+std::string osc_ping(std::uint16_t port) {
+    std::string message;
+    append_string(message, "/ping");
+    append_string(message, ",i");
+    for (const unsigned shift : {24U, 16U, 8U, 0U})
+        message += static_cast<char>(static_cast<std::uint32_t>(port) >> shift & 0xFFU);
+    return message;
+}
+
 }  // namespace thaum::input::detail

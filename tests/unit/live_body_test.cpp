@@ -1,0 +1,117 @@
+// What players of a session feel in a match: the figure, a jacket, and sounds on it, each only while it is wanted.
+#include "game/app/live_body.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "audio/synth.h"
+#include "unit/felt_output_rig.h"
+#include "unit/game_duel.h"
+
+namespace thaum::app {
+namespace {
+
+/// A session of two bots without loudspeakers, in which player 1 has a fake of a jacket.
+struct FeltDuel {
+    FeltDuel() {
+        auto bank = audio::load_sounds(game::test::assets() / "sounds");
+        auto mixer = audio::Mixer::create(bank.value(), {});
+        sound = std::make_unique<LiveSound>(std::move(*bank), std::move(mixer.value()),
+                                            std::make_unique<NoDevice>(), game::test::assets());
+        body = LiveBody::load(game::test::assets()).value();
+        settings.players[0].jacket = "osc:vest:1";
+        felt->wants_every = true;
+    }
+    void apply() {
+        sound->apply(settings);
+        tactile.apply(settings);
+        while (tactile.jacket_layout(0) != "x40") std::this_thread::yield();
+    }
+    /// Plays a match of some seconds. Returns the picture at its end.
+    game::Picture play(double seconds) {
+        auto duel = game::test::make_duel(1);
+        MatchBody match(body, tactile, sound.get());
+        const auto given = [&] { return tactile.jacket_report(0).frames_sent; };
+        const auto before = given();
+        for (Tick t = 0; t < ticks(seconds); ++t) {
+            duel.run(1);
+            match.follow(*duel.match);
+            // Frames wait in a queue of 32.
+            const auto wanted = before + t / tactile::frame_ticks;
+            while (t % 128 == 0 && given() + 8 < wanted) std::this_thread::yield();
+        }
+        while (given() < before + ticks(seconds) / tactile::frame_ticks) std::this_thread::yield();
+        auto picture = game::make_picture();
+        match.show(picture);
+        state = duel.match->state_hash();
+        return picture;
+    }
+    std::size_t frames() {
+        return felt->with([&] { return felt->frames.size(); });
+    }
+
+    class NoDevice final : public audio::SoundDevice {
+    public:
+        Expected<void> open() override { return fail("there is none"); }
+        std::size_t wanted() override { return 0; }
+        void write(std::span<const float>) override {}
+        bool is_connected() override { return false; }
+        void close() override {}
+    };
+
+    std::shared_ptr<input::rig::Felt> felt = std::make_shared<input::rig::Felt>();
+    std::unique_ptr<LiveSound> sound;
+    std::optional<LiveBody> body;
+    Settings settings;
+    LiveTactile tactile{[](const input::PadId&) { return nullptr; },
+                        [this](const Jacket& jacket, std::uint32_t) -> std::unique_ptr<input::TactileOutput> {
+                            if (jacket.link == Jacket::Link::none) return nullptr;
+                            return std::make_unique<input::rig::FakeOutput>(felt);
+                        }};
+    std::uint64_t state = 0;
+};
+
+TEST(LiveBodyThreads, SoundsReachAJacketWithoutLoudspeakersAndChangeNothing) {
+    FeltDuel duel;
+    duel.apply();
+    duel.play(3);
+    const auto plain = duel.frames();
+    const auto plain_state = duel.state;
+    EXPECT_EQ(duel.sound->felt_courses(), nullptr) << "nobody wants them";
+    duel.settings.players[0].jacket_sound = 1;
+    duel.settings.players[0].jacket_sound_of = game::FeltGroups::both;
+    duel.apply();
+    ASSERT_NE(duel.sound->felt_courses(), nullptr);
+    duel.play(3);
+    EXPECT_GT(duel.frames() - plain, plain + 150) << "the score is felt";
+    EXPECT_EQ(duel.state, plain_state);
+}
+
+TEST(LiveBodyThreads, ThePlayerWhoDoesNotWantSoundsFeelsNone) {
+    FeltDuel duel;
+    duel.settings.players[1].jacket_sound = 1;  // has no jacket
+    duel.apply();
+    duel.play(2);
+    const auto frames = duel.frames();
+    duel.settings.players[1].jacket_sound = 0;
+    duel.apply();
+    duel.play(2);
+    EXPECT_EQ(duel.frames(), 2 * frames);
+}
+
+TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
+    FeltDuel duel;
+    duel.settings.players[1].figure = false;
+    duel.apply();
+    bool seen = false;
+    for (const double seconds : {10.0, 20.0}) {
+        const auto picture = duel.play(seconds);
+        seen = seen || picture.wizards[0].since_felt_s < 100;
+        EXPECT_EQ(picture.wizards[1].since_felt_s, 1e6);
+    }
+    EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace thaum::app
