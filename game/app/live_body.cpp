@@ -89,20 +89,17 @@ void MatchBody::take_faders(std::uint32_t player) {
         scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
 }
 
-/// Whether a player feels sounds at present.
+/// Whether a player wants sounds on a jacket. One that is lost for a while finds them as if it had been there.
 bool MatchBody::hears(std::uint32_t player) const {
-    return motors_.felt_sound(player).strength > 0 && !motors_.jacket_layout(player).empty();
+    return motors_.felt_sound(player).strength > 0 && motors_.has_jacket(player);
 }
 
 /// Hears the match for the players who feel sounds. While nobody does, nothing is computed.
 void MatchBody::hear(const game::Simulation& match) {
     const auto* courses = sound_ != nullptr && (hears(0) || hears(1)) ? sound_->felt_courses() : nullptr;
     if (courses == nullptr) return felt_sound_.reset();
-    if (!felt_sound_) {
-        auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
-        if (!sounds) return;  // the loudspeakers have told it
-        felt_sound_.emplace(std::move(*sounds), *courses);
-    }
+    if (!felt_sound_)
+        felt_sound_.emplace(game::match_sounds(sound_->bank(), *match.data().presentation), *courses);
     felt_sound_->take(match);
 }
 

@@ -54,6 +54,8 @@ public:
     bool feels(std::uint32_t player) const;
     /// Passes a frame of the layout `pad`. Never waits. Without further frames the motors stop after its time to live.
     void feel(std::uint32_t player, const tactile::TactileFrame& frame);
+    /// Whether a player's settings name a jacket, open or not.
+    bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }
     /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at present; else
     /// empty, and frames need not be made.
     std::string_view jacket_layout(std::uint32_t player) const;

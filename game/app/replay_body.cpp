@@ -11,10 +11,8 @@ Expected<void> ReplayBody::add_sound(State& state, const game::MatchData& data,
     if (!bank) return tl::unexpected(bank.error());
     auto courses = load_felt_courses(*bank, assets);
     if (!courses) return tl::unexpected(courses.error());
-    auto sounds = game::match_sounds(*bank, *data.presentation);
-    if (!sounds) return tl::unexpected(sounds.error());
     state.courses.emplace(std::move(*courses));
-    state.sound.emplace(std::move(*sounds), *state.courses);
+    state.sound.emplace(game::match_sounds(*bank, *data.presentation), *state.courses);
     for (auto& scene : state.scenes) scene->set_hears(0, true);
     return {};
 }
@@ -39,7 +37,8 @@ Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::
 
 void ReplayBody::follow(const game::Simulation& match, std::string& rows) {
     if (match.now() % tactile::frame_ticks != 0) return;
-    if (state_->sound) state_->sound->take(match);
+    // No ticks have passed at the start, and a session hears its match from the first eight on.
+    if (state_->sound && match.now() != 0) state_->sound->take(match);
     for (std::uint32_t p = 0; p < game::players; ++p) {
         auto& scene = *state_->scenes.at(p);
         if (state_->sound) scene.set_sound(state_->sound->strengths(p, state_->wish));
