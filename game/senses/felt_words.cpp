@@ -80,7 +80,11 @@ void add_body_words(const TactileScene& scene, const MatchEffects& effects, cons
     for (const auto& cue : scene.cues()) {
         const auto& effect = bank.effects[cue.effect];
         if (effect.caption.empty() || is_told(cue)) continue;
-        lines.add({.words = effect.caption, .from = side_of(cue, effect), .important = effect.important});
+        const auto side = side_of(cue, effect);
+        lines.add({.words = effect.caption,
+                   .from = side,
+                   .important = effect.important,
+                   .own = side != HeardFrom::here});
     }
 }
 

@@ -1,5 +1,5 @@
 // game/senses/felt_words.h: what the hand and the body feel in words, beside the words of the sounds (game/sound/heard.h):
-// "weight pulls down", "brew pushes left", "bolt strikes, behind". What a sound tells by itself is not told twice.
+// "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by itself is not told twice.
 #pragma once
 #include <array>
 #include <span>

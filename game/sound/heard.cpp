@@ -43,6 +43,10 @@ HeardFrom side_of(const audio::Listener& listener, vec3 place) {
 
 std::string words_of(const HeardLine& line) {
     const auto side = static_cast<std::size_t>(line.from);
+    if (line.own) {
+        const auto from = hurt_from_words.at(side);
+        return text(line.words, from.empty() ? "" : " ", from);
+    }
     if (line.verb.empty()) {
         const auto from = heard_from_words.at(side);
         return from.empty() ? std::string(line.words) : text(line.words, ", ", from);
@@ -59,7 +63,8 @@ bool wants(HeardWish wish, const HeardLine& line) {
 
 void HeardLines::add(const HeardLine& line) {
     const auto same = [&](const HeardLine& l) {
-        return l.words == line.words && l.verb == line.verb && (!l.verb.empty() || l.from == line.from);
+        return l.words == line.words && l.verb == line.verb && l.own == line.own &&
+               (!l.verb.empty() || l.from == line.from);
     };
     const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(count_);
     if (const auto found = std::find_if(lines_.begin(), end, same); found != end) {
@@ -105,7 +110,8 @@ void HeardLines::follow(const audio::AudioFrame& frame, const audio::SoundBank& 
         const bool sided = !voice.at_ear || voice.sided;
         add({.words = sound.caption,
              .from = sided ? side_of(ears, voice.position) : HeardFrom::here,
-             .important = sound.important});
+             .important = sound.important,
+             .own = voice.sided});
     };
     for (const auto& voice : frame.lasts) take(voice);
     for (const auto& voice : frame.begins) take(voice);

@@ -21,6 +21,10 @@ enum class HeardFrom : std::uint8_t { here, ahead, right, behind, left, above, b
 inline constexpr std::array<std::string_view, 7> heard_from_words{"",     "ahead", "right", "behind",
                                                                   "left", "above", "below"};
 
+/// Words for the side from which the own body is hurt, by HeardFrom: "hit from behind". So nobody takes the foe's hit for
+/// an own one.
+inline constexpr std::array<std::string_view, 7> hurt_from_words{
+    "", "from ahead", "from the right", "from behind", "from the left", "from above", "from below"};
 /// Words for the side to which a force pushes the hand, by HeardFrom.
 inline constexpr std::array<std::string_view, 7> pushed_to_words{"",     "away", "right", "towards you",
                                                                  "left", "up",   "down"};
@@ -31,6 +35,7 @@ struct HeardLine {
     HeardFrom from{};        ///< side from which it comes, or to which a force pushes
     bool important{};
     double age_s{};           ///< time since it was last heard or felt
+    bool own{};               ///< it hurts or touches the own body
     std::string_view verb{};  ///< what a force does to the hand, such as "pulls"; empty: no force on the hand
 };
 

@@ -133,10 +133,10 @@ TEST(FeltWords, EachEventWithASoundOrAnEffectIsToldWhenItHappens) {
 // ---- hurts --------------------------------------------------------------------------------------------------
 
 TEST(FeltWords, TheOwnHitHasItsSideAndIsToldOnce) {
-    constexpr std::array<std::pair<vec3, const char*>, 4> places{{{{0, 0, -3}, "hit, ahead"},
-                                                                  {{0, 0, 3}, "hit, behind"},
-                                                                  {{3, 0, 0}, "hit, right"},
-                                                                  {{-3, 0, 0}, "hit, left"}}};
+    constexpr std::array<std::pair<vec3, const char*>, 4> places{{{{0, 0, -3}, "hit from ahead"},
+                                                                  {{0, 0, 3}, "hit from behind"},
+                                                                  {{3, 0, 0}, "hit from the right"},
+                                                                  {{-3, 0, 0}, "hit from the left"}}};
     for (const auto& [from, words] : places) {
         WordsRig rig;
         rig.turn(0);
@@ -160,7 +160,7 @@ TEST(FeltWords, WithoutASoundTheEffectTellsTheSide) {
     WordsRig rig(poor);
     rig.turn(0);
     rig.happen(hit_kind("bolt_hit"), rig.middle() + vec3(0, 0, 3));
-    EXPECT_EQ(rig.lines(), std::vector<std::string>{"bolt strikes, behind"});
+    EXPECT_EQ(rig.lines(), std::vector<std::string>{"bolt strikes from behind"});
 }
 
 // ---- forces -------------------------------------------------------------------------------------------------

@@ -253,7 +253,8 @@ Picture talkative() {
         p.force.arm = ArmCondition::felt;
         p.force.cause = haptics::SafetyCause::shut_off;
         p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
-        p.heard.fill({.words = "ingredient drops in", .from = HeardFrom::behind, .important = true});
+        p.heard.fill(
+            {.words = "surface of the brew", .from = HeardFrom::below, .important = true, .verb = "pushes"});
         p.felt.fill(0.5F);
         p.since_felt_s = 0;
         p.hurts = 1;

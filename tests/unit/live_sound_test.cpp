@@ -155,7 +155,7 @@ TEST(LiveSoundTest, WithoutSoundsTheHandAndTheBodyAreStillTold) {
     }
     EXPECT_EQ(told.count("wand kicks"), 1U);
     EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& line) {
-        return line.find("bolt strikes, ") == 0;
+        return line.find("bolt strikes from ") == 0;
     })) << "with its side";
 }
 
