@@ -266,8 +266,7 @@ std::pair<std::uint64_t, std::uint64_t> duel_felt(bool with_sound, std::size_t* 
     TactileScene scene(data.numbers, data.effects, 0);
     scene.set_hears(scene.add(data.jacket), true);
     auto sounds = match_sounds(*bank, *duel->match->data().presentation);
-    EXPECT_TRUE(sounds);
-    SoundScene heard(std::move(*sounds));
+    SoundScene heard(std::move(sounds));
     FeltSound felt(all);
     audio::AudioFrame frame;
     std::uint64_t hash = 0;

@@ -31,12 +31,13 @@ struct FeltDuel {
     /// Plays a match of some seconds. Returns the picture at its end.
     game::Picture play(double seconds) {
         auto duel = game::test::make_duel(1);
+        MatchSound words(nullptr);
         MatchBody match(body, tactile, sound.get());
         const auto given = [&] { return tactile.jacket_report(0).frames_sent; };
         const auto before = given();
         for (Tick t = 0; t < ticks(seconds); ++t) {
             duel.run(1);
-            match.follow(*duel.match);
+            match.follow(*duel.match, words);
             // Frames wait in a queue of 32.
             const auto wanted = before + t / tactile::frame_ticks;
             while (t % 128 == 0 && given() + 8 < wanted) std::this_thread::yield();

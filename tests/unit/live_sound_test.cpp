@@ -144,7 +144,7 @@ TEST(LiveSoundTest, WithoutSoundsTheHandAndTheBodyAreStillTold) {
     const auto body = std::optional(LiveBody::load(game::test::assets()).value());
     LiveTactile motors;
     MatchSound sound(nullptr);
-    MatchBody felt(body, motors);
+    MatchBody felt(body, motors, nullptr);
     std::set<std::string> told;
     for (Tick t = 0; t < ticks(20); ++t) {
         duel.run(1);
