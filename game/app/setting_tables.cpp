@@ -178,7 +178,7 @@ std::vector<PlayerSetting> felt_settings() {
         {"jacket_sound", "Sound on the jacket",
          "Plays sounds on a jacket: low ones at the belly, high above.",
          Number{&PlayerSettings::jacket_sound, 0, 1, 0.1, 100, " %"}, false, SettingPage::mixer},
-        {"jacket_sound_of", "Sounds on the jacket", "Says which sounds the jacket plays.",
+        {"jacket_sound_of", "Kind of jacket sounds", "Says which sounds the jacket plays.",
          felt_groups_setting(), false, SettingPage::mixer},
     };
 }
