@@ -123,7 +123,7 @@ std::vector<PlayerSetting> seen_and_aimed_settings() {
     return {
         {"captions", "Captions", "Tells in words what the hand feels, the brew does and gifts give.",
          Flag{&PlayerSettings::captions}},
-        {"heard", "Sounds in words", "Tells in words what is heard and felt, and from where.",
+        {"heard", "Heard and felt in words", "Tells in words what is heard and felt, and from where.",
          heard_setting()},
         {"figure", "Figure of the body", "Shows where a hit, a fall or the heart is felt.",
          Flag{&PlayerSettings::figure}},
