@@ -34,8 +34,8 @@ void add_text_in(render::Overlay& out, const Panel& box, std::string_view words,
                  render::Align align);
 
 /// Adds words like add_text_in, on a dark plate of their width, so that they are readable on a ground of their own colour.
-void add_text_on_plate(render::Overlay& out, const Panel& box, std::string_view words, float size, fvec4 paint,
-                       render::Align align);
+void add_text_on_plate(render::Overlay& out, const Panel& box, std::string_view words, float size,
+                       fvec4 paint, render::Align align);
 
 /// Adds fitted words on a dark plate of their width, in the middle of a box, with the top at `top`.
 void add_plate(render::Overlay& out, const Panel& box, float top, const FittedWords& words, fvec4 paint);
