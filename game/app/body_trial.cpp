@@ -29,7 +29,7 @@ bool BodyTrial::start(std::uint32_t player, tactile::Purpose purpose, const tact
     Playing next{.player = player, .began_ns = now_ns};
     next.figure = mixer_for(body_.figure, effect, faders);
     if (outputs_.feels(player)) next.motors = mixer_for(body_.pad, effect, faders);
-    if (const auto* layout = body_.layout_named(outputs_.jacket_layout(player)))
+    if (const auto* layout = body_.jacket_of(player, outputs_.jacket_layout(player)))
         next.jacket = mixer_for(*layout, effect, faders);
     playing_ = std::move(next);
     step(now_ns);

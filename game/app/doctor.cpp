@@ -225,11 +225,17 @@ Finding sound(const std::filesystem::path& assets) {
 }
 
 /// What a player's jacket says when it is opened. It is silent, and nothing is recorded.
-Finding jacket_of_player(const Settings& settings, std::uint32_t player) {
-    const auto& words = settings.players.at(player).jacket;
-    const auto jacket = parse_jacket(words).value_or(Jacket{});
+Finding jacket_of_player(const Settings& settings, std::uint32_t player,
+                         const std::filesystem::path& assets) {
+    const auto& own = settings.players.at(player);
+    const auto jacket = parse_jacket(own.jacket).value_or(Jacket{});
     const auto output = jacket_output(jacket, player);
     const auto whose = text("player ", player + 1, ": ", output->name());
+    if (!own.jacket_layout.empty()) {
+        if (const auto layout = load_own_layout(own.jacket_layout, jacket, assets); !layout)
+            return {"jacket", State::note, text(whose, ": ", layout.error().message),
+                    "it has its usual layout"};
+    }
     if (jacket.link == Jacket::Link::record) return {"jacket", State::good, whose, ""};
     if (const auto opened = output->open(); !opened)
         return {"jacket", State::note, text(whose, ": ", opened.error().message),
@@ -246,7 +252,7 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
     const auto file = settings_file();
     const auto read = std::filesystem::exists(file, ignored) ? load_settings(file, assets) : Settings{};
     for (std::uint32_t p = 0; read && p < game::players; ++p)
-        if (!read->players.at(p).jacket.empty()) findings.push_back(jacket_of_player(*read, p));
+        if (!read->players.at(p).jacket.empty()) findings.push_back(jacket_of_player(*read, p, assets));
     for (const auto& name : audio::sound_device_names())
         findings.push_back({"shakers", State::good,
                             text("could be on \"audio:", printable(name, most_of_name_shown), "\""), ""});

@@ -137,12 +137,13 @@ std::string audio_name(const Jacket& jacket) {
 }  // namespace
 
 std::string_view name_of(Jacket::Layout layout) {
-    constexpr std::array<std::string_view, 6> names{"", "x40", "x16", "speakers", "shakers8", "abstract_4x5"};
+    constexpr std::array<std::string_view, 7> names{"",         "x40",          "x16", "speakers",
+                                                    "shakers8", "abstract_4x5", "own"};
     return names.at(static_cast<std::size_t>(layout));
 }
 
 std::size_t motors_of(Jacket::Layout layout) {
-    constexpr std::array<std::size_t, 6> motors{0, 40, 16, 2, 8, 40};
+    constexpr std::array<std::size_t, 7> motors{0, 40, 16, 2, 8, 40, 0};
     return motors.at(static_cast<std::size_t>(layout));
 }
 
@@ -161,6 +162,22 @@ Expected<Jacket> parse_jacket(std::string_view words) {
         return Jacket{form.link, std::move(*address), form.layout};
     }
     return no_jacket(words, forms);
+}
+
+Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket& jacket,
+                                          const std::filesystem::path& assets) {
+    const bool is_path = words.find('/') != std::string::npos;
+    auto layout = tactile::load_layout(is_path ? std::filesystem::path(words)
+                                               : assets / "tactile" / "layouts" / (words + ".toml"));
+    if (!layout) return layout;
+    // The table of a recording has a column for each cell of the figure.
+    if (jacket.link == Jacket::Link::record)
+        return fail("'jacket_layout': a recording always has the cells of the figure");
+    const auto motors = motors_of(jacket.layout);
+    if (layout->actuators.size() > motors)
+        return fail(text("'jacket_layout': '", printable(words, most_words_shown), "' has ",
+                         layout->actuators.size(), " actuators, and the jacket ", motors, " motors"));
+    return layout;
 }
 
 bool is_same_device(const Jacket& a, const Jacket& b) {

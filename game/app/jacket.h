@@ -15,6 +15,7 @@
 // four hexadecimal digits each.
 #pragma once
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,12 +23,14 @@
 #include "core/error.h"
 #include "game/app/hid_jacket.h"
 #include "input/osc_jacket.h"
+#include "tactile/layout.h"
 
 namespace thaum::app {
 
 struct Jacket {
     enum class Link : std::uint8_t { none, osc, bhaptics, hid, audio, record };
-    enum class Layout : std::uint8_t { none, x40, x16, speakers, shakers8, figure };
+    /// `own`: a layout that the player has written (load_own_layout).
+    enum class Layout : std::uint8_t { none, x40, x16, speakers, shakers8, figure, own };
 
     Link link{};
     input::NetAddress address{};  ///< of osc and bhaptics
@@ -37,18 +40,24 @@ struct Jacket {
     bool operator==(const Jacket&) const = default;
 };
 
-/// All layouts but none, in the order of Layout.
+/// The usual layouts, in the order of Layout.
 inline constexpr std::array<Jacket::Layout, 5> jacket_layouts{
     Jacket::Layout::x40, Jacket::Layout::x16, Jacket::Layout::speakers, Jacket::Layout::shakers8,
     Jacket::Layout::figure};
 
-/// Name of a layout's file in assets/tactile/layouts, without its ending; empty for none.
+/// Name of a layout's file in assets/tactile/layouts, without its ending; empty for none, "own" for an own one.
 std::string_view name_of(Jacket::Layout layout);
-/// Number of motors of a layout.
+/// Number of motors of a usual layout; 0 for none and for an own one.
 std::size_t motors_of(Jacket::Layout layout);
 
 /// Reads the setting. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
+
+/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without ending, or any
+/// other file by its path. It may have fewer actuators than the jacket has motors; those that follow stay off. The error
+/// is one line, and then the jacket has its usual layout.
+Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket& jacket,
+                                          const std::filesystem::path& assets);
 
 /// Whether two jackets are one device, or one file.
 bool is_same_device(const Jacket& a, const Jacket& b);

@@ -1,5 +1,6 @@
 #include "game/app/jacket_settings.h"
 
+#include "core/one_line.h"
 #include "core/text.h"
 #include "game/app/jacket.h"
 
@@ -11,6 +12,12 @@ void read_jacket(const ConfigTable& table, PlayerSettings& player) {
         table.report("jacket", text("'jacket': ", jacket.error().message));
     else
         player.jacket = std::move(words);
+    auto layout = table.string("jacket_layout", player.jacket_layout);
+    constexpr std::size_t longest = 1000;  // bytes
+    if (layout.size() > longest || printable(layout, layout.size()) != layout)
+        table.report("jacket_layout", "'jacket_layout': write a layout's name, or the path of its file");
+    else
+        player.jacket_layout = std::move(layout);
 }
 
 void divide_jackets(const ConfigTable& root, Settings& s) {

@@ -126,6 +126,23 @@ Expected<LiveArms> open_arms_of(const LivePlan& plan) {
     return open_arms(plan.seats, plan.data->device);
 }
 
+/// Loads the layouts that players have written for their jackets. A fault is told, and then the usual one is used.
+void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
+    for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
+        const auto& player = plan.settings.players.at(p);
+        const auto jacket = parse_jacket(player.jacket);
+        if (player.jacket_layout.empty() || !jacket || jacket->link == Jacket::Link::none) continue;
+        auto layout = load_own_layout(player.jacket_layout, *jacket, plan.assets);
+        if (!layout) {
+            std::fprintf(stderr, "player %u: the jacket has its usual layout: %s\n", p + 1,
+                         layout.error().message.c_str());
+            continue;
+        }
+        shared.tactile.use_own_layout(p, layout->actuators.size());
+        shared.body->own.at(p) = std::move(*layout);
+    }
+}
+
 /// Loads what is felt on the body. A fault is told, and then nothing is felt.
 std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
     auto body = LiveBody::load(assets);
@@ -179,6 +196,7 @@ int run_live(const LivePlan& plan) {
     shared.arms = std::move(*arms);
     audio::prepare_openal();
     shared.body = load_body(plan.assets);
+    load_own_layouts(plan, shared);
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return refuse(drawing.error());

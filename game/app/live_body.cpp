@@ -39,10 +39,11 @@ Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     return body;
 }
 
-const tactile::Layout* LiveBody::layout_named(std::string_view name) const {
+const tactile::Layout* LiveBody::jacket_of(std::uint32_t player, std::string_view name) const {
     for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
         if (name == name_of(jacket_layouts.at(i))) return &jackets.at(i);
-    return nullptr;
+    const auto& written = own.at(player);
+    return written && name == name_of(Jacket::Layout::own) ? &*written : nullptr;
 }
 
 std::vector<tactile::Purpose> LiveBody::purposes() const {
@@ -71,6 +72,7 @@ void MatchBody::begin(const game::Simulation& match) {
         const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
         for (const auto& jacket : body_->jackets) scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket), true);
+        if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
         // The figure shows what comes from outside. The own shots would hide it.
         // The player's own faders are for motors.
         tactile::Faders shown;
@@ -85,7 +87,7 @@ void MatchBody::take_faders(std::uint32_t player) {
     if (faders_.at(player) == faders) return;
     faders_.at(player) = faders;
     scenes_.at(player)->set_faders(pad_frame, faders);
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
         scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
 }
 
@@ -103,6 +105,20 @@ void MatchBody::hear(const game::Simulation& match) {
     felt_sound_->take(match);
 }
 
+/// Number of the layouts of jackets in a player's scene: the usual ones, and after them the player's own.
+std::size_t MatchBody::jackets_of(std::uint32_t player) const {
+    return jacket_layouts.size() + (body_->own.at(player) ? 1 : 0);
+}
+
+namespace {
+
+/// Name of a layout by its number among those of jackets.
+std::string_view name_of_jacket(std::size_t number) {
+    return name_of(number < jacket_layouts.size() ? jacket_layouts.at(number) : Jacket::Layout::own);
+}
+
+}  // namespace
+
 /// Makes the frames of the player's outputs, and of no others, and passes them on.
 void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     auto& scene = *scenes_.at(player);
@@ -113,13 +129,12 @@ void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
     scene.set_used(pad_frame, pad);
     scene.set_sound(felt_sound_ && hears(player) ? felt_sound_->strengths(player, motors_.felt_sound(player))
                                                  : game::BandStrengths{});
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
-        scene.set_used(first_jacket_frame + i, jacket == name_of(jacket_layouts.at(i)));
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
+        scene.set_used(first_jacket_frame + i, jacket == name_of_jacket(i));
     scene.take(match);
     if (pad) motors_.feel(player, scene.frame(pad_frame));
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
-        if (jacket == name_of(jacket_layouts.at(i)))
-            motors_.feel_jacket(player, scene.frame(first_jacket_frame + i));
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
+        if (jacket == name_of_jacket(i)) motors_.feel_jacket(player, scene.frame(first_jacket_frame + i));
 }
 
 void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {

@@ -23,9 +23,12 @@ struct LiveBody {
     tactile::Layout pad;     ///< the two motors of a pad
     std::array<tactile::Layout, jacket_layouts.size()> jackets;  ///< in the order of jacket_layouts
 
+    /// Layouts that players have written for their jackets.
+    std::array<std::optional<tactile::Layout>, game::players> own{};
+
     static Expected<LiveBody> load(const std::filesystem::path& assets);
-    /// Layout of a jacket by its file's name; null for another name.
-    const tactile::Layout* layout_named(std::string_view name) const;
+    /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
+    const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
     /// Purposes that some effect has, in their order.
     std::vector<tactile::Purpose> purposes() const;
 };
@@ -53,6 +56,7 @@ private:
     void feel(std::uint32_t player, const game::Simulation& match);
 
     void take_faders(std::uint32_t player);
+    std::size_t jackets_of(std::uint32_t player) const;
 
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;

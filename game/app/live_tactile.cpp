@@ -47,7 +47,17 @@ void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {
     // Frames of the former layout do not reach the next jacket.
     seat.layout = Jacket::Layout::none;
     seat.jacket.use(make_jacket_(jacket, player));
-    seat.layout = jacket.layout;
+    seat.layout =
+        seat.own_motors > 0 && jacket.link != Jacket::Link::none ? Jacket::Layout::own : jacket.layout;
+}
+
+void LiveTactile::use_own_layout(std::uint32_t player, std::size_t motors) {
+    seats_.at(player).own_motors = motors;
+}
+
+std::size_t LiveTactile::motors_of_seat(const Seat& seat) {
+    const auto layout = seat.layout.load();
+    return layout == Jacket::Layout::own ? seat.own_motors : motors_of(layout);
 }
 
 void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
@@ -116,7 +126,7 @@ void LiveTactile::try_out(std::uint32_t player, const tactile::TactileFrame& fra
 
 void LiveTactile::try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame) {
     auto& seat = seats_.at(player);
-    if (seat.jacket.plays && frame.count == motors_of(seat.layout)) seat.jacket.player.load()->try_out(frame);
+    if (seat.jacket.plays && frame.count == motors_of_seat(seat)) seat.jacket.player.load()->try_out(frame);
 }
 
 std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {
@@ -131,7 +141,7 @@ game::FeltSoundWish LiveTactile::felt_sound(std::uint32_t player) const {
 
 void LiveTactile::feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame) {
     auto& seat = seats_.at(player);
-    if (seat.jacket.plays && frame.count == motors_of(seat.layout)) seat.jacket.player.load()->feel(frame);
+    if (seat.jacket.plays && frame.count == motors_of_seat(seat)) seat.jacket.player.load()->feel(frame);
 }
 
 }  // namespace thaum::app

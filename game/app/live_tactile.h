@@ -31,6 +31,10 @@ public:
     /// Tests pass makers of fakes.
     explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
 
+    // The main thread, before the first match.
+    /// The player's jacket has an own layout with so many actuators.
+    void use_own_layout(std::uint32_t player, std::size_t motors);
+
     // The main thread. All may be called during a match.
     /// Takes the strength of motors, and connects other jackets than before.
     void apply(const Settings& settings);
@@ -88,11 +92,13 @@ private:
         std::string jacket_words{};  ///< the setting
         Socket jacket{};
         std::atomic<Jacket::Layout> layout{};
+        std::size_t own_motors{};  ///< actuators of the player's own layout; 0: there is none
         std::atomic<bool> figure{};
         std::atomic<double> sound{};
         std::atomic<game::FeltGroups> sound_of{};
     };
     void use_jacket(std::uint32_t player, const std::string& words);
+    static std::size_t motors_of_seat(const Seat& seat);
 
     MakeOutput make_;
     MakeJacket make_jacket_;

@@ -64,7 +64,9 @@ struct PlayerSettings {
     game::PromptWish prompts{};  ///< when the screen says which control does what
     double jacket_sound = 0;     ///< strength of sounds on the jacket (0 to 1); 0: none
     game::FeltGroups jacket_sound_of = game::FeltGroups::music;  ///< sounds that the jacket plays
-    std::string jacket{};    ///< the player's jacket (jacket.h); empty: none
+    std::string jacket{};  ///< the player's jacket (jacket.h); empty: none
+    std::string
+        jacket_layout{};     ///< the jacket's own layout (load_own_layout); empty: the usual one of its kind
     tactile::Faders body{};  ///< strengths of the effects on jacket and motors, one fader for each purpose
 
     bool operator==(const PlayerSettings&) const = default;

@@ -15,6 +15,7 @@ constexpr std::size_t max_edited_file = 1U << 20U;
 void add_player(std::string_view table, const PlayerSettings& player, std::vector<SettingEdit>& values) {
     values.push_back({std::string(table), "name", in_quotes(player.name)});
     values.push_back({std::string(table), "jacket", in_quotes(player.jacket)});
+    values.push_back({std::string(table), "jacket_layout", in_quotes(player.jacket_layout)});
     for (const auto& setting : player_settings())
         values.push_back({std::string(table), std::string(setting.key), written(setting, player)});
 }

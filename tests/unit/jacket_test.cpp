@@ -110,6 +110,30 @@ TEST(Jacket, EachLayoutIsAShippedFileWithItsMotors) {
     EXPECT_EQ(motors_of(Layout::none), 0U);
 }
 
+TEST(Jacket, AnOwnLayoutIsAFileWithNoMoreActuatorsThanTheJacketHasMotors) {
+    const std::filesystem::path assets = THAUM_SOURCE_DIR "/assets";
+    const auto load = [&](const char* jacket, const std::string& words) {
+        return load_own_layout(words, parse_jacket(jacket).value(), assets);
+    };
+    for (const auto* jacket : {"osc:vest:1", "hid:1209:c0de", "bhaptics"}) {
+        EXPECT_EQ(load(jacket, "sleeves").value().name, "suit with sleeves") << jacket;
+        EXPECT_TRUE(load(jacket, (assets / "tactile/layouts/x16.toml").string()));
+    }
+    const auto fault = [&](const char* jacket, const std::string& words) {
+        const auto read = load(jacket, words);
+        EXPECT_FALSE(read) << jacket;
+        return read ? std::string() : read.error().message;
+    };
+    EXPECT_NE(fault("osc16:vest:1", "x40").find("has 40 actuators, and the jacket 16 motors"),
+              std::string::npos);
+    EXPECT_NE(fault("audio8", "sleeves").find("8 motors"), std::string::npos);
+    EXPECT_NE(fault("record:a.csv", "sleeves").find("the figure"), std::string::npos);
+    EXPECT_NE(fault("bhaptics", "nowhere").find("nowhere.toml"), std::string::npos);
+    EXPECT_NE(fault("bhaptics", "/").size(), 0U);
+    EXPECT_NE(fault("bhaptics", (assets / "settings.toml").string()).find("settings.toml"),
+              std::string::npos);
+}
+
 std::string fault_of(const std::string& file) {
     const auto read = read_settings(file, "settings.toml");
     return read && read->fault ? read->fault->message : "";

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "audio/synth.h"
+#include "game/app/body_trial.h"
 #include "unit/felt_output_rig.h"
 #include "unit/game_duel.h"
 
@@ -23,10 +24,10 @@ struct FeltDuel {
         settings.players[0].jacket = "osc:vest:1";
         felt->wants_every = true;
     }
-    void apply() {
+    void apply(std::string_view layout = "x40") {
         sound->apply(settings);
         tactile.apply(settings);
-        while (tactile.jacket_layout(0) != "x40") std::this_thread::yield();
+        while (tactile.jacket_layout(0) != layout) std::this_thread::yield();
     }
     /// Plays a match of some seconds. Returns the picture at its end.
     game::Picture play(double seconds) {
@@ -99,6 +100,34 @@ TEST(LiveBodyThreads, ThePlayerWhoDoesNotWantSoundsFeelsNone) {
     duel.apply();
     duel.play(2);
     EXPECT_EQ(duel.frames(), 2 * frames);
+}
+
+TEST(LiveBodyThreads, AnOwnLayoutTakesThePlaceOfTheUsualOne) {
+    FeltDuel duel;
+    const auto jacket = parse_jacket(duel.settings.players[0].jacket).value();
+    auto layout = load_own_layout("sleeves", jacket, game::test::assets());
+    ASSERT_TRUE(layout) << layout.error().message;
+    const auto motors = layout->actuators.size();
+    duel.tactile.use_own_layout(0, motors);
+    duel.body->own[0] = std::move(*layout);
+    duel.apply("own");
+    duel.play(20);
+    ASSERT_GT(duel.frames(), 0U);
+    float most = 0;
+    duel.felt->with([&] {
+        for (const auto& frame : duel.felt->frames) {
+            EXPECT_EQ(frame.count, motors);
+            for (const auto amplitude : frame.amplitude) most = std::max(most, amplitude);
+        }
+        return 0;
+    });
+    EXPECT_GT(most, 0) << "the duel is felt";
+    duel.felt->with([&] { return duel.felt->wants_every = false; });  // as a real jacket
+    BodyTrial trial(*duel.body, duel.tactile);
+    const auto before = duel.frames();
+    ASSERT_TRUE(trial.start(0, tactile::Purpose::blast, {}, 0));
+    duel.felt->wait([&] { return duel.felt->frames.size() > before; });
+    EXPECT_EQ(duel.felt->with([&] { return duel.felt->frames.back().count; }), motors);
 }
 
 TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
