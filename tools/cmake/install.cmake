@@ -6,7 +6,7 @@ set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
 # ---- the engine ------------------------------------------------------------------------------------------------
 
 # render needs a window system's libraries and audio needs OpenAL, so each is a package component of its own.
-set(libraries core ecs field physics fluid haptics tactile input)
+set(libraries core ecs field physics fluid haptics tactile gesture input)
 list(TRANSFORM libraries PREPEND thaum_ OUTPUT_VARIABLE targets)
 install(TARGETS thaum_arithmetic ${targets} EXPORT ThaumTargets COMPONENT engine)
 install(TARGETS thaum_render EXPORT ThaumRenderTargets COMPONENT engine)

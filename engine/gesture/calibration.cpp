@@ -1,0 +1,94 @@
+#include "gesture/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/maths.h"
+
+namespace thaum::gesture {
+namespace {
+
+constexpr double least_distance = 1e-4;
+constexpr double most_margin = 2;
+constexpr std::size_t unknowns = 4;
+constexpr int newton_steps = 30;
+/// Penalty on the squares of the weights, against infinite weights for evidence that a plane separates.
+constexpr double ridge = 0.05;
+
+using Vector = std::array<double, unknowns>;
+using Matrix = std::array<Vector, unknowns>;
+
+Vector terms_of(const Evidence& e) { return {1, e.distance, e.margin, e.usual}; }
+
+double logistic(double x) { return 1 / (1 + det::exp(-std::clamp(x, -40.0, 40.0))); }
+
+double product(const Vector& a, const Vector& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < unknowns; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/// Solves a symmetric positive definite system by elimination without exchanges.
+Vector solved(Matrix m, Vector right) {
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        for (std::size_t k = i + 1; k < unknowns; ++k) {
+            const double factor = m[k][i] / m[i][i];
+            for (std::size_t c = i; c < unknowns; ++c) m[k][c] -= factor * m[i][c];
+            right[k] -= factor * right[i];
+        }
+    }
+    for (std::size_t i = unknowns; i-- > 0;) {
+        for (std::size_t c = i + 1; c < unknowns; ++c) right[i] -= m[i][c] * right[c];
+        right[i] /= m[i][i];
+    }
+    return right;
+}
+
+/// Newton's step of the penalised likelihood.
+Vector step_of(std::span<const LabelledEvidence> samples, const Vector& weights) {
+    Matrix curvature{};
+    Vector slope{};
+    for (std::size_t i = 0; i < unknowns; ++i) {
+        const double penalty = i == 0 ? 1e-6 : ridge;
+        curvature[i][i] = penalty;
+        slope[i] = -penalty * weights[i];
+    }
+    for (const auto& s : samples) {
+        const auto x = terms_of(s.evidence);
+        const double p = logistic(product(weights, x));
+        const double error = s.weight * ((s.meant ? 1.0 : 0.0) - p), width = s.weight * (p * (1 - p) + 1e-9);
+        for (std::size_t i = 0; i < unknowns; ++i) {
+            slope[i] += error * x[i];
+            for (std::size_t k = 0; k < unknowns; ++k) curvature[i][k] += width * x[i] * x[k];
+        }
+    }
+    return solved(curvature, slope);
+}
+
+}  // namespace
+
+Evidence evidence_of(float distance, float runner_up, float usual) {
+    const double near = std::max(static_cast<double>(distance), least_distance);
+    const double other = std::max(static_cast<double>(runner_up), near);
+    return {det::log(near), std::min(det::log(other / near), most_margin),
+            det::log(std::max(static_cast<double>(usual), least_distance))};
+}
+
+double Calibration::probability(const Evidence& evidence) const {
+    return logistic(product(weights, terms_of(evidence)));
+}
+
+std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples) {
+    Vector weights{};
+    for (int i = 0; i < newton_steps; ++i) {
+        auto step = step_of(samples, weights);
+        double size = 0;
+        for (const double s : step) size = std::max(size, std::abs(s));
+        const double by = size > 4 ? 4 / size : 1;  // keeps the first steps from overshooting
+        for (std::size_t k = 0; k < unknowns; ++k) weights[k] += by * step[k];
+    }
+    return weights;
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,41 @@
+// gesture/calibration.h: how distances become a probability and an acceptance.
+//
+// The evidence of a recognition is three numbers: the logarithm of the distance, the logarithm of the ratio of the
+// runner-up's distance to it (at most 2), and the logarithm of the usual distance of the gesture. The probability
+// that the stroke was meant is a logistic function of them (Platt 1999), whose weights are fitted to labelled strokes
+// by Newton's method. Labelled strokes are synthetic at recording time (variations.h), or real where there are some.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+namespace thaum::gesture {
+
+struct Evidence {
+    double distance{};  ///< natural logarithm of the nearest gesture's distance
+    double margin{};    ///< natural logarithm of the ratio of the runner-up's distance to it, 0 to 2
+    double usual{};     ///< natural logarithm of the usual distance of strokes of this gesture
+};
+
+/// Evidence of two distances, >= 0. `usual` is a distance > 0.
+Evidence evidence_of(float distance, float runner_up, float usual);
+
+struct LabelledEvidence {
+    Evidence evidence;
+    bool meant{};  ///< true if the stroke was meant as the nearest gesture
+    double weight = 1;
+};
+
+struct Calibration {
+    /// Weights of 1, distance, margin and usual distance.
+    std::array<double, 4> weights{};
+    std::vector<float> usual;      ///< usual distance of each gesture
+    std::vector<float> threshold;  ///< distance from which on a stroke is not the gesture
+
+    double probability(const Evidence& evidence) const;
+};
+
+/// Fits the weights. With evidence of one kind alone, the result is the weights whose probability is near that kind.
+std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples);
+
+}  // namespace thaum::gesture

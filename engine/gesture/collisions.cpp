@@ -1,0 +1,69 @@
+#include "gesture/collisions.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "gesture/variations.h"
+
+namespace thaum::gesture {
+namespace {
+
+constexpr std::size_t variations = 100;  // of each gesture
+
+using Shares = std::vector<std::vector<double>>;
+
+/// Share of the variations of each gesture that is taken for each other one.
+Shares confusion_of(const Recogniser& recogniser, std::span<const Gesture> gestures, RecogniserSpace& space) {
+    Shares shares(gestures.size(), std::vector<double>(gestures.size()));
+    for (std::size_t g = 0; g < gestures.size(); ++g) {
+        Random random = random_stream(recogniser.settings().seed, 0xc0 + g);
+        for (std::size_t v = 0; v < variations; ++v) {
+            const auto& strokes = gestures[g].strokes;
+            const auto r = recogniser.recognise(variation_of(strokes[v % strokes.size()], random), space);
+            if (r.gesture != Recognition::none) shares[g][r.gesture] += 1.0 / variations;
+        }
+    }
+    return shares;
+}
+
+/// Distance of the nearest template of `from` to the gesture `to` alone.
+Expected<double> distance_between(const Gesture& from, const Gesture& to, const RecogniserSettings& settings,
+                                  RecogniserSpace& space) {
+    auto alone = settings;
+    alone.calibrate = false;
+    const auto recogniser = Recogniser::make(std::span(&to, 1), alone);
+    if (!recogniser) return tl::unexpected(recogniser.error());
+    double least = 1;
+    for (const auto& stroke : from.strokes) {
+        const auto r = recogniser->recognise(stroke, space);
+        if (r.gesture != Recognition::none) least = std::min(least, static_cast<double>(r.distance));
+    }
+    return least;
+}
+
+}  // namespace
+
+Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
+                                             const RecogniserSettings& settings) {
+    const auto recogniser = Recogniser::make(gestures, settings);
+    if (!recogniser) return tl::unexpected(recogniser.error());
+    RecogniserSpace space;
+    const auto shares = confusion_of(*recogniser, gestures, space);
+    const auto& usual = recogniser->calibration().usual;
+    std::vector<Pair> pairs;
+    for (std::uint32_t a = 0; a < gestures.size(); ++a) {
+        for (std::uint32_t b = a + 1; b < gestures.size(); ++b) {
+            const auto there = distance_between(gestures[a], gestures[b], settings, space),
+                       back = distance_between(gestures[b], gestures[a], settings, space);
+            if (!there) return tl::unexpected(there.error());
+            if (!back) return tl::unexpected(back.error());
+            const double width = static_cast<double>(std::max(usual[a], usual[b]));
+            pairs.push_back({a, b, shares[a][b], shares[b][a], std::min(*there, *back) / width});
+        }
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& p, const Pair& q) { return p.separation < q.separation; });
+    return pairs;
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,115 @@
+#include "gesture/elastic.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace thaum::gesture {
+namespace {
+
+using Floats8 = float __attribute__((vector_size(32)));
+
+constexpr float far = 1e30F;  // more than any sum of costs
+
+inline Floats8 smaller(Floats8 a, Floats8 b) { return a < b ? a : b; }
+
+inline Floats8 load8(const float* from) {
+    Floats8 v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/// One stroke for all lanes, or eight strokes in the layout of EightShapes.
+struct OneStroke {
+    const float* values;
+    Floats8 at(std::size_t place) const { return values[place] + Floats8{}; }
+};
+struct EightStrokes {
+    const float* values;
+    Floats8 at(std::size_t place) const { return load8(values + place * lanes); }
+};
+
+template <std::size_t channels, class Strokes>
+void warp8(Strokes stroke, const float* eight, float* result) {
+    const Floats8 infinite = far + Floats8{};
+    std::array<Floats8, shape_points + 2> rows[2];
+    rows[0].fill(infinite);
+    rows[1].fill(infinite);
+    rows[0][0] = Floats8{};
+    for (std::size_t i = 1; i <= shape_points; ++i) {
+        std::array<Floats8, channels> p;
+        for (std::size_t c = 0; c < channels; ++c) p[c] = stroke.at((i - 1) * channels + c);
+        auto& row = rows[i % 2];
+        const auto& above = rows[(i + 1) % 2];
+        const std::size_t low = i > warp_band ? i - warp_band : 1,
+                          high = std::min(shape_points, i + warp_band);
+        row[low - 1] = infinite;
+        row[high + 1] = infinite;
+        for (std::size_t j = low; j <= high; ++j) {
+            const float* q = eight + (j - 1) * channels * lanes;
+            Floats8 s{};
+            for (std::size_t c = 0; c < channels; ++c) {
+                const Floats8 d = p[c] - load8(q + c * lanes);
+                s += d * d;
+            }
+            row[j] = s / (1 + robustness * s) + smaller(above[j - 1], smaller(above[j], row[j - 1]));
+        }
+        rows[0][0] = infinite;
+    }
+    const Floats8 sum = rows[shape_points % 2][shape_points] / static_cast<float>(shape_points);
+    std::memcpy(result, &sum, sizeof sum);
+}
+
+}  // namespace
+
+void set_lane(EightShapes& eight, std::size_t k, std::size_t channels, const float* values) {
+    float* to = &eight.values[k];
+    for (std::size_t i = 0; i < shape_points * channels; ++i) to[i * lanes] = values[i];
+}
+
+std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight) {
+    std::array<float, lanes> result{};
+    if (stroke.channels == planar_channels) {
+        warp8<planar_channels>(OneStroke{stroke.values.data()}, eight.values.data(), result.data());
+    } else {
+        warp8<solid_channels>(OneStroke{stroke.values.data()}, eight.values.data(), result.data());
+    }
+    return result;
+}
+
+std::array<float, lanes> elastic_distances(const EightShapes& strokes, const EightShapes& eight,
+                                           std::size_t channels) {
+    std::array<float, lanes> result{};
+    if (channels == planar_channels) {
+        warp8<planar_channels>(EightStrokes{strokes.values.data()}, eight.values.data(), result.data());
+    } else {
+        warp8<solid_channels>(EightStrokes{strokes.values.data()}, eight.values.data(), result.data());
+    }
+    return result;
+}
+
+float elastic_distance(const Shape& a, const Shape& b) {
+    std::array<float, shape_points + 2> rows[2];
+    rows[0].fill(far);
+    rows[1].fill(far);
+    rows[0][0] = 0;
+    for (std::size_t i = 1; i <= shape_points; ++i) {
+        auto& row = rows[i % 2];
+        const auto& above = rows[(i + 1) % 2];
+        const std::size_t low = i > warp_band ? i - warp_band : 1,
+                          high = std::min(shape_points, i + warp_band);
+        row[low - 1] = far;
+        row[high + 1] = far;
+        for (std::size_t j = low; j <= high; ++j) {
+            float s = 0;
+            for (std::size_t c = 0; c < a.channels; ++c) {
+                const float d = a.values[(i - 1) * a.channels + c] - b.values[(j - 1) * a.channels + c];
+                s += d * d;
+            }
+            row[j] = s / (1 + robustness * s) + std::min(above[j - 1], std::min(above[j], row[j - 1]));
+        }
+        rows[0][0] = far;
+    }
+    return rows[shape_points % 2][shape_points] / static_cast<float>(shape_points);
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,99 @@
+// gesture/evaluation.h: how often a method is right on strokes of a data set, and how well it knows that.
+//
+// Protocols:
+//   user_dependent   templates are K random strokes of each gesture of a user; that user's other strokes are tested
+//   leave_user_out   templates are K random strokes of each gesture of the other users; all strokes of the user are
+//   tested
+//   random           templates are K random strokes of each gesture; all others are tested
+//
+// Each is repeated with other random templates. In an open set, a random share of the gestures has no templates:
+// strokes of these are tested too, and the right answer is "nothing".
+//
+// Probabilities and thresholds for the strokes of one group are fitted to the strokes of the other groups. A group is
+// a user; where the data have one user, the strokes with odd numbers and those with even numbers are two groups.
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/random.h"
+#include "gesture/methods.h"
+
+namespace thaum::gesture {
+
+enum class Protocol : std::uint8_t { user_dependent, leave_user_out, random };
+
+std::optional<Protocol> protocol_of(std::string_view name);
+
+struct EvaluationSettings {
+    Method method = Method::standard;
+    Protocol protocol = Protocol::leave_user_out;
+    std::size_t templates = 1;  ///< of each gesture
+    std::size_t repeats = 10;
+    Channels channels{};
+    double unknown_share = 0;  ///< share of gestures without templates, 0 to less than 1
+    std::uint64_t seed = 1;
+    bool own_calibration = false;  ///< true to keep the probability of the method itself, for templates alone
+};
+
+/// One tested stroke.
+struct Trial {
+    std::uint32_t truth{};   ///< gesture of the stroke
+    std::uint32_t answer{};  ///< nearest gesture; 0xffffffff: no shape
+    bool known{};            ///< true if the gesture had templates
+    std::uint32_t group{};
+    Evidence evidence{};
+    double probability{};  ///< that the stroke was meant as `answer`
+
+    bool right() const { return known && answer == truth; }
+};
+
+struct ReliabilityBin {
+    std::size_t count{};
+    double confidence{};  ///< mean probability
+    double right{};       ///< share of right answers
+};
+
+struct OpenSet {
+    double
+        correct_accepts{};  ///< share of known strokes that are accepted as what they are, at the chosen thresholds
+    double false_accepts{};  ///< share of unknown strokes that are accepted, at the chosen thresholds
+    double
+        best_correct_accepts{};  ///< correct accepts if the threshold gives 1 % false accepts of the tested strokes
+};
+
+struct Evaluation {
+    std::vector<std::string> gestures;
+    std::vector<Trial> trials;
+    double accuracy{};  ///< share of the strokes of known gestures whose nearest gesture is right
+    std::vector<std::vector<std::size_t>>
+        confusion;  ///< [truth][answer]; the last column is for strokes without a shape
+    std::array<ReliabilityBin, 10> reliability{};
+    double
+        calibration_error{};  ///< expected calibration error: mean |confidence - right| weighted by the bins
+    std::optional<OpenSet> open_set;
+};
+
+/// The gestures of a data set in the order of their names, each with all its strokes' numbers.
+struct GestureIndex {
+    std::vector<std::string> gestures, users;
+    std::vector<std::uint32_t> gesture_of, user_of;  ///< of each stroke
+};
+GestureIndex index_of(std::span<const Stroke> strokes);
+
+/// Templates of one fold.
+std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,
+                                 std::span<const std::vector<std::size_t>> templates);
+
+/// Random templates of one fold: numbers of strokes for each gesture. `user` is the user of the fold; not used by the
+/// protocol `random`.
+std::vector<std::vector<std::size_t>> draw_templates(const GestureIndex& index, Protocol protocol,
+                                                     std::uint32_t user, std::size_t count, Random& random);
+
+/// The error names what the data lack: users for leave_user_out, or strokes for so many templates.
+Expected<Evaluation> evaluate(std::span<const Stroke> strokes, const EvaluationSettings& settings);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,39 @@
+// gesture/gesture.h: a gesture as a designer records it: a name, one to three strokes, and how strokes may differ.
+#pragma once
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "gesture/stroke.h"
+
+namespace thaum::gesture {
+
+inline constexpr std::size_t most_gestures = 256;
+inline constexpr std::size_t most_templates =
+    1024;  ///< of all gestures together, copies drawn backwards included
+inline constexpr std::size_t most_template_points = 100'000;  ///< points of one recorded stroke
+
+/// Rules for strokes of one gesture.
+struct GestureOptions {
+    /// True if the stroke must be drawn in the recorded direction. False if it may also be drawn backwards.
+    bool direction_sensitive = true;
+    double rotation = 0;         ///< largest turn about the z axis against the template (rad), 0 to pi
+    double smallest_scale = 0;   ///< least size of a stroke, as a multiple of the template's
+    double largest_scale = 1e9;  ///< largest size of a stroke, as a multiple of the template's
+    bool closed = false;         ///< true if the stroke is a closed curve that may start anywhere
+    bool planar = false;         ///< true if z does not count
+    double gentle_below =
+        0;  ///< mean force below which a stroke is gentle (unit of the device); 0: 0.6 of the templates'
+    double harsh_above = 0;  ///< mean force above which a stroke is harsh; 0: 1.6 of the templates'
+
+    bool operator==(const GestureOptions&) const = default;
+};
+
+struct Gesture {
+    std::string name;
+    GestureOptions options;
+    std::vector<std::vector<StrokePoint>> strokes;
+};
+
+}  // namespace thaum::gesture

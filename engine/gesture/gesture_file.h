@@ -1,0 +1,36 @@
+// gesture/gesture_file.h: gestures as TOML files, one gesture a file.
+//
+//     version = 1
+//     name = "circle"
+//     [options]                      all optional, see GestureOptions
+//     closed = true
+//     rotation_degrees = 20
+//     [[stroke]]                     one for each recorded stroke
+//     t = [0, 0.01, ...]             s
+//     x = [...]                      any unit, the same in all files
+//     y = [...]
+//     z = [...]                      optional
+//     force = [...]                  optional
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "core/config.h"
+#include "gesture/gesture.h"
+
+namespace thaum::gesture {
+
+inline constexpr std::int64_t gesture_file_version = 1;
+inline constexpr std::size_t most_gesture_bytes = std::size_t{16} << 20U;
+
+/// The error names file, line and fault, such as columns of different lengths.
+Expected<Gesture> read_gesture(const Config& config);
+Expected<Gesture> load_gesture(const std::filesystem::path& path);
+
+/// Text that reads back to the same gesture, bit for bit.
+std::string to_file(const Gesture& gesture);
+
+/// Words as a string of TOML, in quotes.
+std::string toml_string(std::string_view words);
+
+}  // namespace thaum::gesture

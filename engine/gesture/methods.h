@@ -1,0 +1,43 @@
+// gesture/methods.h: all recognisers of this folder behind one interface, to compare them.
+#pragma once
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/error.h"
+#include "gesture/calibration.h"
+#include "gesture/gesture.h"
+
+namespace thaum::gesture {
+
+/// dot: paper 000. tdnn: paper 002. directions: the network of paper 000. elastic: every template compared elastically.
+/// standard: the recogniser of the game.
+enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard };
+
+std::span<const std::string_view> method_names();
+std::optional<Method> method_of(std::string_view name);
+
+struct Answer {
+    std::uint32_t gesture = 0xffffffff;  ///< 0xffffffff for a stroke without a shape
+    Evidence evidence{};
+    double probability{};  ///< as the method itself says, 0 to 1; methods without a calibration say 1
+};
+
+class Classifier {
+public:
+    virtual ~Classifier() = default;
+    virtual Answer classify(Points stroke) = 0;
+};
+
+struct MethodSettings {
+    Channels channels{};
+    std::uint64_t seed = 1;
+    bool calibrate = false;  ///< true for the calibration of the method itself with synthetic strokes
+};
+
+/// Makes a classifier from recorded strokes. The error names the gesture and the fault.
+Expected<std::unique_ptr<Classifier>> make_classifier(Method method, std::span<const Gesture> gestures,
+                                                      const MethodSettings& settings);
+
+}  // namespace thaum::gesture

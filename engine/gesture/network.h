@@ -1,0 +1,68 @@
+// gesture/network.h: a network of one hidden layer, trained by back-propagation (Rumelhart, Hinton, Williams 1986).
+//
+//     hidden = tanh(W1 input + b1)        output = tanh(W2 hidden + b2)
+//
+// Targets are 1 for the right output and -1 for the others. Training goes down the slope of the sum of squared
+// errors, one sample at a time in an order drawn from the seed, with momentum. tanh is computed from core/maths, and
+// sums have a fixed order, so equal seeds give equal weights on every processor.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "core/error.h"
+
+namespace thaum::gesture {
+
+inline constexpr std::size_t most_nodes = 512;  ///< of each layer
+
+/// Hyperbolic tangent with the same bits on every processor; the error is below 1e-15.
+double det_tanh(double x);
+
+struct Network {
+    std::size_t inputs{}, hidden{}, outputs{};
+    std::vector<double> first;   ///< hidden rows of `inputs` weights and a bias
+    std::vector<double> second;  ///< output rows of `hidden` weights and a bias
+
+    bool operator==(const Network&) const = default;
+};
+
+struct TrainingSample {
+    std::vector<double> input;
+    std::size_t output{};  ///< number of the right output
+};
+
+struct TrainingSettings {
+    std::uint64_t seed = 1;
+    std::size_t epochs = 60;
+    double rate = 0.005;  ///< step down the slope, in the first epoch; falls to a tenth in the last
+    double momentum = 0.8;
+    double enough = 1e-3;  ///< mean squared error of an epoch at which training ends early
+};
+
+struct Training {
+    Network network;
+    std::size_t epochs{};  ///< epochs run
+    double error{};        ///< mean squared error of the last epoch
+};
+
+/// A network with small random weights.
+Network random_network(std::size_t inputs, std::size_t hidden, std::size_t outputs, std::uint64_t seed);
+
+/// Computes the outputs. Allocates nothing: `hidden` and `output` have the sizes of the layers.
+void run_network(const Network& network, std::span<const double> input, std::span<double> hidden,
+                 std::span<double> output);
+
+/// Slope of half the sum of squared errors of one sample by each weight, in the layout of `first` and `second`.
+void add_slope(const Network& network, const TrainingSample& sample, std::vector<double>& first,
+               std::vector<double>& second);
+
+Training train(Network network, std::span<const TrainingSample> samples, const TrainingSettings& settings);
+
+/// Text of a network as TOML tables; numbers read back to the same bits.
+std::string to_toml(const Network& network);
+/// Reads the keys that to_toml writes. Faults are reported to the table.
+Network read_network(const ConfigTable& table);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,244 @@
+#include "gesture/recogniser.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace thaum::gesture {
+namespace {
+
+using Floats8 = float __attribute__((vector_size(32)));
+
+constexpr float second_weight = 0.5F;  // of the second nearest template of a gesture
+
+/// Dot product of two arrays whose length is a multiple of eight.
+float dot(const float* a, const float* b, std::size_t count) {
+    Floats8 even{}, odd{};
+    std::size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        Floats8 x, y, u, v;
+        std::memcpy(&x, a + i, sizeof x);
+        std::memcpy(&y, b + i, sizeof y);
+        std::memcpy(&u, a + i + 8, sizeof u);
+        std::memcpy(&v, b + i + 8, sizeof v);
+        even += x * y;
+        odd += u * v;
+    }
+    for (; i < count; i += 8) {
+        Floats8 x, y;
+        std::memcpy(&x, a + i, sizeof x);
+        std::memcpy(&y, b + i, sizeof y);
+        even += x * y;
+    }
+    const Floats8 sum = even + odd;
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+static_assert(shape_points * planar_channels % 8 == 0 && shape_points * solid_channels % 8 == 0);
+
+/// Channels whose x and y turn with the stroke: first channel of each pair.
+std::span<const std::size_t> turning_pairs(std::size_t channels) {
+    static constexpr std::array<std::size_t, 2> planar{0, 2};
+    static constexpr std::array<std::size_t, 3> solid{0, 3, 6};
+    if (channels == planar_channels) return planar;
+    return solid;
+}
+
+/// Parts of the dot product after a turn of the stroke by an angle a: fixed + cosine part cos a + sine part sin a.
+struct TurnedProduct {
+    float fixed{}, cosine{}, sine{};
+};
+
+TurnedProduct turned_product(const float* stroke, const float* t, std::size_t channels) {
+    TurnedProduct sum;
+    sum.fixed = dot(stroke, t, shape_points * channels);
+    for (const auto pair : turning_pairs(channels)) {
+        for (std::size_t i = 0; i < shape_points; ++i) {
+            const float *q = stroke + i * channels + pair, *r = t + i * channels + pair;
+            sum.cosine += q[0] * r[0] + q[1] * r[1];
+            sum.sine += q[0] * r[1] - q[1] * r[0];
+        }
+    }
+    sum.fixed -= sum.cosine;
+    return sum;
+}
+
+}  // namespace
+
+RecogniserSpace::RecogniserSpace() { survivors_.resize(most_templates + 1); }
+
+Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) const {
+    Survivor best{.score = -1e30F};
+    const std::size_t shifts = t.closed ? shape_points : 1;
+    for (std::size_t s = 0; s < shifts; ++s) {
+        const float* values = &values_[t.values + s * t.channels];
+        Survivor now{.shift = static_cast<std::uint32_t>(s)};
+        if (t.turns) {
+            const auto product = turned_product(shape.values.data(), values, t.channels);
+            const float length = std::sqrt(product.cosine * product.cosine + product.sine * product.sine);
+            now.cosine = length > 0 ? product.cosine / length : 1;
+            now.sine = length > 0 ? product.sine / length : 0;
+            if (now.cosine < t.cosine) {
+                now.cosine = t.cosine;
+                now.sine = now.sine < 0 ? -t.sine : t.sine;
+            }
+            now.score = product.fixed + product.cosine * now.cosine + product.sine * now.sine;
+        } else {
+            now.score = dot(shape.values.data(), values, shape_points * t.channels);
+        }
+        if (now.score > best.score) best = now;
+    }
+    return best;
+}
+
+std::size_t Recogniser::verified_at_most() const {
+    if (settings_.exhaustive) return most_templates;
+    const std::size_t groups = (templates_.size() + 31) / 32;
+    return lanes * std::clamp<std::size_t>(groups, 1, 6);
+}
+
+/// Keeps the templates with the largest dot products, best first.
+void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t most,
+                        RecogniserSpace& space) const {
+    auto& list = space.survivors_;
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < templates_.size(); ++k) {
+        const auto& t = templates_[k];
+        if (t.channels != shape.channels || t.gesture == limits.left_out) continue;
+        if (shape.size < t.smallest * t.size || shape.size > t.largest * t.size) continue;
+        if (limits.length_range > 0 &&
+            (shape.length > t.length * limits.length_range || shape.length * limits.length_range < t.length))
+            continue;
+        auto one = score(shape, t);
+        one.place = k;
+        if (count == most && !(one.score > list[count - 1].score)) continue;
+        std::size_t at = count < most ? count++ : count - 1;
+        for (; at > 0 && one.score > list[at - 1].score; --at) list[at] = list[at - 1];
+        list[at] = one;
+    }
+    space.survivor_count_ = count;
+}
+
+/// Values of a template as the elastic distance needs them: from its chosen start, and turned towards the stroke.
+const float* Recogniser::lane_values(const Survivor& survivor, RecogniserSpace& space) const {
+    const auto& t = templates_[survivor.place];
+    const float* values = &values_[t.values + survivor.shift * t.channels];
+    if (!t.turns) return values;
+    std::copy(values, values + shape_points * t.channels, space.turned_.begin());
+    for (const auto pair : turning_pairs(t.channels)) {
+        for (std::size_t i = 0; i < shape_points; ++i) {
+            float* v = &space.turned_[i * t.channels + pair];
+            const float x = v[0], y = v[1];
+            v[0] = survivor.cosine * x + survivor.sine * y;
+            v[1] = survivor.cosine * y - survivor.sine * x;
+        }
+    }
+    return space.turned_.data();
+}
+
+/// Elastic distances of the survivors; keeps the two nearest templates of each gesture.
+void Recogniser::verify(const Shape& shape, RecogniserSpace& space) const {
+    for (std::size_t first = 0; first < space.survivor_count_; first += lanes) {
+        const std::size_t count = std::min(lanes, space.survivor_count_ - first);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const auto& survivor = space.survivors_[first + std::min(k, count - 1)];
+            set_lane(space.eight_, k, shape.channels, lane_values(survivor, space));
+        }
+        const auto distances = elastic_distances(shape, space.eight_);
+        for (std::size_t k = 0; k < count; ++k)
+            note(distances[k], templates_[space.survivors_[first + k].place], space);
+    }
+}
+
+/// Keeps the distances of the two nearest recorded strokes of the template's gesture.
+void Recogniser::note(float distance, const Template& t, RecogniserSpace& space) const {
+    auto& near = space.nearest_[t.gesture];
+    if (near.count == 0) {
+        near = {distance, distance, t.stroke, 1};
+    } else if (t.stroke == near.stroke) {
+        near.first = std::min(near.first, distance);
+    } else if (distance < near.first) {
+        near = {distance, near.first, t.stroke, 2};
+    } else {
+        near.second = near.count == 1 ? distance : std::min(near.second, distance);
+        near.count = 2;
+    }
+}
+
+Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& space) const {
+    float farthest = 0;
+    for (std::size_t g = 0; g < gestures(); ++g) {
+        const auto& near = space.nearest_[g];
+        if (near.count > 0) farthest = std::max({farthest, near.first, near.count > 1 ? near.second : 0});
+    }
+    Recognition r;
+    for (std::uint32_t g = 0; g < gestures(); ++g) {
+        const auto& near = space.nearest_[g];
+        if (near.count == 0) continue;
+        // A gesture of several strokes of which one alone was compared: the others are at least so far.
+        const bool several = strokes_of_[g] > 1;
+        const float second = near.count > 1 ? near.second : several ? farthest : near.first;
+        const float d = (near.first + second_weight * second) / (1 + second_weight);
+        if (r.gesture == Recognition::none || d < r.distance) {
+            r.runner_up = r.gesture;
+            r.runner_up_distance = r.distance;
+            r.gesture = g;
+            r.distance = d;
+        } else if (r.runner_up == Recognition::none || d < r.runner_up_distance) {
+            r.runner_up = g;
+            r.runner_up_distance = d;
+        }
+    }
+    if (r.gesture == Recognition::none) return r;
+    r.probability = calibration_.probability(evidence_of(r));
+    r.accepted =
+        r.distance <= calibration_.threshold[r.gesture] && r.probability >= settings_.least_probability;
+    r.mean_force = static_cast<double>(shape.force);
+    r.force = force_class(r.gesture, r.mean_force);
+    r.start = static_cast<double>(shape.start_t);
+    r.end = static_cast<double>(shape.end_t);
+    return r;
+}
+
+Evidence Recogniser::evidence_of(const Recognition& r) const {
+    const float other = r.runner_up == Recognition::none ? 1e9F : r.runner_up_distance;
+    return gesture::evidence_of(r.distance, other, calibration_.usual[r.gesture]);
+}
+
+double Recogniser::probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
+                                  float runner_up_distance) const {
+    const float other = has_runner_up ? runner_up_distance : 1e9F;
+    return calibration_.probability(gesture::evidence_of(distance, other, calibration_.usual[gesture]));
+}
+
+ForceClass Recogniser::force_class(std::uint32_t gesture, double mean_force) const {
+    const auto& o = options_[gesture];
+    if (mean_force < o.gentle_below) return ForceClass::gentle;
+    return mean_force > o.harsh_above ? ForceClass::harsh : ForceClass::normal;
+}
+
+Recognition Recogniser::decide(const Shape* solid, const Shape* flat, const Limits& limits,
+                               RecogniserSpace& space) const {
+    std::fill_n(space.nearest_.begin(), gestures(), RecogniserSpace::Nearest{});
+    for (const Shape* shape : {solid, flat}) {
+        if (shape == nullptr) continue;
+        choose(*shape, limits, verified_at_most(), space);
+        verify(*shape, space);
+    }
+    return result_of(solid != nullptr ? *solid : *flat, space);
+}
+
+Recognition Recogniser::recognise(Points stroke, RecogniserSpace& space) const {
+    return recognise_without(stroke, Recognition::none, space);
+}
+
+Recognition Recogniser::recognise_without(Points stroke, std::uint32_t left_out,
+                                          RecogniserSpace& space) const {
+    const Channels solid{true, settings_.channels.force}, flat{false, settings_.channels.force};
+    if (needs_solid_ && !make_shape(stroke, solid, space.points_, space.solid_)) return {};
+    const bool flat_made = needs_flat_ && make_shape(stroke, flat, space.points_, space.planar_);
+    if (!needs_solid_ && !flat_made) return {};
+    return decide(needs_solid_ ? &space.solid_ : nullptr, flat_made ? &space.planar_ : nullptr,
+                  {.left_out = left_out}, space);
+}
+
+}  // namespace thaum::gesture

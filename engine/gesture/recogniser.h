@@ -1,0 +1,164 @@
+// gesture/recogniser.h: tells which gesture a stroke is, how sure that is, and how forceful it was.
+//
+//     stroke -> shape -> dot product with every template -> elastic distance to the best 8 to 48
+//            -> distance of each gesture -> probability, runner-up, acceptance
+//
+// There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section 8, here of
+// positions, directions and force) takes some nanoseconds a template and leaves few for the elastic distance, which
+// decides. The distance of a gesture is that of its nearest template and, with half the weight, of the second nearest.
+//
+// Variations. A stroke of a closed gesture may start anywhere: the dot product chooses the start among the points of
+// the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot product. A gesture
+// that is not sensitive to direction has its templates drawn backwards as well.
+//
+// Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and equal input
+// gives equal bits in every thread and on every processor.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/error.h"
+#include "gesture/calibration.h"
+#include "gesture/elastic.h"
+#include "gesture/gesture.h"
+
+namespace thaum::gesture {
+
+enum class ForceClass : std::uint8_t { gentle, normal, harsh };
+
+struct Recognition {
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    std::uint32_t gesture = none;    ///< nearest gesture; none for a stroke without a shape
+    std::uint32_t runner_up = none;  ///< nearest other gesture; none if no other was compared
+    float distance{};                ///< elastic distance of the nearest gesture
+    float runner_up_distance{};
+    double probability{};  ///< probability that the stroke was meant as `gesture`, 0 to 1
+    bool accepted{};       ///< false: nothing was meant
+    ForceClass force = ForceClass::normal;
+    double mean_force{};  ///< mean force along the path (unit of the device)
+    double start{};       ///< time of the first point that counts, after the stroke's first point (s)
+    double end{};         ///< time of the last point that counts, after the stroke's first point (s)
+};
+
+struct RecogniserSettings {
+    Channels channels{};
+    /// True to compare every template elastically. Slower, for tests of the choice by dot product.
+    bool exhaustive = false;
+    double least_probability = 0.5;  ///< probability from which on a stroke is accepted
+    std::uint64_t seed = 1;          ///< seed of the synthetic strokes that set the thresholds
+    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open.
+    bool calibrate = true;
+};
+
+/// Working memory of one thread.
+class RecogniserSpace {
+public:
+    RecogniserSpace();
+
+private:
+    friend class Recogniser;
+    friend class Spotter;
+    struct Survivor {
+        float score{};
+        std::uint32_t place{};  ///< template
+        std::uint32_t shift{};  ///< first point of a closed template
+        float cosine = 1, sine = 0;
+    };
+    struct Nearest {
+        float first{}, second{};  ///< of two different recorded strokes
+        std::uint32_t stroke{};   ///< recorded stroke of `first`
+        std::uint32_t count{};    ///< recorded strokes that were compared, 2 for more
+    };
+    ShapeSpace points_;
+    Shape solid_, planar_;
+    EightShapes eight_, strokes_;
+    std::array<float, shape_points * most_channels> turned_{};
+    std::vector<Survivor> survivors_;
+    std::array<Nearest, most_gestures> nearest_{};
+    std::size_t survivor_count_{};
+};
+
+class Recogniser {
+public:
+    /// Prepares the templates and calibrates with synthetic strokes. The error names the gesture and the fault:
+    /// no stroke, a stroke without a shape, or too many.
+    static Expected<Recogniser> make(std::span<const Gesture> gestures,
+                                     const RecogniserSettings& settings = {});
+
+    std::size_t gestures() const { return names_.size(); }
+    const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
+    std::size_t templates() const { return templates_.size(); }
+    const RecogniserSettings& settings() const { return settings_; }
+    const Calibration& calibration() const { return calibration_; }
+    void set_calibration(Calibration calibration) { calibration_ = std::move(calibration); }
+
+    Recognition recognise(Points stroke, RecogniserSpace& space) const;
+    /// As recognise, for a recogniser without the gesture `left_out`, to see how a stroke that means nothing to
+    /// it is taken.
+    Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
+
+    /// Evidence of a recognition of this recogniser, for a calibration with labelled strokes.
+    Evidence evidence_of(const Recognition& recognition) const;
+
+    /// Probability of two distances as this recogniser is calibrated.
+    double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
+                          float runner_up_distance) const;
+    ForceClass force_class(std::uint32_t gesture, double mean_force) const;
+
+    /// True if some gesture counts z, or does not.
+    bool needs_solid() const { return needs_solid_; }
+    bool needs_flat() const { return needs_flat_; }
+    /// Least and largest arc length of the templates (unit of the strokes).
+    float shortest() const { return shortest_; }
+    float longest() const { return longest_; }
+
+private:
+    friend class Spotter;
+    struct Template {
+        std::uint32_t gesture{};
+        std::uint32_t stroke{};  ///< number of the recorded stroke; a copy drawn backwards has the same
+        std::uint32_t channels{};
+        std::size_t values{};  ///< place of the values; those of a closed gesture stand there twice
+        float size{}, length{};
+        float self{};  ///< dot product with itself
+        bool closed{};
+        bool turns{};                 ///< true with a tolerance of rotation
+        float cosine{}, sine{};       ///< of the tolerance
+        float smallest{}, largest{};  ///< range of scale
+    };
+    using Survivor = RecogniserSpace::Survivor;
+
+    struct Limits {
+        std::uint32_t left_out = Recognition::none;
+        float length_range = 0;  ///< 0: every length
+    };
+
+    Expected<void> add(const Gesture& gesture, RecogniserSpace& space);
+    bool add_template(Points stroke, std::uint32_t number, std::uint32_t stroke_number,
+                      RecogniserSpace& space);
+    void calibrate(std::span<const Gesture> gestures, RecogniserSpace& space);
+    Recognition decide(const Shape* solid, const Shape* flat, const Limits& limits,
+                       RecogniserSpace& space) const;
+    void choose(const Shape& shape, const Limits& limits, std::size_t most, RecogniserSpace& space) const;
+    void verify(const Shape& shape, RecogniserSpace& space) const;
+    void note(float distance, const Template& t, RecogniserSpace& space) const;
+    const float* lane_values(const Survivor& survivor, RecogniserSpace& space) const;
+    Survivor score(const Shape& shape, const Template& t) const;
+    Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
+    std::size_t verified_at_most() const;
+
+    RecogniserSettings settings_;
+    std::vector<std::string> names_;
+    std::vector<GestureOptions> options_;    ///< with the force bands filled in
+    std::vector<std::uint32_t> strokes_of_;  ///< number of recorded strokes of each gesture
+    std::vector<double> template_force_;     ///< mean force of the templates of each gesture
+    std::vector<Template> templates_;
+    std::vector<float> values_;
+    Calibration calibration_;
+    bool needs_solid_{}, needs_flat_{};
+    float shortest_{}, longest_{};
+};
+
+}  // namespace thaum::gesture

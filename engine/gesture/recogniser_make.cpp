@@ -1,0 +1,147 @@
+// Construction of a recogniser: templates, bands of force, and the calibration with synthetic strokes.
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "gesture/recogniser.h"
+#include "gesture/variations.h"
+
+namespace thaum::gesture {
+namespace {
+
+constexpr std::size_t variations_of_each = 24;
+constexpr std::size_t least_scribbles = 300, most_scribbles = 1200;
+constexpr double gentle_share = 0.6, harsh_share = 1.6;  // of the templates' force
+constexpr float open_threshold = 1e9F;
+
+std::vector<StrokePoint> backwards(Points stroke) {
+    std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
+    for (auto& p : result) p.t = stroke.back().t - p.t;
+    return result;
+}
+
+float quantile(std::vector<float> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const auto last = static_cast<double>(values.size() - 1);
+    return values[static_cast<std::size_t>(std::floor(share * last + 0.5))];
+}
+
+}  // namespace
+
+bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t stroke_number,
+                              RecogniserSpace& space) {
+    const auto& options = options_[number];
+    const Channels channels{settings_.channels.depth && !options.planar, settings_.channels.force};
+    Shape shape;
+    if (!make_shape(stroke, channels, space.points_, shape)) return false;
+    Template t{.gesture = number,
+               .stroke = stroke_number,
+               .channels = static_cast<std::uint32_t>(shape.channels),
+               .values = values_.size()};
+    t.size = shape.size;
+    t.length = shape.length;
+    for (const float v : shape.values) t.self += v * v;
+    t.closed = options.closed;
+    t.turns = options.rotation > 0;
+    t.cosine = static_cast<float>(det::cos(options.rotation));
+    t.sine = static_cast<float>(det::sin(options.rotation));
+    t.smallest = static_cast<float>(options.smallest_scale);
+    t.largest = static_cast<float>(options.largest_scale);
+    const auto count = static_cast<std::ptrdiff_t>(shape_points * shape.channels);
+    for (int copies = 0; copies < (options.closed ? 2 : 1); ++copies)
+        values_.insert(values_.end(), shape.values.begin(), shape.values.begin() + count);
+    shortest_ = templates_.empty() ? t.length : std::min(shortest_, t.length);
+    longest_ = std::max(longest_, t.length);
+    (shape.channels == solid_channels ? needs_solid_ : needs_flat_) = true;
+    template_force_[number] += static_cast<double>(shape.force);
+    templates_.push_back(t);
+    return true;
+}
+
+Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
+    const auto number = static_cast<std::uint32_t>(names_.size());
+    names_.push_back(gesture.name);
+    options_.push_back(gesture.options);
+    template_force_.push_back(0);
+    strokes_of_.push_back(static_cast<std::uint32_t>(gesture.strokes.size()));
+    if (gesture.strokes.empty()) return fail(text("gesture '", gesture.name, "' has no stroke; record one"));
+    for (std::size_t i = 0; i < gesture.strokes.size(); ++i) {
+        const auto& stroke = gesture.strokes[i];
+        const auto k = static_cast<std::uint32_t>(i);
+        bool made = add_template(stroke, number, k, space);
+        if (made && !gesture.options.direction_sensitive)
+            made = add_template(backwards(stroke), number, k, space);
+        if (!made)
+            return fail(
+                text("gesture '", gesture.name, "': stroke ", i + 1,
+                     " has no shape: it needs two different points and finite numbers; record it again"));
+        if (templates_.size() > most_templates)
+            return fail(text("more than ", most_templates, " templates; use fewer strokes of each gesture"));
+    }
+    const std::size_t copies = gesture.options.direction_sensitive ? 1 : 2;
+    template_force_[number] /= static_cast<double>(copies * gesture.strokes.size());
+    auto& o = options_[number];
+    if (!(o.gentle_below > 0)) o.gentle_below = gentle_share * template_force_[number];
+    if (!(o.harsh_above > 0)) o.harsh_above = harsh_share * template_force_[number];
+    return {};
+}
+
+/// Strokes that other users might draw, and strokes that mean nothing, recognised with open thresholds.
+void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& space) {
+    Random random = random_stream(settings_.seed, 0x9e57);
+    std::vector<std::vector<float>> meant(names_.size()), not_meant(names_.size());
+    const auto count = static_cast<float>(variations_of_each);
+    std::vector<std::vector<std::vector<StrokePoint>>> drawn(names_.size());
+    for (std::uint32_t g = 0; g < names_.size(); ++g) {
+        for (std::size_t v = 0; v < variations_of_each; ++v) {
+            const auto& strokes = gestures[g].strokes;
+            drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
+            const auto r = recognise(drawn[g].back(), space);
+            if (r.gesture == g) meant[g].push_back(r.distance);
+        }
+        float sum = 0;
+        for (const float d : meant[g]) sum += d;
+        calibration_.usual[g] = meant[g].empty() ? 0.1F : std::max(sum / count, 1e-3F);
+    }
+    std::vector<LabelledEvidence> samples;
+    const auto keep = [&](const Recognition& r, bool is_meant) {
+        if (r.gesture == Recognition::none) return;
+        samples.push_back({evidence_of(r), is_meant, 1});
+        if (!is_meant) not_meant[r.gesture].push_back(r.distance);
+    };
+    for (std::uint32_t g = 0; g < names_.size(); ++g) {
+        for (const auto& stroke : drawn[g]) {
+            const auto r = recognise(stroke, space);
+            keep(r, r.gesture == g);
+            keep(recognise_without(stroke, g, space), false);
+        }
+    }
+    const std::size_t scribbles =
+        std::clamp(variations_of_each * names_.size(), least_scribbles, most_scribbles);
+    for (std::size_t i = 0; i < scribbles; ++i) keep(recognise(scribble(gestures, random), space), false);
+    calibration_.weights = fit_weights(samples);
+    for (std::size_t g = 0; g < names_.size(); ++g) {
+        const float near = 1.5F * quantile(meant[g], 0.98), far = quantile(not_meant[g], 0.02);
+        calibration_.threshold[g] = far > near ? std::sqrt(near * far) : std::max(near, 0.02F);
+    }
+}
+
+Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const RecogniserSettings& settings) {
+    if (gestures.empty()) return fail("no gesture to recognise; record one");
+    if (gestures.size() > most_gestures)
+        return fail(text(gestures.size(), " gestures, more than ", most_gestures, "; leave some out"));
+    Recogniser result;
+    result.settings_ = settings;
+    RecogniserSpace space;
+    for (const auto& g : gestures) {
+        if (auto added = result.add(g, space); !added) return tl::unexpected(added.error());
+    }
+    result.calibration_.weights = {0, 0, 0, 0};
+    result.calibration_.usual.assign(gestures.size(), 0.1F);
+    result.calibration_.threshold.assign(gestures.size(), open_threshold);
+    if (settings.calibrate) result.calibrate(gestures, space);
+    return result;
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,234 @@
+#include "gesture/shape.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace thaum::gesture {
+namespace {
+
+constexpr std::size_t few_points = 200;  // up to here a search point by point is fastest
+constexpr float turn_weight = 0.5F;
+// Length of the direction of a long step, and the step (sizes of the stroke) that halves it. Where the points lie close
+// together, their direction is uncertain.
+constexpr float direction_weight = 1.3F, slow_step = 0.12F;
+constexpr std::uint32_t exponent_bits = 0x7f800000;  // all set: infinite or not a number
+constexpr float force_deviation = 0.5F;              // standard deviation of the force channel
+
+struct Sampled {
+    std::array<float, shape_points> x{}, y{}, z{}, force{};
+};
+
+/// Copies the points as floats from the first point's place and time. Returns false if a value is not finite.
+bool copy(Points stroke, Channels channels, ShapeSpace& space) {
+    const std::size_t stride = (stroke.size() + counted_points - 1) / counted_points;
+    std::size_t k = 0;
+    const auto& o = stroke[(stroke.size() - 1) % stride];
+    std::uint32_t bad = 0;
+    for (std::size_t i = (stroke.size() - 1) % stride; i < stroke.size();
+         i += stride, ++k) {  // up to the last
+        const auto& p = stroke[i];
+        space.x[k] = static_cast<float>(p.at.x - o.at.x);
+        space.y[k] = static_cast<float>(p.at.y - o.at.y);
+        const auto z = static_cast<float>(p.at.z - o.at.z);
+        space.z[k] = channels.depth ? z : 0.0F;
+        space.force[k] = static_cast<float>(p.force);
+        space.t[k] = static_cast<float>(p.t - o.t);
+        const float sum = space.x[k] + space.y[k] + z + space.force[k] + space.t[k];
+        bad |=
+            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(sum) & exponent_bits) == exponent_bits);
+    }
+    space.count = k;
+    return bad == 0;
+}
+
+/// Puts the distance from each point to the next in `length`, from the second on.
+void measure_steps(ShapeSpace& s) {
+    for (std::size_t i = 1; i < s.count; ++i) {
+        const float dx = s.x[i] - s.x[i - 1], dy = s.y[i] - s.y[i - 1], dz = s.z[i] - s.z[i - 1];
+        s.length[i] = std::sqrt(dx * dx + dy * dy + dz * dz);
+    }
+}
+
+/// Drops points at the place of the point before, and sums the steps up.
+void drop_rests(ShapeSpace& s) {
+    std::size_t k = 0;
+    float length = 0, latest = std::max(0.0F, s.t[0]);
+    s.length[0] = 0;
+    s.t[0] = latest;
+    for (std::size_t i = 1; i < s.count; ++i) {
+        const float step = s.length[i];
+        latest = std::max(latest, s.t[i]);  // a clock that runs backwards stands still
+        if (!(step > 0)) {
+            if (k == 0) s.t[0] = latest;  // a rest before the stroke is not part of it
+            s.force[k] = std::max(s.force[k], s.force[i]);
+            continue;
+        }
+        ++k;
+        length += step;
+        s.x[k] = s.x[i];
+        s.y[k] = s.y[i];
+        s.z[k] = s.z[i];
+        s.force[k] = s.force[i];
+        s.t[k] = latest;
+        s.length[k] = length;
+    }
+    s.count = k + 1;
+}
+
+bool fill(Points stroke, Channels channels, ShapeSpace& space) {
+    if (stroke.empty() || !copy(stroke, channels, space)) return false;
+    measure_steps(space);
+    drop_rests(space);
+    return std::isfinite(space.length[space.count - 1]);
+}
+
+/// Places of the shape along the points, in arc length and time.
+Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
+    const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
+    const float by_time = seconds > 0 ? time_share / seconds : 0;
+    const float by_length = (seconds > 0 ? 1 - time_share : 1) / length;
+    const auto place = [&](std::size_t i) {
+        return by_length * (s.length[i] - s.length[first]) + by_time * (s.t[i] - s.t[first]);
+    };
+    const bool few = last - first < few_points;
+    for (std::size_t i = first; few && i <= last; ++i) s.place[i] = place(i);
+    Sampled out;
+    std::size_t j = first + 1;
+    for (std::size_t i = 0; i < shape_points; ++i) {
+        const float wanted = static_cast<float>(i) / static_cast<float>(shape_points - 1);
+        if (few) {
+            while (j < last && s.place[j] < wanted) ++j;
+        } else {
+            for (std::size_t high = last; j < high;) {  // bisection; the same point as by the search above
+                const std::size_t middle = (j + high) / 2;
+                if (place(middle) < wanted) {
+                    j = middle + 1;
+                } else {
+                    high = middle;
+                }
+            }
+        }
+        const float before = place(j - 1), step = place(j) - before;
+        const float part = step > 0 ? std::clamp((wanted - before) / step, 0.0F, 1.0F) : 0.0F;
+        out.x[i] = s.x[j - 1] + part * (s.x[j] - s.x[j - 1]);
+        out.y[i] = s.y[j - 1] + part * (s.y[j] - s.y[j - 1]);
+        out.z[i] = s.z[j - 1] + part * (s.z[j] - s.z[j - 1]);
+        out.force[i] = s.force[j - 1] + part * (s.force[j] - s.force[j - 1]);
+    }
+    return out;
+}
+
+float mean_of(const std::array<float, shape_points>& values) {
+    float sum = 0;
+    for (const float v : values) sum += v;
+    return sum / static_cast<float>(shape_points);
+}
+
+/// Subtracts the mean and returns the sum of squares of the rest.
+float centre(std::array<float, shape_points>& values) {
+    const float mean = mean_of(values);
+    float sum = 0;
+    for (float& v : values) {
+        v -= mean;
+        sum += v * v;
+    }
+    return sum;
+}
+
+void multiply(std::array<float, shape_points>& values, float factor) {
+    for (float& v : values) v *= factor;
+}
+
+/// Moves the centroid to the origin, and scales. Returns the size, 0 if it is too small to divide by.
+float normalise(Sampled& q) {
+    const float squares = centre(q.x) + centre(q.y) + centre(q.z);
+    const float size = std::sqrt(squares / static_cast<float>(shape_points));
+    if (!(size > 1e-30F) || !std::isfinite(size)) return 0;
+    for (auto* axis : {&q.x, &q.y, &q.z}) multiply(*axis, 1 / size);
+    const float deviation = std::sqrt(centre(q.force) / static_cast<float>(shape_points));
+    multiply(q.force, deviation > 1e-6F ? force_deviation / deviation : 0);
+    return size;
+}
+
+struct Directions {
+    std::array<float, shape_points> x{}, y{}, z{};
+};
+
+Directions directions_of(const Sampled& q) {
+    Directions d;
+    const auto set = [&](std::size_t i, std::size_t a, std::size_t b) {
+        const float x = q.x[b] - q.x[a], y = q.y[b] - q.y[a], z = q.z[b] - q.z[a];
+        const float by = direction_weight / (std::sqrt(x * x + y * y + z * z) + slow_step);
+        d.x[i] = x * by;
+        d.y[i] = y * by;
+        d.z[i] = z * by;
+    };
+    set(0, 0, 1);
+    for (std::size_t i = 1; i + 1 < shape_points; ++i) set(i, i - 1, i + 1);
+    set(shape_points - 1, shape_points - 2, shape_points - 1);
+    return d;
+}
+
+void write_planar(const Sampled& q, const Directions& d, Shape& shape) {
+    for (std::size_t i = 0; i < shape_points; ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < shape_points ? i + 1 : shape_points - 1;
+        float* v = &shape.values[i * planar_channels];
+        v[0] = q.x[i];
+        v[1] = q.y[i];
+        v[2] = d.x[i];
+        v[3] = d.y[i];
+        v[4] = turn_weight * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
+        v[5] = q.force[i];
+    }
+}
+
+void write_solid(const Sampled& q, const Directions& d, Shape& shape) {
+    for (std::size_t i = 0; i < shape_points; ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < shape_points ? i + 1 : shape_points - 1;
+        float* v = &shape.values[i * solid_channels];
+        v[0] = q.x[i];
+        v[1] = q.y[i];
+        v[2] = q.z[i];
+        v[3] = d.x[i];
+        v[4] = d.y[i];
+        v[5] = d.z[i];
+        v[6] = turn_weight * (d.y[a] * d.z[b] - d.z[a] * d.y[b]);
+        v[7] = turn_weight * (d.z[a] * d.x[b] - d.x[a] * d.z[b]);
+        v[8] = turn_weight * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
+        v[9] = q.force[i];
+    }
+}
+
+}  // namespace
+
+bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels channels, Shape& shape) {
+    if (last <= first) return false;
+    shape.length = s.length[last] - s.length[first];
+    shape.seconds = s.t[last] - s.t[first];
+    if (!(shape.length > 0)) return false;
+    auto q = resampled(s, first, last);
+    shape.force = mean_of(q.force);
+    if (!channels.force) q.force = {};
+    const float dx = q.x[shape_points - 1] - q.x[0], dy = q.y[shape_points - 1] - q.y[0],
+                dz = q.z[shape_points - 1] - q.z[0];
+    shape.gap = std::sqrt(dx * dx + dy * dy + dz * dz) / shape.length;
+    shape.size = normalise(q);
+    if (!(shape.size > 0)) return false;
+    const auto d = directions_of(q);
+    shape.channels = channels.depth ? solid_channels : planar_channels;
+    if (channels.depth) {
+        write_solid(q, d, shape);
+    } else {
+        write_planar(q, d, shape);
+    }
+    shape.start_t = s.t[first];
+    shape.end_t = s.t[last];
+    return true;
+}
+
+bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape) {
+    return fill(stroke, channels, space) && space.count >= 2 &&
+           make_shape(space, 0, space.count - 1, channels, shape);
+}
+
+}  // namespace thaum::gesture

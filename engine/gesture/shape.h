@@ -1,0 +1,61 @@
+// gesture/shape.h: a stroke with time, place and size taken away, so that two strokes can be compared point by point.
+//
+// Steps:
+//   1. Points at the place of the point before them are dropped, so that a rest before or after the stroke has no
+//      effect.
+//   2. The stroke is resampled to 24 points. They are equally spaced in 0.7 of the arc length plus 0.3 of the time,
+//      each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
+//   3. The centroid moves to the origin and the root mean square distance from it becomes 1.
+//   4. Each point gets its direction of motion, how sharply the stroke turns there, and the force, which is centred and
+//      scaled to a variance of 0.25. Raw force in the vector of positions harms recognition (design: gesture.md).
+//
+// All arithmetic is in float with a fixed order, so a shape has the same bits on every processor.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "gesture/stroke.h"
+
+namespace thaum::gesture {
+
+inline constexpr std::size_t shape_points = 24;
+/// Points of a stroke that count. A longer stroke is thinned evenly, which the 24 points of the shape do not show.
+inline constexpr std::size_t counted_points = 160;
+inline constexpr std::size_t most_points = 4096;   ///< room for callers that fill the space themselves
+inline constexpr std::size_t planar_channels = 6;  ///< x, y, direction x, y, turn z, force
+inline constexpr std::size_t solid_channels = 10;  ///< x, y, z, direction x, y, z, turn x, y, z, force
+inline constexpr std::size_t most_channels = solid_channels;
+
+struct Shape {
+    std::size_t channels{};                                    ///< planar_channels or solid_channels
+    std::array<float, shape_points * most_channels> values{};  ///< values[point * channels + channel]
+    float size{};     ///< root mean square distance from the centroid (unit of the stroke)
+    float length{};   ///< arc length (unit of the stroke)
+    float seconds{};  ///< time from the first to the last point that counts
+    float force{};    ///< mean force along the path (unit of the stroke)
+    float gap{};      ///< distance from start to end, divided by the arc length
+    float start_t{};  ///< time of the first point that counts, after the first point of the stroke (s)
+    float end_t{};    ///< time of the last point that counts, after the first point of the stroke (s)
+};
+
+/// Share of time in the parameter by which a stroke is resampled, 0 to 1; the rest is arc length.
+inline constexpr float time_share = 0.3F;
+
+/// Working memory, allocated once.
+struct ShapeSpace {
+    std::array<float, most_points> x{}, y{}, z{}, force{}, t{};
+    std::array<float, most_points> length{};  ///< arc length up to each point
+    std::array<float, most_points> place{};   ///< scratch: parameter by which the points are resampled
+    std::size_t count{};
+};
+
+/// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value that is not
+/// finite. No allocation.
+bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape);
+
+/// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc length up to
+/// each point. For callers that fill the space themselves.
+bool make_shape(ShapeSpace& space, std::size_t first, std::size_t last, Channels channels, Shape& shape);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,227 @@
+#include "gesture/spotter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::gesture {
+namespace {
+
+constexpr double points_of_shortest = 40;  // points of the shortest window
+constexpr double ends_of_shortest = 14;    // ends within the arc length of the shortest window
+constexpr double most_overlap = 0.15;      // of the shorter of two gestures
+constexpr float least_score = 0.5F;        // share of the template's dot product with itself
+constexpr std::size_t kept_points = most_points / 2;
+
+/// Overlap of two spans of time, as a share of the shorter.
+double overlap(double start_a, double end_a, double start_b, double end_b) {
+    const double shorter = std::min(end_a - start_a, end_b - start_b);
+    const double both = std::min(end_a, end_b) - std::max(start_a, start_b);
+    return shorter > 0 ? both / shorter : 0;
+}
+
+}  // namespace
+
+// ---- choice among candidates -----------------------------------------------------------------------------------
+
+std::optional<Candidate> CandidateChoice::report() {
+    start_ = waiting_->start;
+    end_ = waiting_->end;
+    const auto result = waiting_;
+    waiting_.reset();
+    return result;
+}
+
+std::optional<Candidate> CandidateChoice::add(const Candidate& c, double now) {
+    if (!(c.distance <= most_distance_)) return std::nullopt;
+    if (overlap(c.start, c.end, start_, end_) > most_overlap) return std::nullopt;
+    std::optional<Candidate> reported;
+    if (waiting_ && overlap(c.start, c.end, waiting_->start, waiting_->end) > most_overlap) {
+        if (!(c.distance < waiting_->distance)) return std::nullopt;
+    } else if (waiting_) {
+        reported = report();
+        if (overlap(c.start, c.end, start_, end_) > most_overlap) return reported;
+    }
+    waiting_ = c;
+    due_ = now + wait_;
+    return reported;
+}
+
+std::optional<Candidate> CandidateChoice::at(double now) {
+    if (!waiting_ || now < due_) return std::nullopt;
+    return report();
+}
+
+// ---- spotter ---------------------------------------------------------------------------------------------------
+
+Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
+    : recogniser_(recogniser),
+      settings_(settings),
+      choice_(settings.wait, settings.most_distance),
+      space_(std::make_unique<RecogniserSpace>()),
+      spacing_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
+                                  points_of_shortest)),
+      end_step_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
+                                   ends_of_shortest)),
+      windows_(most_windows) {
+    candidates_.reserve(most_gestures);
+}
+
+/// Drops the older half of the points. Sums become relative to the first point that is kept.
+void Spotter::make_room() {
+    const std::size_t first = points_.count - kept_points;
+    const float length = points_.length[first], t = points_.t[first];
+    for (auto* column : {&points_.x, &points_.y, &points_.z, &points_.force, &points_.t, &points_.length})
+        std::copy(column->begin() + static_cast<std::ptrdiff_t>(first),
+                  column->begin() + static_cast<std::ptrdiff_t>(points_.count), column->begin());
+    for (std::size_t i = 0; i < kept_points; ++i) {
+        points_.length[i] -= length;
+        points_.t[i] -= t;
+    }
+    origin_.t += static_cast<double>(t);
+    last_end_ -= length;
+    points_.count = kept_points;
+    scanning_ = verifying_ = false;  // the numbers of its points are no longer right
+}
+
+/// Appends the point if it is a step away from the last one.
+void Spotter::append(const StrokePoint& p) {
+    float length = 0;
+    if (points_.count == 0) {
+        origin_ = p;
+    } else {
+        const double step = glm::length(p.at - latest_);
+        if (!(step >= static_cast<double>(spacing_))) return;
+        length = points_.length[points_.count - 1] + static_cast<float>(step);
+    }
+    if (points_.count == most_points) {
+        make_room();
+        length = points_.length[points_.count - 1] + static_cast<float>(glm::length(p.at - latest_));
+    }
+    const std::size_t k = points_.count++;
+    points_.x[k] = static_cast<float>(p.at.x - origin_.at.x);
+    points_.y[k] = static_cast<float>(p.at.y - origin_.at.y);
+    points_.z[k] = static_cast<float>(p.at.z - origin_.at.z);
+    points_.force[k] = static_cast<float>(p.force);
+    points_.t[k] = static_cast<float>(p.t - origin_.t);
+    points_.length[k] = length;
+    latest_ = p.at;
+    if (length - last_end_ >= end_step_) {
+        if (scanning_ || verifying_) ++skipped_;
+        start_scan();
+    }
+}
+
+void Spotter::start_scan() {
+    end_ = points_.count - 1;
+    last_end_ = points_.length[end_];
+    next_length_ = recogniser_.shortest() / static_cast<float>(settings_.length_range);
+    window_count_ = pair_count_ = verified_ = 0;
+    scanning_ = true;
+    verifying_ = false;
+}
+
+void Spotter::keep(const Pair& pair) {
+    if (pair_count_ == most_pairs && !(pair.score > pairs_[most_pairs - 1].score)) return;
+    std::size_t at = pair_count_ < most_pairs ? pair_count_++ : most_pairs - 1;
+    for (; at > 0 && pair.score > pairs_[at - 1].score; --at) pairs_[at] = pairs_[at - 1];
+    pairs_[at] = pair;
+}
+
+/// Makes the next window of the scan and compares it with the templates by dot product.
+void Spotter::look_at_window() {
+    const float from = last_end_ - next_length_;
+    const auto* begin = points_.length.data();
+    const auto first = static_cast<std::size_t>(std::lower_bound(begin, begin + end_, from) - begin);
+    const bool too_long = from < 0 || window_count_ == most_windows ||
+                          next_length_ > recogniser_.longest() * static_cast<float>(settings_.length_range) ||
+                          static_cast<double>(points_.t[end_] - points_.t[first]) > settings_.longest;
+    if (too_long) {
+        scanning_ = false;
+        verifying_ = pair_count_ > 0;
+        return;
+    }
+    next_length_ *= static_cast<float>(settings_.window_ratio);
+    auto& window = windows_[window_count_];
+    const Channels channels{recogniser_.needs_solid(), recogniser_.settings().channels.force};
+    if (!make_shape(points_, first, end_, channels, window.shape)) return;
+    window.start = origin_.t + static_cast<double>(points_.t[first]);
+    window.end = origin_.t + static_cast<double>(points_.t[end_]);
+    const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range)};
+    recogniser_.choose(window.shape, limits, 4, *space_);
+    for (std::size_t k = 0; k < space_->survivor_count_; ++k) {
+        const auto& match = space_->survivors_[k];
+        const float score = match.score / recogniser_.templates_[match.place].self;
+        if (score > least_score) keep({match, static_cast<std::uint32_t>(window_count_), score});
+    }
+    ++window_count_;
+}
+
+/// Compares the next eight pairs elastically.
+void Spotter::verify() {
+    if (verified_ == 0) std::fill_n(best_.begin(), recogniser_.gestures(), Best{});
+    const std::size_t count = std::min(lanes, pair_count_ - verified_);
+    const std::size_t channels = windows_[pairs_[verified_].window].shape.channels;
+    auto& space = *space_;
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const auto& pair = pairs_[verified_ + std::min(k, count - 1)];
+        set_lane(space.eight_, k, channels, recogniser_.lane_values(pair.match, space));
+        set_lane(space.strokes_, k, channels, windows_[pair.window].shape.values.data());
+    }
+    const auto distances = elastic_distances(space.strokes_, space.eight_, channels);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto& pair = pairs_[verified_ + k];
+        auto& best = best_[recogniser_.templates_[pair.match.place].gesture];
+        if (!best.found || distances[k] < best.distance) best = {distances[k], pair.window, true};
+    }
+    verified_ += count;
+    if (verified_ == pair_count_) {
+        verifying_ = false;
+        collect();
+    }
+}
+
+/// Makes a candidate of each gesture that was compared. The runner-up is the nearest other one.
+void Spotter::collect() {
+    for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
+        if (!best_[g].found) continue;
+        const auto& window = windows_[best_[g].window];
+        Candidate c{.gesture = g, .distance = best_[g].distance, .start = window.start, .end = window.end};
+        c.mean_force = static_cast<double>(window.shape.force);
+        for (std::uint32_t other = 0; other < recogniser_.gestures(); ++other) {
+            if (other == g || !best_[other].found) continue;
+            if (c.runner_up != Recognition::none && best_[other].distance >= c.runner_up_distance) continue;
+            c.runner_up = other;
+            c.runner_up_distance = best_[other].distance;
+        }
+        candidates_.push_back(c);
+    }
+}
+
+std::span<const Candidate> Spotter::scan(const StrokePoint& point) {
+    candidates_.clear();
+    if (!is_finite(point) || point.t < now_) return {};
+    now_ = point.t;
+    append(point);
+    if (verifying_) {
+        verify();
+    } else {
+        for (std::size_t i = 0; i < settings_.windows_per_tick && scanning_; ++i) look_at_window();
+    }
+    return candidates_;
+}
+
+std::optional<Spotted> Spotter::feed(const StrokePoint& point) {
+    std::optional<Candidate> reported;
+    for (const auto& candidate : scan(point)) {
+        if (const auto r = choice_.add(candidate, now_)) reported = r;
+    }
+    if (!reported) reported = choice_.at(now_);
+    if (!reported) return std::nullopt;
+    return Spotted{
+        *reported,
+        recogniser_.probability_of(reported->gesture, reported->distance,
+                                   reported->runner_up != Recognition::none, reported->runner_up_distance),
+        recogniser_.force_class(reported->gesture, reported->mean_force), now_};
+}
+
+}  // namespace thaum::gesture

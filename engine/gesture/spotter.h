@@ -1,0 +1,127 @@
+// gesture/spotter.h: finds gestures in continuous motion, without a button.
+//
+//     point each tick -> front end: a point for each step of arc length, with sums of length, time and force
+//                     -> windows of several lengths that end now: shape, dot product with the templates
+//                     -> the 16 best pairs of window and template: elastic distance
+//                     -> candidates -> the best of those that overlap is reported after a short wait
+//
+// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs. A fast hand gets
+// ahead of that; then some ends of windows are skipped. All memory is allocated by the constructor.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "gesture/recogniser.h"
+
+namespace thaum::gesture {
+
+struct SpotterSettings {
+    double length_range = 3;  ///< largest ratio of the arc lengths of a stroke and its template, either way
+    double window_ratio = 1.12;   ///< ratio of the arc lengths of two windows that follow each other
+    double longest = 8;           ///< longest stroke (s)
+    double wait = 0.4;            ///< time for which a candidate waits for a better one (s)
+    float most_distance = 0.22F;  ///< elastic distance of the worst stroke that is reported
+    std::size_t windows_per_tick = 2;
+};
+
+/// A window that may be a gesture.
+struct Candidate {
+    std::uint32_t gesture = Recognition::none;
+    std::uint32_t runner_up = Recognition::none;
+    float distance{};
+    float runner_up_distance{};
+    double start{}, end{};  ///< s
+    double mean_force{};
+
+    bool operator==(const Candidate&) const = default;
+};
+
+struct Spotted {
+    Candidate what;
+    double probability{};
+    ForceClass force = ForceClass::normal;
+    double told{};  ///< time at which the gesture was reported (s)
+};
+
+/// Chooses among candidates that overlap. Separate from the scanner, so that thresholds can be compared.
+class CandidateChoice {
+public:
+    CandidateChoice(double wait, float most_distance) : wait_(wait), most_distance_(most_distance) {}
+
+    /// Considers a candidate that was found at time `now` (s). May report an earlier one.
+    std::optional<Candidate> add(const Candidate& candidate, double now);
+    /// Reports the waiting candidate when its time has come.
+    std::optional<Candidate> at(double now);
+
+private:
+    std::optional<Candidate> report();
+
+    double wait_;
+    float most_distance_;
+    std::optional<Candidate> waiting_;
+    double due_ = 0;                        ///< time at which the waiting candidate is reported (s)
+    double start_ = -1e300, end_ = -1e300;  ///< of the last reported gesture (s)
+};
+
+class Spotter {
+public:
+    /// The recogniser must live as long as the spotter.
+    Spotter(const Recogniser& recogniser, const SpotterSettings& settings);
+
+    /// Takes the point of one tick. Points that are not finite, or whose time runs backwards, are ignored.
+    /// Allocates nothing.
+    std::optional<Spotted> feed(const StrokePoint& point);
+
+    /// As `feed`, but only collects the candidates of ends that were finished in this tick.
+    std::span<const Candidate> scan(const StrokePoint& point);
+
+    std::uint64_t skipped_ends() const { return skipped_; }
+
+private:
+    struct Pair {
+        RecogniserSpace::Survivor match{};
+        std::uint32_t window{};
+        float score{};
+    };
+    struct Window {
+        Shape shape;
+        double start{}, end{};
+    };
+    static constexpr std::size_t most_windows = 48, most_pairs = 16;
+
+    void append(const StrokePoint& point);
+    void make_room();
+    void start_scan();
+    void look_at_window();
+    void keep(const Pair& pair);
+    void verify();
+    void collect();
+
+    const Recogniser& recogniser_;
+    SpotterSettings settings_;
+    CandidateChoice choice_;
+    std::unique_ptr<RecogniserSpace> space_;
+    ShapeSpace points_;
+    StrokePoint origin_{};  ///< place and time that the points are relative to
+    vec3 latest_{};         ///< place of the last point that was appended
+    double now_ = -1e300;   ///< time of the last tick (s)
+    float spacing_, end_step_;
+    float last_end_ = 0;  ///< arc length at the last scanned end
+    std::vector<Window> windows_;
+    std::size_t window_count_ = 0, verified_ = 0;
+    float next_length_ = 0;  ///< arc length of the next window of this scan
+    std::size_t end_ = 0;    ///< point at which the windows of this scan end
+    bool scanning_ = false, verifying_ = false;
+    std::array<Pair, most_pairs> pairs_{};
+    std::size_t pair_count_ = 0;
+    struct Best {
+        float distance{};
+        std::uint32_t window{};
+        bool found = false;
+    };
+    std::array<Best, most_gestures> best_{};
+    std::vector<Candidate> candidates_;
+    std::uint64_t skipped_ = 0;
+};
+
+}  // namespace thaum::gesture

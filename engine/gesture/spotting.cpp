@@ -1,0 +1,241 @@
+#include "gesture/spotting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "gesture/evaluation.h"
+
+namespace thaum::gesture {
+namespace {
+
+constexpr double tick_seconds = 0.001;  // s
+constexpr double least_overlap = 0.5;
+constexpr float tightest = 0.04F, loosest = 0.32F, threshold_step = 0.005F;
+constexpr auto thresholds = static_cast<std::size_t>((loosest - tightest) / threshold_step + 1.5F);
+
+float threshold_at(std::size_t number) { return tightest + threshold_step * static_cast<float>(number); }
+
+struct Found {
+    Candidate candidate;
+    double at{};  ///< time at which it was found (s)
+};
+
+/// Counts of one session at one threshold.
+struct Count {
+    std::size_t right{}, wrong{}, missed{};
+    std::vector<double> delays;  ///< s
+
+    void add(const Count& other) {
+        right += other.right;
+        wrong += other.wrong;
+        missed += other.missed;
+        delays.insert(delays.end(), other.delays.begin(), other.delays.end());
+    }
+    double f1() const {
+        const double all = static_cast<double>(2 * right + wrong + missed);
+        return all > 0 ? 2 * static_cast<double>(right) / all : 0;
+    }
+};
+
+struct Label {
+    std::uint32_t gesture{};
+    double start{}, end{};
+};
+
+std::vector<Found> candidates_in(const Session& session, const Recogniser& recogniser,
+                                 const SpotterSettings& settings, double& skipped) {
+    const auto spotter = std::make_unique<Spotter>(recogniser, settings);
+    std::vector<Found> found;
+    std::size_t ends = 1;
+    for (std::size_t i = 0; i < session.points.size(); ++i) {
+        auto p = session.points[i];
+        const double until = i + 1 < session.points.size() ? session.points[i + 1].t : p.t + 1;
+        const double most = std::min(until, p.t + 2);  // a hand at rest needs no more ticks
+        for (double t = p.t; t < most; t += tick_seconds) {
+            p.t = t;
+            bool any = false;
+            for (const auto& c : spotter->scan(p)) {
+                any = true;
+                if (c.distance <= loosest) found.push_back({c, t});
+            }
+            ends += any;
+        }
+    }
+    const auto lost = static_cast<double>(spotter->skipped_ends());
+    skipped += lost / (lost + static_cast<double>(ends));
+    return found;
+}
+
+void judge(const Candidate& c, double told, std::span<const Label> labels, std::vector<char>& used,
+           Count& count) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto& label = labels[i];
+        if (used[i] != 0 || label.gesture != c.gesture) continue;
+        const double both = std::min(label.end, c.end) - std::max(label.start, c.start);
+        if (both < least_overlap * std::min(label.end - label.start, c.end - c.start)) continue;
+        used[i] = 1;
+        ++count.right;
+        count.delays.push_back(told - label.end);
+        return;
+    }
+    ++count.wrong;
+}
+
+Count count_at(float threshold, std::span<const Found> found, std::span<const Label> labels, double wait) {
+    CandidateChoice choice(wait, threshold);
+    std::vector<char> used(labels.size());
+    Count count;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double now = found[i].at;
+        if (const auto r = choice.at(now)) judge(*r, now, labels, used, count);
+        if (const auto r = choice.add(found[i].candidate, now)) judge(*r, now, labels, used, count);
+    }
+    if (const auto r = choice.at(1e300))
+        judge(*r, found.empty() ? 0 : found.back().at + wait, labels, used, count);
+    count.missed = labels.size() - count.right;
+    return count;
+}
+
+/// Counts of each session and threshold.
+using Counts = std::vector<std::array<Count, thresholds>>;
+
+Count sum_of_others(const Counts& counts, std::size_t without, std::size_t threshold) {
+    Count sum;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        if (s == without) continue;
+        sum.right += counts[s][threshold].right;
+        sum.wrong += counts[s][threshold].wrong;
+        sum.missed += counts[s][threshold].missed;
+    }
+    return sum;
+}
+
+SpottingScore score_of(const Count& count, double hours) {
+    SpottingScore s{.right = count.right, .wrong = count.wrong, .missed = count.missed};
+    const auto ratio = [](std::size_t a, std::size_t b) {
+        return b > 0 ? static_cast<double>(a) / static_cast<double>(b) : 0;
+    };
+    s.precision = ratio(count.right, count.right + count.wrong);
+    s.recall = ratio(count.right, count.right + count.missed);
+    s.f1 = count.f1();
+    // The square root of a Poisson count, with 3/8 added, has a standard deviation of 1/2 (Anscombe 1948).
+    const double n = static_cast<double>(count.wrong), root = std::sqrt(n + 0.375);
+    s.false_per_hour = n / hours;
+    s.low_per_hour = std::max(0.0, std::pow(std::max(0.0, root - 0.98), 2.0) - 0.375) / hours;
+    s.high_per_hour = (std::pow(root + 0.98, 2.0) - 0.375) / hours;
+    auto delays = count.delays;
+    std::sort(delays.begin(), delays.end());
+    s.delay = delays.empty() ? 0 : delays[delays.size() / 2];
+    return s;
+}
+
+/// Sum over the sessions, each at the threshold that is best on the others.
+template <class Better>
+SpottingScore cross_validated(const Counts& counts, double hours, Better value) {
+    Count sum;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+        std::size_t best = 0;
+        double most = -1e300;
+        for (std::size_t t = 0; t < thresholds; ++t) {
+            const double v = value(sum_of_others(counts, s, t), s);
+            if (v > most) {
+                most = v;
+                best = t;
+            }
+        }
+        sum.add(counts[s][best]);
+    }
+    return score_of(sum, hours);
+}
+
+double hours_of(const Session& s) { return (s.points.back().t - s.points.front().t) / 3600; }
+
+class SpottingRun {
+public:
+    SpottingRun(const SessionSet& sessions, std::span<const SessionLabel> labels,
+                std::span<const Stroke> strokes, const SpottingSettings& settings)
+        : sessions_(sessions), settings_(settings), strokes_(strokes), index_(index_of(strokes)) {
+        for (const auto& session : sessions.sessions) labels_.push_back(labels_of(session, labels));
+    }
+
+    Expected<Spotting> run() {
+        std::size_t labels = 0;
+        for (const auto& l : labels_) labels += l.size();
+        if (labels == 0) return fail("no label names a user of the sessions and a gesture of the strokes");
+        Spotting result;
+        result.sessions = sessions_.sessions.size();
+        result.labels = labels;
+        counts_.resize(sessions_.sessions.size());
+        for (const auto& session : sessions_.sessions) result.hours += hours_of(session);
+        for (std::size_t repeat = 0; repeat < settings_.repeats; ++repeat) {
+            for (std::size_t s = 0; s < sessions_.sessions.size(); ++s) {
+                if (auto done = run_session(s, repeat); !done) return tl::unexpected(done.error());
+            }
+        }
+        const double hours = result.hours * static_cast<double>(settings_.repeats);
+        result.best = cross_validated(counts_, hours, [](const Count& c, std::size_t) { return c.f1(); });
+        const auto limited = [&](double most) {
+            return cross_validated(counts_, hours, [&](const Count& c, std::size_t s) {
+                const double others =
+                    hours - hours_of(sessions_.sessions[s]) * static_cast<double>(settings_.repeats);
+                const double rate = static_cast<double>(c.wrong) / others;
+                return rate <= most ? static_cast<double>(c.right) : -rate;
+            });
+        };
+        result.at_six = limited(6);
+        result.at_two = limited(2);
+        const auto all = sum_of_others(counts_, counts_.size(), thresholds - 1);
+        result.reachable = static_cast<double>(all.right) / static_cast<double>(all.right + all.missed);
+        result.skipped = skipped_ / static_cast<double>(settings_.repeats * sessions_.sessions.size());
+        return result;
+    }
+
+private:
+    std::vector<Label> labels_of(const Session& session, std::span<const SessionLabel> labels) const {
+        std::vector<Label> own;
+        for (const auto& l : labels) {
+            const auto g = std::find(index_.gestures.begin(), index_.gestures.end(), l.gesture);
+            if (l.user != session.user || g == index_.gestures.end()) continue;
+            own.push_back({static_cast<std::uint32_t>(g - index_.gestures.begin()), l.start, l.end});
+        }
+        return own;
+    }
+
+    Expected<void> run_session(std::size_t s, std::size_t repeat) {
+        const auto& session = sessions_.sessions[s];
+        const auto user =
+            std::find(index_.users.begin(), index_.users.end(), session.user) - index_.users.begin();
+        Random random = random_stream(settings_.seed, 0x100 * s + repeat);
+        const auto templates = draw_templates(index_, Protocol::leave_user_out,
+                                              static_cast<std::uint32_t>(user), settings_.templates, random);
+        const bool missing =
+            std::any_of(templates.begin(), templates.end(), [](const auto& t) { return t.empty(); });
+        if (missing) return fail("a gesture has no stroke of another user than the session's");
+        const auto gestures = gestures_of(strokes_, index_, templates);
+        const auto recogniser = Recogniser::make(
+            gestures, {.channels = settings_.channels, .seed = settings_.seed, .calibrate = false});
+        if (!recogniser) return tl::unexpected(recogniser.error());
+        const auto found = candidates_in(session, *recogniser, settings_.spotter, skipped_);
+        for (std::size_t t = 0; t < thresholds; ++t)
+            counts_[s][t].add(count_at(threshold_at(t), found, labels_[s], settings_.spotter.wait));
+        return {};
+    }
+
+    const SessionSet& sessions_;
+    const SpottingSettings& settings_;
+    std::span<const Stroke> strokes_;
+    GestureIndex index_;
+    std::vector<std::vector<Label>> labels_;
+    Counts counts_;
+    double skipped_ = 0;
+};
+
+}  // namespace
+
+Expected<Spotting> evaluate_spotting(const SessionSet& sessions, std::span<const SessionLabel> labels,
+                                     std::span<const Stroke> strokes, const SpottingSettings& settings) {
+    return SpottingRun(sessions, labels, strokes, settings).run();
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,50 @@
+// gesture/spotting.h: how well gestures are found in continuous motion.
+//
+// Templates come from other users than the session's. The session is fed to the spotter in ticks of 1 ms; between two
+// points of the session the hand rests at the earlier one. A report is right if it names the gesture of a label and
+// overlaps the label by half of the shorter of both, once for each label. All other reports are false.
+//
+// The largest distance that is reported is chosen, for each user, on the sessions of the other users.
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/error.h"
+#include "gesture/spotter.h"
+#include "gesture/stroke_csv.h"
+
+namespace thaum::gesture {
+
+struct SpottingSettings {
+    std::size_t templates = 1;  ///< of each gesture
+    std::size_t repeats = 3;    ///< rounds with other random templates
+    Channels channels{false, false};
+    std::uint64_t seed = 1;
+    SpotterSettings spotter{};
+};
+
+/// Result at one choice of thresholds, all repeats together.
+struct SpottingScore {
+    std::size_t right{}, wrong{}, missed{};
+    double precision{}, recall{}, f1{};
+    double false_per_hour{};
+    double low_per_hour{}, high_per_hour{};  ///< 95 % interval of false_per_hour
+    double delay{};                          ///< median time from the end of the label to the report (s)
+};
+
+struct Spotting {
+    SpottingScore best;    ///< thresholds with the best F1 on other users
+    SpottingScore at_six;  ///< thresholds with at most 6 false reports an hour on other users
+    SpottingScore at_two;  ///< ... at most 2
+    double reachable{};    ///< share of the labels that the loosest threshold finds
+    double hours{};        ///< length of all sessions, once
+    std::size_t sessions{}, labels{};
+    double skipped{};  ///< share of the ends of windows that were skipped to limit the work of a tick
+};
+
+/// The error names what does not fit: no label, no other user, or no gesture of the labels among the strokes.
+Expected<Spotting> evaluate_spotting(const SessionSet& sessions, std::span<const SessionLabel> labels,
+                                     std::span<const Stroke> strokes, const SpottingSettings& settings);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,44 @@
+// gesture/stroke.h: strokes in four dimensions, the only input of this folder.
+//
+// A stroke is a list of points in time. Positions may be in any unit (metres, pixels), because every recogniser here
+// normalises size and place. A device without a force writes zeros.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace thaum::gesture {
+
+struct StrokePoint {
+    double t{};      ///< time (s)
+    vec3 at{};       ///< position (any unit)
+    double force{};  ///< force on the hand (any unit, mostly N); 0 where the device has none
+};
+
+using Points = std::span<const StrokePoint>;
+
+/// A stroke with its labels, as data sets and template files hold it.
+struct Stroke {
+    std::string user;
+    std::string gesture;
+    std::string sample;  ///< tells strokes of one user and gesture apart
+    std::vector<StrokePoint> points;
+};
+
+/// Parts of a point that a recogniser may use.
+struct Channels {
+    bool depth = true;  ///< z
+    bool force = true;
+
+    bool operator==(const Channels&) const = default;
+};
+
+inline bool is_finite(const StrokePoint& p) {
+    return std::isfinite(p.t) && thaum::is_finite(p.at) && std::isfinite(p.force);
+}
+
+}  // namespace thaum::gesture

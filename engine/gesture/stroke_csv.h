@@ -1,0 +1,54 @@
+// gesture/stroke_csv.h: reads strokes, sessions and labels from CSV text.
+//
+//     strokes    user,gesture,sample,t,x,y[,z][,force]     one row a point; rows of equal user, gesture and sample are
+//                                                          one stroke
+//     sessions   user,t,x,y[,z][,force]                    continuous motion of each user
+//     labels     user,gesture,t_start,t_end                gestures within the sessions
+//
+// The first line names the columns, in any order; others are ignored. Times are in seconds and must not run backwards
+// within a stroke or session. There are no quotes.
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "gesture/stroke.h"
+
+namespace thaum::gesture {
+
+inline constexpr std::size_t most_csv_points = 20'000'000;
+inline constexpr std::size_t most_csv_strokes = 200'000;
+
+struct StrokeSet {
+    std::vector<Stroke> strokes;
+    bool has_depth = false;  ///< true if some z differs from zero
+    bool has_force = false;  ///< true if some force differs from zero
+};
+
+struct Session {
+    std::string user;
+    std::vector<StrokePoint> points;
+};
+
+struct SessionSet {
+    std::vector<Session> sessions;
+    bool has_depth = false;
+    bool has_force = false;
+};
+
+struct SessionLabel {
+    std::string user;
+    std::string gesture;
+    double start{};  ///< s
+    double end{};    ///< s
+};
+
+/// The error names file, line and fault.
+Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name);
+Expected<SessionSet> read_sessions(std::string_view csv, std::string_view name);
+Expected<std::vector<SessionLabel>> read_labels(std::string_view csv, std::string_view name);
+
+/// Strokes as CSV text that reads back to the same strokes.
+std::string to_csv(std::span<const Stroke> strokes);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,67 @@
+// gesture/stroke_networks.h: the two networks of the papers, from stroke to gesture. Baselines; see recogniser.h for
+// the recogniser that the game uses.
+//
+// Time-delay network (paper 002, section 3.2). The workspace is a grid of 5x5 states in the x-y plane; z is
+// disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24 hidden
+// nodes; one output for each gesture (the paper has 4: circles both ways and diagonal strokes). The paper does not
+// say how a transition becomes numbers; 8 transitions in 16 nodes leave two each: the steps in x and y. The grid here
+// is the square around the stroke, because strokes of data sets come without a workspace. The answer to a whole
+// stroke is the sum of the outputs over its windows.
+//
+// Directional vectors (paper 000, section 8). "Haptic proxy positions were converted to directional vectors (e.g.
+// Right: 1,0,0; 1,0,0; ...)." The paper gives no size: here 16 unit vectors at equal steps of arc length, 24 hidden
+// nodes.
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gesture/gesture.h"
+#include "gesture/network.h"
+
+namespace thaum::gesture {
+
+enum class NetworkKind : std::uint8_t { tdnn, directions };
+
+inline constexpr std::size_t grid_side = 5;
+inline constexpr std::size_t window_transitions = 8;
+inline constexpr std::size_t hidden_nodes = 24;
+inline constexpr std::size_t direction_vectors = 16;
+
+struct StrokeNetwork {
+    NetworkKind kind{};
+    std::vector<std::string> gestures;  ///< name of each output
+    Network network;
+
+    bool operator==(const StrokeNetwork&) const = default;
+};
+
+/// Windows of transitions of a stroke. A stroke of fewer than 8 transitions gives one window with zeros in front; a
+/// stroke without a transition, or with values that are not finite, gives none.
+std::vector<std::vector<double>> transition_windows(Points stroke);
+
+/// Unit vectors from point to point, three numbers each; empty for a stroke without two different places.
+std::vector<double> direction_input(Points stroke);
+
+/// Inputs of a network of this kind for one stroke.
+std::vector<std::vector<double>> inputs_of(NetworkKind kind, Points stroke);
+
+/// Sum of the outputs over the inputs of the stroke, divided by their number; all -1 for a stroke without inputs.
+std::vector<double> outputs_of(const StrokeNetwork& network, Points stroke);
+
+struct StrokeTraining {
+    StrokeNetwork network;
+    std::size_t samples{};
+    std::size_t epochs{};
+    double error{};  ///< mean squared error of the last epoch
+};
+
+StrokeTraining train_network(NetworkKind kind, std::span<const Gesture> gestures,
+                             const TrainingSettings& settings);
+
+/// A network file (TOML). Reading a written file gives the same network, bit for bit.
+std::string to_file(const StrokeNetwork& network);
+Expected<StrokeNetwork> read_stroke_network(const Config& config);
+
+}  // namespace thaum::gesture

@@ -1,0 +1,25 @@
+// game/app/stroke_files.h: loads files of strokes, sessions and labels (gesture/stroke_csv.h), gzipped or not.
+#pragma once
+#include <filesystem>
+
+#include "core/bytes.h"
+#include "core/error.h"
+#include "gesture/stroke_csv.h"
+
+namespace thaum::app {
+
+/// Largest file, and largest text after unpacking (bytes).
+inline constexpr std::size_t most_stroke_bytes = std::size_t{1} << 30U;
+
+/// Unpacks a gzip file, which may have several members. The error says what is wrong: not gzip, cut off, damaged, or
+/// larger than `limit` bytes unpacked.
+Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
+
+/// Reads a text file. A file that starts as gzip does is unpacked, whatever its name.
+Expected<std::string> load_text(const std::filesystem::path& path);
+
+Expected<gesture::StrokeSet> load_strokes(const std::filesystem::path& path);
+Expected<gesture::SessionSet> load_sessions(const std::filesystem::path& path);
+Expected<std::vector<gesture::SessionLabel>> load_labels(const std::filesystem::path& path);
+
+}  // namespace thaum::app

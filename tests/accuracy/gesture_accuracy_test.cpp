@@ -1,0 +1,88 @@
+// Accuracy on public data beside the source tree (../shared/data/gestures). Skipped where the folder is absent.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "game/app/stroke_files.h"
+#include "gesture/evaluation.h"
+#include "gesture/spotting.h"
+
+namespace thaum::gesture {
+namespace {
+
+const std::filesystem::path data = std::filesystem::path(THAUM_SOURCE_DIR) / "../shared/data/gestures";
+
+class GesturePublicData : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(data)) GTEST_SKIP() << "no folder " << data;
+    }
+
+    static StrokeSet strokes(const char* file) {
+        auto set = app::load_strokes(data / file);
+        EXPECT_TRUE(set) << (set ? "" : set.error().message);
+        return std::move(*set);
+    }
+
+    static double accuracy(const StrokeSet& set, EvaluationSettings settings) {
+        settings.channels = {set.has_depth, set.has_force};
+        const auto result = evaluate(set.strokes, settings);
+        EXPECT_TRUE(result);
+        return result->accuracy;
+    }
+};
+
+TEST_F(GesturePublicData, LettersWithForce) {
+    const auto set = strokes("character-trajectories.csv.gz");
+    EXPECT_EQ(set.strokes.size(), 1429U);
+    EXPECT_TRUE(set.has_force);
+    EvaluationSettings settings{.protocol = Protocol::random, .templates = 1, .repeats = 10};
+    EXPECT_GE(accuracy(set, settings), 0.91);
+    settings.templates = 3;
+    EXPECT_GE(accuracy(set, settings), 0.96);
+}
+
+TEST_F(GesturePublicData, TheRecogniserBeatsTheBaselinesOfThePapers) {
+    const auto set = strokes("character-trajectories.csv.gz");
+    EvaluationSettings settings{.protocol = Protocol::random, .templates = 3, .repeats = 1};
+    const double standard = accuracy(set, settings);
+    settings.method = Method::dot;
+    EXPECT_GT(standard, accuracy(set, settings) + 0.05);
+    settings.method = Method::directions;
+    EXPECT_GT(standard, accuracy(set, settings) + 0.05);
+}
+
+TEST_F(GesturePublicData, MouseGesturesOfUnknownUsers) {
+    const auto set = strokes("machete-mouse.csv.gz");
+    EXPECT_EQ(set.strokes.size(), 500U);
+    const EvaluationSettings settings{.protocol = Protocol::leave_user_out, .templates = 1, .repeats = 5};
+    EXPECT_GE(accuracy(set, settings), 0.998);
+}
+
+TEST_F(GesturePublicData, ProbabilitiesHoldAndUnknownGesturesAreNothing) {
+    const auto set = strokes("machete-mouse.csv.gz");
+    const EvaluationSettings settings{.protocol = Protocol::leave_user_out,
+                                      .templates = 3,
+                                      .repeats = 4,
+                                      .channels = {false, false},
+                                      .unknown_share = 0.5};
+    const auto result = evaluate(set.strokes, settings);
+    ASSERT_TRUE(result && result->open_set);
+    EXPECT_LT(result->calibration_error, 0.02);
+    EXPECT_GE(result->open_set->correct_accepts, 0.98);
+    EXPECT_LE(result->open_set->false_accepts, 0.03);
+}
+
+TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
+    const auto set = strokes("machete-mouse.csv.gz");
+    const auto sessions = app::load_sessions(data / "machete-mouse-sessions.csv.gz");
+    const auto labels = app::load_labels(data / "machete-mouse-sessions.labels.csv");
+    ASSERT_TRUE(sessions && labels);
+    const auto result = evaluate_spotting(*sessions, *labels, set.strokes, {.templates = 3, .repeats = 1});
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->labels, 300U);
+    EXPECT_GE(result->best.f1, 0.85);
+}
+
+}  // namespace
+}  // namespace thaum::gesture

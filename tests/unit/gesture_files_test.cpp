@@ -1,0 +1,152 @@
+// Files of strokes, sessions, labels and gestures: what is read, and how faults are told.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "game/app/stroke_files.h"
+#include "gesture/gesture_file.h"
+#include "unit/gesture_shapes.h"
+
+namespace thaum::gesture {
+namespace {
+
+TEST(GestureCsv, StrokesAreRowsOfEqualUserGestureAndSample) {
+    const auto set = read_strokes(
+        "user,gesture,sample,t,x,y,z,force\n1,o,0,0,1,2,3,4\n1,v,0,0,5,6,7,8\n1,o,0,0.5,9,9,9,9\n", "f");
+    ASSERT_TRUE(set) << set.error().message;
+    ASSERT_EQ(set->strokes.size(), 2U);
+    EXPECT_EQ(set->strokes[0].gesture, "o");
+    ASSERT_EQ(set->strokes[0].points.size(), 2U);
+    EXPECT_EQ(set->strokes[0].points[0].at, vec3(1, 2, 3));
+    EXPECT_EQ(set->strokes[0].points[1].t, 0.5);
+    EXPECT_EQ(set->strokes[1].points[0].force, 8);
+    EXPECT_TRUE(set->has_depth && set->has_force);
+}
+
+TEST(GestureCsv, ColumnsMayStandInAnyOrderAndForceMayBeMissing) {
+    const auto set =
+        read_strokes("y,x,extra,sample,t,gesture,user\r\n2,1,?,a,0,o,me\r\n\r\n4,3,?,a,1,o,me\r\n", "f");
+    ASSERT_TRUE(set) << set.error().message;
+    EXPECT_EQ(set->strokes[0].points[1].at, vec3(3, 4, 0));
+    EXPECT_FALSE(set->has_depth);
+    EXPECT_FALSE(set->has_force);
+}
+
+TEST(GestureCsv, TextOfStrokesReadsBackToTheSame) {
+    const std::vector<Stroke> strokes{{"u", "g", "1", ess()}, {"u", "g", "2", circle()}};
+    const auto set = read_strokes(to_csv(strokes), "f");
+    ASSERT_TRUE(set);
+    ASSERT_EQ(set->strokes.size(), 2U);
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_EQ(set->strokes[1].points[i].at, strokes[1].points[i].at);
+        EXPECT_EQ(set->strokes[1].points[i].t, strokes[1].points[i].t);
+    }
+}
+
+std::string fault_of(std::string_view csv) {
+    const auto set = read_strokes(csv, "file.csv");
+    return set ? "none" : set.error().message;
+}
+
+TEST(GestureCsv, FaultsNameFileAndLine) {
+    const std::string title = "user,gesture,sample,t,x,y\n";
+    EXPECT_EQ(fault_of(""), "file.csv:0: the file is empty");
+    EXPECT_EQ(fault_of(title), "file.csv:1: no stroke");
+    EXPECT_EQ(fault_of("user,gesture,sample,t,x\n"), "file.csv:1: no column 'y' in the first line");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1\n"), "file.csv:2: 5 cells instead of 6 as in the first line");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,nan\n"), "file.csv:2: 'nan' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,1e999\n"), "file.csv:2: '1e999' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,two\n"), "file.csv:2: 'two' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,1,1,1\n1,o,0,0.5,1,1\n"),
+              "file.csv:3: time runs backwards, from 1 to 0.5 s");
+    EXPECT_EQ(fault_of(title + "1,,0,0,1,1\n"), "file.csv:2: a name must have 1 to 200 characters");
+}
+
+TEST(GestureCsv, LabelsAndSessionsAreRead) {
+    const auto sessions = read_sessions("user,t,x,y\na,0,1,1\nb,0,2,2\na,1,3,3\n", "f");
+    ASSERT_TRUE(sessions);
+    ASSERT_EQ(sessions->sessions.size(), 2U);
+    EXPECT_EQ(sessions->sessions[0].points.size(), 2U);
+    const auto labels = read_labels("user,gesture,t_start,t_end\na,o,0.25,1\n", "f");
+    ASSERT_TRUE(labels);
+    EXPECT_EQ((*labels)[0].start, 0.25);
+    EXPECT_FALSE(read_labels("user,gesture,t_start,t_end\na,o,2,1\n", "f"));
+}
+
+TEST(GestureFile, ReadsBackToTheSameBits) {
+    Gesture gesture = gesture_of("swirl \"one\"\n", {circle(0.3, 2), ess()},
+                                 {.direction_sensitive = false,
+                                  .rotation = 0.5,
+                                  .smallest_scale = 0.25,
+                                  .largest_scale = 3,
+                                  .closed = true,
+                                  .planar = true,
+                                  .gentle_below = 1,
+                                  .harsh_above = 4});
+    gesture.strokes[0][3].force = 0.1;
+    const auto config = Config::parse(to_file(gesture), "g.toml", gesture_file_version);
+    ASSERT_TRUE(config) << config.error().message;
+    const auto read = read_gesture(*config);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->name, gesture.name);
+    EXPECT_NEAR(read->options.rotation, 0.5, 1e-15);
+    EXPECT_EQ(read->options.closed, true);
+    EXPECT_EQ(read->options.harsh_above, 4);
+    ASSERT_EQ(read->strokes.size(), 2U);
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_EQ(read->strokes[0][i].at, gesture.strokes[0][i].at);
+        EXPECT_EQ(read->strokes[0][i].force, gesture.strokes[0][i].force);
+    }
+}
+
+std::string gesture_fault(const std::string& stroke) {
+    const auto config = Config::parse("version = 1\nname = \"g\"\n[[stroke]]\n" + stroke, "g.toml", 1);
+    if (!config) return config.error().message;
+    const auto read = read_gesture(*config);
+    return read ? "none" : read.error().message;
+}
+
+TEST(GestureFile, FaultsNameTheColumn) {
+    EXPECT_EQ(gesture_fault("t = [0, 1]\nx = [0, 1]\ny = [0, 1]\n"), "none");
+    EXPECT_NE(gesture_fault("t = [0, 1]\nx = [0]\ny = [0, 1]\n").find("1 numbers instead of 2"),
+              std::string::npos);
+    EXPECT_NE(gesture_fault("t = [1, 0]\nx = [0, 1]\ny = [0, 1]\n").find("backwards"), std::string::npos);
+    EXPECT_NE(gesture_fault("t = [0]\nx = [0]\ny = [0]\n").find("two points"), std::string::npos);
+    EXPECT_NE(gesture_fault("t = [0, nan]\nx = [0, 1]\ny = [0, 1]\n"), "none");
+}
+
+std::string gzipped(std::string words) {
+    z_stream stream{};
+    EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
+    std::string out(words.size() + 1000, '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(words.data());
+    stream.avail_in = static_cast<uInt>(words.size());
+    stream.next_out = reinterpret_cast<Bytef*>(out.data());
+    stream.avail_out = static_cast<uInt>(out.size());
+    EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+    out = out.substr(0, out.size() - stream.avail_out);
+    deflateEnd(&stream);
+    return out;
+}
+
+Expected<std::string> unpacked(std::string_view packed, std::size_t limit = 1U << 20U) {
+    return app::unpack_gzip(std::as_bytes(std::span(packed.data(), packed.size())), limit);
+}
+
+TEST(GestureGzip, UnpacksOneMemberOrSeveral) {
+    const std::string words(300'000, 'x');
+    EXPECT_EQ(unpacked(gzipped(words)).value_or(""), words);
+    EXPECT_EQ(unpacked(gzipped(words) + gzipped("end")).value_or(""), words + "end");
+}
+
+TEST(GestureGzip, RefusesWhatIsCutOffDamagedOrTooLarge) {
+    auto packed = gzipped(std::string(300'000, 'x'));
+    EXPECT_FALSE(unpacked(packed, 299'999));
+    EXPECT_TRUE(unpacked(packed, 300'000));
+    for (std::size_t length = 0; length < packed.size(); length += 7)
+        EXPECT_FALSE(unpacked(std::string_view(packed).substr(0, length))) << length;
+    packed[packed.size() - 6] ^= 1;  // checksum
+    EXPECT_FALSE(unpacked(packed));
+}
+
+}  // namespace
+}  // namespace thaum::gesture

@@ -1,0 +1,205 @@
+// The recogniser of the game: options of a gesture, force, confidence, and equal bits in every run and thread.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "core/hash.h"
+#include "gesture/collisions.h"
+#include "gesture/recogniser.h"
+#include "gesture/variations.h"
+#include "unit/gesture_shapes.h"
+
+namespace thaum::gesture {
+namespace {
+
+Recogniser recogniser_of(const std::vector<Gesture>& gestures, RecogniserSettings settings = {}) {
+    auto made = Recogniser::make(gestures, settings);
+    EXPECT_TRUE(made) << (made ? "" : made.error().message);
+    return std::move(*made);
+}
+
+Recognition read(const Recogniser& recogniser, const Course& stroke) {
+    static RecogniserSpace space;
+    return recogniser.recognise(stroke, space);
+}
+
+TEST(Gesture, VariationsAreRecognisedAndScribblesAreNot) {
+    const auto gestures = three_gestures();
+    const auto recogniser = recogniser_of(gestures);
+    Random random = random_stream(99, 0);
+    int right = 0, taken = 0;
+    constexpr int tries = 200;
+    for (int i = 0; i < tries; ++i) {
+        const auto g = static_cast<std::uint32_t>(i % 3);
+        const auto r = read(recogniser, variation_of(gestures[g].strokes[0], random));
+        right += r.accepted && r.gesture == g;
+        taken += read(recogniser, scribble(gestures, random)).accepted;
+    }
+    EXPECT_GE(right, tries * 95 / 100);
+    EXPECT_LE(taken, tries * 5 / 100);
+}
+
+TEST(Gesture, PlaceSizeAndSpeedDoNotCount) {
+    const auto recogniser = recogniser_of(three_gestures());
+    const auto r = read(recogniser, moved(ess(), {10, -4, 0}, 0.01, 7));
+    EXPECT_EQ(recogniser.name(r.gesture), "ess");
+    EXPECT_TRUE(r.accepted);
+    EXPECT_LT(r.distance, 1e-3F);
+    EXPECT_GT(r.probability, 0.9);
+}
+
+TEST(Gesture, AClosedGestureMayStartAnywhere) {
+    const GestureOptions closed{.closed = true};
+    const auto open = recogniser_of({gesture_of("circle", {circle()}), gesture_of("ess", {ess()})});
+    const auto cyclic = recogniser_of({gesture_of("circle", {circle()}, closed), gesture_of("ess", {ess()})});
+    for (const double start : {0.5, 1.5, 3.0, 4.5, 6.0}) {
+        const auto r = read(cyclic, circle(start));
+        EXPECT_EQ(r.gesture, 0U);
+        EXPECT_LT(r.distance, 0.05F) << start;
+    }
+    EXPECT_GT(read(open, circle(3)).distance, 0.3F);
+    EXPECT_GT(read(cyclic, circle(0, -1)).distance, 0.3F) << "the other way around";
+}
+
+TEST(Gesture, DirectionCountsUnlessItIsSwitchedOff) {
+    const auto strict = recogniser_of({gesture_of("dash", {dash()}), gesture_of("ess", {ess()})});
+    auto back = dash();
+    std::reverse(back.begin(), back.end());
+    for (auto& p : back) p.t = 1 - p.t;
+    EXPECT_GT(read(strict, back).distance, 0.2F);
+    const auto loose = recogniser_of(
+        {gesture_of("dash", {dash()}, {.direction_sensitive = false}), gesture_of("ess", {ess()})});
+    const auto r = read(loose, back);
+    EXPECT_EQ(r.gesture, 0U);
+    EXPECT_LT(r.distance, 0.01F);
+}
+
+TEST(Gesture, IsTurnedWithinItsTolerance) {
+    const auto turned = [](double angle) {
+        auto stroke = ess();
+        for (auto& p : stroke) p.at = rotation({0, 0, 1}, angle) * p.at;
+        return stroke;
+    };
+    const auto recogniser =
+        recogniser_of({gesture_of("ess", {ess()}, {.rotation = 0.8}), gesture_of("circle", {circle()})});
+    for (const double angle : {-0.7, -0.3, 0.4, 0.75})
+        EXPECT_LT(read(recogniser, turned(angle)).distance, 0.01F) << angle;
+    EXPECT_GT(read(recogniser, turned(1.6)).distance, 0.1F);
+    const auto fixed = recogniser_of({gesture_of("ess", {ess()}), gesture_of("circle", {circle()})});
+    EXPECT_GT(read(fixed, turned(0.7)).distance, 0.1F);
+}
+
+TEST(Gesture, ScaleOutsideOfItsRangeIsNothing) {
+    const GestureOptions range{.smallest_scale = 0.5, .largest_scale = 2};
+    const auto recogniser =
+        recogniser_of({gesture_of("ess", {ess()}, range), gesture_of("vee", {vee()}, range)});
+    EXPECT_TRUE(read(recogniser, moved(ess(), {}, 1.5)).accepted);
+    EXPECT_EQ(read(recogniser, moved(ess(), {}, 4)).gesture, Recognition::none);
+    EXPECT_EQ(read(recogniser, moved(ess(), {}, 0.1)).gesture, Recognition::none);
+}
+
+TEST(Gesture, DepthCountsUnlessTheGestureIsPlanar) {
+    auto deep = ess();
+    for (auto& p : deep) p.at.z = det::sin(9 * p.t);
+    const auto solid = recogniser_of({gesture_of("ess", {ess()}), gesture_of("vee", {vee()})});
+    const auto planar =
+        recogniser_of({gesture_of("ess", {ess()}, {.planar = true}), gesture_of("vee", {vee()})});
+    EXPECT_GT(read(solid, deep).distance, 0.1F);
+    EXPECT_LT(read(planar, deep).distance, 1e-3F);
+    EXPECT_EQ(read(planar, deep).gesture, 0U);
+}
+
+TEST(Gesture, ForceGivesGentleNormalAndHarsh) {
+    const auto pressed = [](double force) {
+        auto stroke = ess();
+        for (auto& p : stroke) p.force = force;
+        return stroke;
+    };
+    const auto recogniser = recogniser_of({gesture_of("ess", {pressed(2)}), gesture_of("vee", {vee()})});
+    EXPECT_EQ(read(recogniser, pressed(0.5)).force, ForceClass::gentle);
+    EXPECT_EQ(read(recogniser, pressed(2)).force, ForceClass::normal);
+    EXPECT_EQ(read(recogniser, pressed(5)).force, ForceClass::harsh);
+    const auto banded = recogniser_of(
+        {gesture_of("ess", {pressed(2)}, {.gentle_below = 3, .harsh_above = 9}), gesture_of("vee", {vee()})});
+    EXPECT_EQ(read(banded, pressed(2)).force, ForceClass::gentle);
+    EXPECT_EQ(read(banded, pressed(5)).force, ForceClass::normal);
+}
+
+std::uint64_t hash_of(const Recogniser& recogniser, const std::vector<Course>& strokes) {
+    RecogniserSpace space;
+    std::uint64_t hash = 0;
+    for (const auto& stroke : strokes) {
+        const auto r = recogniser.recognise(stroke, space);
+        hash = hash_combine(hash, hash_combine(hash_value(r.distance), hash_value(r.probability)));
+        hash = hash_combine(hash, hash_combine(r.gesture, r.accepted));
+    }
+    return hash;
+}
+
+TEST(GestureThreads, EveryRunAndThreadGivesTheSameBits) {
+    const auto gestures = three_gestures();
+    const auto recogniser = recogniser_of(gestures), again = recogniser_of(gestures);
+    std::vector<Course> strokes;
+    Random random = random_stream(3, 3);
+    for (int i = 0; i < 100; ++i)
+        strokes.push_back(variation_of(gestures[static_cast<std::size_t>(i) % 3].strokes[0], random));
+    const auto expected = hash_of(recogniser, strokes);
+    EXPECT_EQ(hash_of(again, strokes), expected);
+    std::array<std::uint64_t, 4> hashes{};
+    {
+        std::vector<std::jthread> threads;
+        for (auto& hash : hashes) threads.emplace_back([&] { hash = hash_of(recogniser, strokes); });
+    }
+    for (const auto hash : hashes) EXPECT_EQ(hash, expected);
+}
+
+TEST(Gesture, BitsAreThoseOfEveryOtherBuild) {
+    const auto gestures = three_gestures();
+    std::vector<Course> strokes;
+    Random random = random_stream(3, 3);
+    for (int i = 0; i < 50; ++i)
+        strokes.push_back(variation_of(gestures[static_cast<std::size_t>(i) % 3].strokes[0], random));
+    EXPECT_EQ(hash_of(recogniser_of(gestures), strokes), 0x719d36257b8443b2U);
+}
+
+TEST(Gesture, ARecognitionAllocatesNothing) {
+    const auto recogniser = recogniser_of(three_gestures());
+    RecogniserSpace space;
+    const auto stroke = ess();
+    const auto before = allocations();
+    for (int i = 0; i < 10; ++i) recogniser.recognise(stroke, space);
+    EXPECT_EQ(allocations(), before);
+}
+
+TEST(Gesture, TheChoiceByDotProductLosesNoRightAnswer) {
+    std::vector<Gesture> gestures;
+    Random random = random_stream(12, 0);
+    for (int g = 0; g < 40; ++g)
+        gestures.push_back(gesture_of(std::to_string(g), {scribble(three_gestures(), random)}));
+    const auto quick = recogniser_of(gestures, {.calibrate = false}),
+               full = recogniser_of(gestures, {.exhaustive = true, .calibrate = false});
+    int same = 0;
+    for (int i = 0; i < 200; ++i) {
+        const auto stroke = variation_of(gestures[static_cast<std::size_t>(i) % 40].strokes[0], random);
+        same += read(quick, stroke).gesture == read(full, stroke).gesture;
+    }
+    EXPECT_GE(same, 198);
+}
+
+TEST(GestureCollisions, TwoGesturesThatAreAlikeCollide) {
+    auto flatter = vee();
+    for (auto& p : flatter) p.at.y *= 0.9;
+    const std::vector<Gesture> gestures{gesture_of("vee", {vee()}), gesture_of("ess", {ess()}),
+                                        gesture_of("tick", {flatter})};
+    const auto pairs = compare_gestures(gestures);
+    ASSERT_TRUE(pairs);
+    ASSERT_EQ(pairs->size(), 3U);
+    EXPECT_EQ((*pairs)[0].a, 0U);
+    EXPECT_EQ((*pairs)[0].b, 2U);
+    EXPECT_TRUE((*pairs)[0].collides());
+    EXPECT_FALSE((*pairs)[2].collides());
+}
+
+}  // namespace
+}  // namespace thaum::gesture

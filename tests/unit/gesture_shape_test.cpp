@@ -1,0 +1,154 @@
+// Resampling, normalisation, the dot product of paper 000, and the elastic distance against a full one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/random.h"
+#include "gesture/dot.h"
+#include "gesture/elastic.h"
+#include "gesture/variations.h"
+#include "unit/gesture_shapes.h"
+
+namespace thaum::gesture {
+namespace {
+
+Shape shape_of(const Course& stroke, Channels channels = {false, true}) {
+    static ShapeSpace space;
+    Shape shape;
+    EXPECT_TRUE(make_shape(stroke, channels, space, shape));
+    return shape;
+}
+
+TEST(GestureDot, ResampledPointsAreEquallySpaced) {
+    // The points of the parabola lie closer together at its ends.
+    const auto stroke = drawn([](double u) { return vec3(u * u, 2 * u, 0.5 * u * u); }, 500);
+    const auto points = equally_spaced(stroke);
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < dot_points; ++i)
+        steps.push_back(glm::length(points[i].at - points[i - 1].at));
+    const auto [least, most] = std::minmax_element(steps.begin(), steps.end());
+    EXPECT_LT(*most / *least, 1.001);
+    EXPECT_EQ(points.front().at, stroke.front().at);
+    EXPECT_LT(glm::length(points.back().at - stroke.back().at), 1e-12);
+}
+
+TEST(GestureDot, AStrokeTimesItselfIsOneAndTimesItsOppositeLess) {
+    StrokeVector a{}, b{};
+    for (const auto& stroke : {circle(), vee(), ess()}) {
+        ASSERT_TRUE(make_vector(stroke, {}, a));
+        EXPECT_NEAR(dot_product(a, a), 1, 1e-14);
+    }
+    ASSERT_TRUE(make_vector(circle(0, 1), {}, a));
+    ASSERT_TRUE(make_vector(circle(0, -1), {}, b));
+    EXPECT_LT(dot_product(a, b), 0.1);
+}
+
+TEST(GestureDot, PlaceSizeAndSpeedDoNotCount) {
+    StrokeVector a{}, b{};
+    ASSERT_TRUE(make_vector(ess(), {}, a));
+    ASSERT_TRUE(make_vector(moved(ess(), {3, -7, 2}, 40, 0.2), {}, b));
+    EXPECT_NEAR(dot_product(a, b), 1, 1e-12);
+}
+
+TEST(GestureShape, PlaceAndSizeDoNotCount) {
+    const auto a = shape_of(ess()), b = shape_of(moved(ess(), {300, -700, 0}, 64));
+    for (std::size_t i = 0; i < shape_points * planar_channels; ++i)
+        EXPECT_NEAR(a.values[i], b.values[i], 2e-4F) << i;
+    EXPECT_NEAR(b.size / a.size, 64, 1e-3);
+}
+
+TEST(GestureShape, IsCentredAndOfUnitSize) {
+    const auto s = shape_of(moved(vee(), {5, 5, 0}, 3));
+    double x = 0, y = 0, squares = 0;
+    for (std::size_t i = 0; i < shape_points; ++i) {
+        const float* v = &s.values[i * planar_channels];
+        x += static_cast<double>(v[0]);
+        y += static_cast<double>(v[1]);
+        squares += static_cast<double>(v[0] * v[0] + v[1] * v[1]);
+    }
+    EXPECT_NEAR(x, 0, 1e-4);
+    EXPECT_NEAR(y, 0, 1e-4);
+    EXPECT_NEAR(squares / shape_points, 1, 1e-4);
+}
+
+TEST(GestureShape, ARestBeforeOrAfterTheStrokeHasNoEffect) {
+    auto stroke = vee();
+    Course rested(50, StrokePoint{0, stroke[0].at, 0});
+    for (std::size_t i = 0; i < rested.size(); ++i) rested[i].t = 0.01 * static_cast<double>(i);
+    for (auto p : stroke) rested.push_back({p.t + 0.5, p.at, p.force});
+    for (int i = 1; i < 10; ++i) rested.push_back({1.5 + 0.01 * i, stroke.back().at, 0});
+    EXPECT_LT(elastic_distance(shape_of(stroke), shape_of(rested)), 1e-4F);
+    EXPECT_NEAR(shape_of(rested).start_t, 0.5, 0.02);
+    EXPECT_NEAR(shape_of(rested).end_t, 1.5, 0.02);
+}
+
+TEST(GestureShape, ForceInAnotherUnitIsTheSame) {
+    auto newtons = drawn([](double u) { return vec3(u, u * u, 0); });
+    for (auto& p : newtons) p.force = 1 + det::sin(6 * p.t);
+    auto grams = newtons;
+    for (auto& p : grams) p.force *= 101.97;
+    EXPECT_LT(elastic_distance(shape_of(newtons), shape_of(grams)), 1e-6F);
+}
+
+/// The recurrence written down without a band over all pairs of points.
+double full_distance(const Shape& a, const Shape& b) {
+    constexpr std::size_t n = shape_points;
+    std::vector<std::vector<double>> sum(n + 1, std::vector<double>(n + 1, 1e30));
+    sum[0][0] = 0;
+    for (std::size_t i = 1; i <= n; ++i) {
+        for (std::size_t j = 1; j <= n; ++j) {
+            double s = 0;
+            for (std::size_t c = 0; c < a.channels; ++c) {
+                const auto d = static_cast<double>(a.values[(i - 1) * a.channels + c] -
+                                                   b.values[(j - 1) * b.channels + c]);
+                s += d * d;
+            }
+            sum[i][j] = s / (1 + 2 * s) + std::min({sum[i - 1][j - 1], sum[i - 1][j], sum[i][j - 1]});
+        }
+    }
+    return sum[n][n] / n;
+}
+
+TEST(GestureElastic, EqualsAFullComparisonOfSimilarStrokesAndIsNeverLess) {
+    Random random = random_stream(4, 2);
+    int equal = 0;
+    for (int i = 0; i < 40; ++i) {
+        const auto a = shape_of(ess()), b = shape_of(variation_of(ess(), random)),
+                   c = shape_of(variation_of(vee(), random));
+        EXPECT_GE(static_cast<double>(elastic_distance(a, b)), full_distance(a, b) - 1e-6);
+        EXPECT_GE(static_cast<double>(elastic_distance(a, c)), full_distance(a, c) - 1e-6);
+        equal += std::abs(static_cast<double>(elastic_distance(a, b)) - full_distance(a, b)) < 1e-5;
+    }
+    EXPECT_GE(equal, 35);
+}
+
+TEST(GestureElastic, EightAtOnceHaveTheBitsOfOne) {
+    Random random = random_stream(7, 1);
+    for (const bool depth : {false, true}) {
+        const Channels channels{depth, true};
+        EightShapes templates, strokes;
+        std::vector<Shape> shapes;
+        for (std::size_t k = 0; k < lanes; ++k) {
+            shapes.push_back(shape_of(variation_of(k % 2 == 0 ? ess() : vee(), random), channels));
+            set_lane(templates, k, shapes[k].channels, shapes[k].values.data());
+        }
+        const auto stroke = shape_of(variation_of(ess(), random), channels);
+        for (std::size_t k = 0; k < lanes; ++k) set_lane(strokes, k, stroke.channels, stroke.values.data());
+        const auto one = elastic_distances(stroke, templates),
+                   eight = elastic_distances(strokes, templates, stroke.channels);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            EXPECT_EQ(one[k], elastic_distance(stroke, shapes[k])) << k;
+            EXPECT_EQ(eight[k], one[k]) << k;
+        }
+    }
+}
+
+TEST(GestureElastic, ADistanceToItselfIsZeroAndBothWaysAreEqual) {
+    const auto a = shape_of(ess()), b = shape_of(circle());
+    EXPECT_EQ(elastic_distance(a, a), 0);
+    EXPECT_FLOAT_EQ(elastic_distance(a, b), elastic_distance(b, a));
+    EXPECT_GT(elastic_distance(a, b), 0.2F);
+}
+
+}  // namespace
+}  // namespace thaum::gesture

@@ -1,0 +1,65 @@
+// unit/gesture_shapes.h: strokes with a known shape for the tests of gestures.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "core/maths.h"
+#include "gesture/gesture.h"
+
+namespace thaum::gesture {
+
+using Course = std::vector<StrokePoint>;
+
+/// A curve over u from 0 to 1, drawn in a second with a constant force.
+inline Course drawn(const std::function<vec3(double)>& curve, std::size_t points = 100, double force = 0) {
+    Course result;
+    for (std::size_t i = 0; i < points; ++i) {
+        const double u = static_cast<double>(i) / static_cast<double>(points - 1);
+        result.push_back({u, curve(u), force});
+    }
+    return result;
+}
+
+/// A circle in the x-y plane that starts at the given angle (rad); `turns` below zero goes clockwise.
+inline Course circle(double start = 0, double turns = 1, std::size_t points = 100) {
+    return drawn(
+        [=](double u) {
+            return vec3(det::cos(start + 2 * pi * turns * u), det::sin(start + 2 * pi * turns * u), 0);
+        },
+        points);
+}
+
+inline Course vee(std::size_t points = 100) {
+    return drawn([](double u) { return vec3(u, std::abs(2 * u - 1), 0); }, points);
+}
+
+inline Course ess(std::size_t points = 100) {
+    return drawn([](double u) { return vec3(det::sin(2 * pi * u), 1 - 2 * u, 0); }, points);
+}
+
+inline Course dash(std::size_t points = 100) {
+    return drawn([](double u) { return vec3(u, u, 0); }, points);
+}
+
+inline Gesture gesture_of(std::string name, std::vector<Course> strokes, GestureOptions options = {}) {
+    return {.name = std::move(name), .options = options, .strokes = std::move(strokes)};
+}
+
+/// The gestures of paper 000: circle, V and S.
+inline std::vector<Gesture> three_gestures() {
+    return {gesture_of("circle", {circle()}), gesture_of("vee", {vee()}), gesture_of("ess", {ess()})};
+}
+
+/// The same stroke elsewhere, larger, and drawn at another speed.
+inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
+    for (auto& p : stroke) {
+        p.at = scale * p.at + by;
+        p.t /= speed;
+    }
+    return stroke;
+}
+
+/// Number of calls of operator new in this program (gesture_allocations.cpp).
+std::size_t allocations();
+
+}  // namespace thaum::gesture
