@@ -33,6 +33,7 @@ Command doctor_command();
 Command plot_command();
 Command lab_command();
 Command sounds_command();
+Command gesture_command();
 
 /// Tests whether a desktop is there to open a window on.
 bool display_there();

@@ -13,7 +13,8 @@ namespace {
 std::vector<Command> commands() {
     return {play_command(),  range_command(),    replay_command(), shots_command(),
             diff_command(),  scenario_command(), league_command(), lab_command(),
-            bench_command(), plot_command(),     sounds_command(), doctor_command()};
+            bench_command(), plot_command(),     sounds_command(), gesture_command(),
+            doctor_command()};
 }
 
 void print_overview() {
