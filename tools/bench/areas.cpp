@@ -19,6 +19,7 @@ std::span<const Area> areas() {
         Area{"surface", surface},
         Area{"field", field},
         Area{"tactile", tactile_mixer},
+        Area{"gesture", gestures},
         Area{"audio", audio},
     };
     return list;

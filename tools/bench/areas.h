@@ -32,6 +32,8 @@ void field(const Options& options, Report& report);
 /// Surface of the brew.
 void surface(const Options& options, Report& report);
 void tactile_mixer(const Options& options, Report& report);
+/// Recognition of gestures, isolated and in continuous motion.
+void gestures(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 /// Part of the area `render`.
 void brew_pictures(const Options& options, Report& report);
