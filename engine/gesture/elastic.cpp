@@ -61,9 +61,23 @@ void warp8(Strokes stroke, const float* eight, float* result) {
 
 }  // namespace
 
-void set_lane(EightShapes& eight, std::size_t k, std::size_t channels, const float* values) {
-    float* to = &eight.values[k];
-    for (std::size_t i = 0; i < shape_points * channels; ++i) to[i * lanes] = values[i];
+void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
+    for (std::size_t i = 0; i < shape_points * channels; i += lanes) {  // transposes eight by eight
+        std::array<Floats8, lanes> r, s;
+        for (std::size_t k = 0; k < lanes; ++k) r[k] = load8(values[k] + i);
+        for (std::size_t k = 0; k < 4; ++k) {
+            s[2 * k] = __builtin_shufflevector(r[k], r[k + 4], 0, 8, 1, 9, 2, 10, 3, 11);
+            s[2 * k + 1] = __builtin_shufflevector(r[k], r[k + 4], 4, 12, 5, 13, 6, 14, 7, 15);
+        }
+        for (int round = 0; round < 2; ++round) {
+            r = s;
+            for (std::size_t k = 0; k < 4; ++k) {
+                s[2 * k] = __builtin_shufflevector(r[k], r[k + 4], 0, 8, 1, 9, 2, 10, 3, 11);
+                s[2 * k + 1] = __builtin_shufflevector(r[k], r[k + 4], 4, 12, 5, 13, 6, 14, 7, 15);
+            }
+        }
+        std::memcpy(&eight.values[i * lanes], s.data(), sizeof s);
+    }
 }
 
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight) {

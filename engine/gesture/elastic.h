@@ -28,8 +28,8 @@ struct alignas(32) EightShapes {
     std::array<float, shape_points * most_channels * lanes> values{};
 };
 
-/// Puts the values of a template in lane k.
-void set_lane(EightShapes& eight, std::size_t k, std::size_t channels, const float* values);
+/// Puts the values of eight templates in the lanes. A template may be given several times.
+void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 
 /// Distances of a stroke to eight templates, with the bits of elastic_distance.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);

@@ -92,8 +92,8 @@ Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) co
 
 std::size_t Recogniser::verified_at_most() const {
     if (settings_.exhaustive) return most_templates;
-    const std::size_t groups = (templates_.size() + 31) / 32;
-    return lanes * std::clamp<std::size_t>(groups, 1, 6);
+    const std::size_t groups = (templates_.size() + 15) / 16;
+    return lanes * std::clamp<std::size_t>(groups, 1, 8);
 }
 
 /// Keeps the templates with the largest dot products, best first.
@@ -119,30 +119,32 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
 }
 
 /// Values of a template as the elastic distance needs them: from its chosen start, and turned towards the stroke.
-const float* Recogniser::lane_values(const Survivor& survivor, RecogniserSpace& space) const {
+const float* Recogniser::lane_values(const Survivor& survivor, std::size_t lane,
+                                     RecogniserSpace& space) const {
     const auto& t = templates_[survivor.place];
     const float* values = &values_[t.values + survivor.shift * t.channels];
     if (!t.turns) return values;
-    std::copy(values, values + shape_points * t.channels, space.turned_.begin());
+    auto& turned = space.turned_[lane];
+    std::copy(values, values + shape_points * t.channels, turned.begin());
     for (const auto pair : turning_pairs(t.channels)) {
         for (std::size_t i = 0; i < shape_points; ++i) {
-            float* v = &space.turned_[i * t.channels + pair];
+            float* v = &turned[i * t.channels + pair];
             const float x = v[0], y = v[1];
             v[0] = survivor.cosine * x + survivor.sine * y;
             v[1] = survivor.cosine * y - survivor.sine * x;
         }
     }
-    return space.turned_.data();
+    return turned.data();
 }
 
 /// Elastic distances of the survivors; keeps the two nearest templates of each gesture.
 void Recogniser::verify(const Shape& shape, RecogniserSpace& space) const {
     for (std::size_t first = 0; first < space.survivor_count_; first += lanes) {
         const std::size_t count = std::min(lanes, space.survivor_count_ - first);
-        for (std::size_t k = 0; k < lanes; ++k) {
-            const auto& survivor = space.survivors_[first + std::min(k, count - 1)];
-            set_lane(space.eight_, k, shape.channels, lane_values(survivor, space));
-        }
+        std::array<const float*, lanes> values;
+        for (std::size_t k = 0; k < lanes; ++k)
+            values[k] = lane_values(space.survivors_[first + std::min(k, count - 1)], k, space);
+        set_lanes(space.eight_, shape.channels, values);
         const auto distances = elastic_distances(shape, space.eight_);
         for (std::size_t k = 0; k < count; ++k)
             note(distances[k], templates_[space.survivors_[first + k].place], space);

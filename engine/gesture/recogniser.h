@@ -1,6 +1,6 @@
 // gesture/recogniser.h: tells which gesture a stroke is, how sure that is, and how forceful it was.
 //
-//     stroke -> shape -> dot product with every template -> elastic distance to the best 8 to 48
+//     stroke -> shape -> dot product with every template -> elastic distance to the best 8 to 64
 //            -> distance of each gesture -> probability, runner-up, acceptance
 //
 // There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section 8, here of
@@ -74,7 +74,7 @@ private:
     ShapeSpace points_;
     Shape solid_, planar_;
     EightShapes eight_, strokes_;
-    std::array<float, shape_points * most_channels> turned_{};
+    std::array<std::array<float, shape_points * most_channels>, lanes> turned_{};
     std::vector<Survivor> survivors_;
     std::array<Nearest, most_gestures> nearest_{};
     std::size_t survivor_count_{};
@@ -144,7 +144,7 @@ private:
     void choose(const Shape& shape, const Limits& limits, std::size_t most, RecogniserSpace& space) const;
     void verify(const Shape& shape, RecogniserSpace& space) const;
     void note(float distance, const Template& t, RecogniserSpace& space) const;
-    const float* lane_values(const Survivor& survivor, RecogniserSpace& space) const;
+    const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;
     Survivor score(const Shape& shape, const Template& t) const;
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
     std::size_t verified_at_most() const;

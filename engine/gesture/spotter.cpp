@@ -9,7 +9,8 @@ namespace {
 constexpr double points_of_shortest = 40;  // points of the shortest window
 constexpr double ends_of_shortest = 14;    // ends within the arc length of the shortest window
 constexpr double most_overlap = 0.15;      // of the shorter of two gestures
-constexpr float least_score = 0.5F;        // share of the template's dot product with itself
+constexpr double plain_usual = 0.06;       // usual distance of a gesture whose score is the distance
+constexpr float least_match = 0.5F;        // share of the template's dot product with itself
 constexpr std::size_t kept_points = most_points / 2;
 
 /// Overlap of two spans of time, as a share of the shorter.
@@ -32,11 +33,11 @@ std::optional<Candidate> CandidateChoice::report() {
 }
 
 std::optional<Candidate> CandidateChoice::add(const Candidate& c, double now) {
-    if (!(c.distance <= most_distance_)) return std::nullopt;
+    if (!(c.score <= most_score_)) return std::nullopt;
     if (overlap(c.start, c.end, start_, end_) > most_overlap) return std::nullopt;
     std::optional<Candidate> reported;
     if (waiting_ && overlap(c.start, c.end, waiting_->start, waiting_->end) > most_overlap) {
-        if (!(c.distance < waiting_->distance)) return std::nullopt;
+        if (!(c.score < waiting_->score)) return std::nullopt;
     } else if (waiting_) {
         reported = report();
         if (overlap(c.start, c.end, start_, end_) > most_overlap) return reported;
@@ -56,7 +57,7 @@ std::optional<Candidate> CandidateChoice::at(double now) {
 Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
     : recogniser_(recogniser),
       settings_(settings),
-      choice_(settings.wait, settings.most_distance),
+      choice_(settings.wait, settings.most_score),
       space_(std::make_unique<RecogniserSpace>()),
       spacing_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
                                   points_of_shortest)),
@@ -64,6 +65,8 @@ Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
                                    ends_of_shortest)),
       windows_(most_windows) {
     candidates_.reserve(most_gestures);
+    for (const float usual : recogniser.calibration().usual)
+        factors_.push_back(static_cast<float>(det::pow(plain_usual / static_cast<double>(usual), 1.0 / 3)));
 }
 
 /// Drops the older half of the points. Sums become relative to the first point that is kept.
@@ -151,7 +154,7 @@ void Spotter::look_at_window() {
     for (std::size_t k = 0; k < space_->survivor_count_; ++k) {
         const auto& match = space_->survivors_[k];
         const float score = match.score / recogniser_.templates_[match.place].self;
-        if (score > least_score) keep({match, static_cast<std::uint32_t>(window_count_), score});
+        if (score > least_match) keep({match, static_cast<std::uint32_t>(window_count_), score});
     }
     ++window_count_;
 }
@@ -162,11 +165,14 @@ void Spotter::verify() {
     const std::size_t count = std::min(lanes, pair_count_ - verified_);
     const std::size_t channels = windows_[pairs_[verified_].window].shape.channels;
     auto& space = *space_;
+    std::array<const float*, lanes> templates, strokes;
     for (std::size_t k = 0; k < lanes; ++k) {
         const auto& pair = pairs_[verified_ + std::min(k, count - 1)];
-        set_lane(space.eight_, k, channels, recogniser_.lane_values(pair.match, space));
-        set_lane(space.strokes_, k, channels, windows_[pair.window].shape.values.data());
+        templates[k] = recogniser_.lane_values(pair.match, k, space);
+        strokes[k] = windows_[pair.window].shape.values.data();
     }
+    set_lanes(space.eight_, channels, templates);
+    set_lanes(space.strokes_, channels, strokes);
     const auto distances = elastic_distances(space.strokes_, space.eight_, channels);
     for (std::size_t k = 0; k < count; ++k) {
         const auto& pair = pairs_[verified_ + k];
@@ -185,7 +191,11 @@ void Spotter::collect() {
     for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
         if (!best_[g].found) continue;
         const auto& window = windows_[best_[g].window];
-        Candidate c{.gesture = g, .distance = best_[g].distance, .start = window.start, .end = window.end};
+        Candidate c{.gesture = g,
+                    .distance = best_[g].distance,
+                    .score = factors_[g] * best_[g].distance,
+                    .start = window.start,
+                    .end = window.end};
         c.mean_force = static_cast<double>(window.shape.force);
         for (std::uint32_t other = 0; other < recogniser_.gestures(); ++other) {
             if (other == g || !best_[other].found) continue;

@@ -17,11 +17,11 @@ namespace thaum::gesture {
 
 struct SpotterSettings {
     double length_range = 3;  ///< largest ratio of the arc lengths of a stroke and its template, either way
-    double window_ratio = 1.12;   ///< ratio of the arc lengths of two windows that follow each other
-    double longest = 8;           ///< longest stroke (s)
-    double wait = 0.4;            ///< time for which a candidate waits for a better one (s)
-    float most_distance = 0.22F;  ///< elastic distance of the worst stroke that is reported
-    std::size_t windows_per_tick = 2;
+    double window_ratio = 1.12;  ///< ratio of the arc lengths of two windows that follow each other
+    double longest = 8;          ///< longest stroke (s)
+    double wait = 0.3;           ///< time for which a candidate waits for a better one (s)
+    float most_score = 0.14F;    ///< score of the worst stroke that is reported
+    std::size_t windows_per_tick = 4;
 };
 
 /// A window that may be a gesture.
@@ -30,6 +30,9 @@ struct Candidate {
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
+    /// The distance, made smaller for gestures whose strokes usually differ more, by the cube root of their usual
+    /// distance.
+    float score{};
     double start{}, end{};  ///< s
     double mean_force{};
 
@@ -46,7 +49,7 @@ struct Spotted {
 /// Chooses among candidates that overlap. Separate from the scanner, so that thresholds can be compared.
 class CandidateChoice {
 public:
-    CandidateChoice(double wait, float most_distance) : wait_(wait), most_distance_(most_distance) {}
+    CandidateChoice(double wait, float most_score) : wait_(wait), most_score_(most_score) {}
 
     /// Considers a candidate that was found at time `now` (s). May report an earlier one.
     std::optional<Candidate> add(const Candidate& candidate, double now);
@@ -57,7 +60,7 @@ private:
     std::optional<Candidate> report();
 
     double wait_;
-    float most_distance_;
+    float most_score_;
     std::optional<Candidate> waiting_;
     double due_ = 0;                        ///< time at which the waiting candidate is reported (s)
     double start_ = -1e300, end_ = -1e300;  ///< of the last reported gesture (s)
@@ -98,6 +101,7 @@ private:
     void collect();
 
     const Recogniser& recogniser_;
+    std::vector<float> factors_;  ///< score of a candidate of each gesture, divided by its distance
     SpotterSettings settings_;
     CandidateChoice choice_;
     std::unique_ptr<RecogniserSpace> space_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tick_seconds = 0.001;  // s
 constexpr double least_overlap = 0.5;
-constexpr float tightest = 0.04F, loosest = 0.32F, threshold_step = 0.005F;
+constexpr float tightest = 0.02F, loosest = 0.4F, threshold_step = 0.005F;
 constexpr auto thresholds = static_cast<std::size_t>((loosest - tightest) / threshold_step + 1.5F);
 
 float threshold_at(std::size_t number) { return tightest + threshold_step * static_cast<float>(number); }
@@ -57,7 +57,7 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
             bool any = false;
             for (const auto& c : spotter->scan(p)) {
                 any = true;
-                if (c.distance <= loosest) found.push_back({c, t});
+                if (c.score <= loosest) found.push_back({c, t});
             }
             ends += any;
         }
@@ -112,7 +112,10 @@ Count sum_of_others(const Counts& counts, std::size_t without, std::size_t thres
 }
 
 SpottingScore score_of(const Count& count, double hours) {
-    SpottingScore s{.right = count.right, .wrong = count.wrong, .missed = count.missed};
+    SpottingScore s;
+    s.right = count.right;
+    s.wrong = count.wrong;
+    s.missed = count.missed;
     const auto ratio = [](std::size_t a, std::size_t b) {
         return b > 0 ? static_cast<double>(a) / static_cast<double>(b) : 0;
     };
@@ -134,6 +137,7 @@ SpottingScore score_of(const Count& count, double hours) {
 template <class Better>
 SpottingScore cross_validated(const Counts& counts, double hours, Better value) {
     Count sum;
+    double threshold = 0;
     for (std::size_t s = 0; s < counts.size(); ++s) {
         std::size_t best = 0;
         double most = -1e300;
@@ -145,8 +149,11 @@ SpottingScore cross_validated(const Counts& counts, double hours, Better value) 
             }
         }
         sum.add(counts[s][best]);
+        threshold += static_cast<double>(threshold_at(best)) / static_cast<double>(counts.size());
     }
-    return score_of(sum, hours);
+    auto score = score_of(sum, hours);
+    score.threshold = threshold;
+    return score;
 }
 
 double hours_of(const Session& s) { return (s.points.back().t - s.points.front().t) / 3600; }
@@ -185,8 +192,6 @@ public:
         };
         result.at_six = limited(6);
         result.at_two = limited(2);
-        const auto all = sum_of_others(counts_, counts_.size(), thresholds - 1);
-        result.reachable = static_cast<double>(all.right) / static_cast<double>(all.right + all.missed);
         result.skipped = skipped_ / static_cast<double>(settings_.repeats * sessions_.sessions.size());
         return result;
     }
@@ -213,8 +218,8 @@ private:
             std::any_of(templates.begin(), templates.end(), [](const auto& t) { return t.empty(); });
         if (missing) return fail("a gesture has no stroke of another user than the session's");
         const auto gestures = gestures_of(strokes_, index_, templates);
-        const auto recogniser = Recogniser::make(
-            gestures, {.channels = settings_.channels, .seed = settings_.seed, .calibrate = false});
+        const auto recogniser =
+            Recogniser::make(gestures, {.channels = settings_.channels, .seed = settings_.seed});
         if (!recogniser) return tl::unexpected(recogniser.error());
         const auto found = candidates_in(session, *recogniser, settings_.spotter, skipped_);
         for (std::size_t t = 0; t < thresholds; ++t)

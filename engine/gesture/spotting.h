@@ -4,7 +4,7 @@
 // points of the session the hand rests at the earlier one. A report is right if it names the gesture of a label and
 // overlaps the label by half of the shorter of both, once for each label. All other reports are false.
 //
-// The largest distance that is reported is chosen, for each user, on the sessions of the other users.
+// The largest score that is reported is chosen, for each user, on the sessions of the other users.
 #pragma once
 #include <optional>
 #include <span>
@@ -30,6 +30,7 @@ struct SpottingScore {
     double precision{}, recall{}, f1{};
     double false_per_hour{};
     double low_per_hour{}, high_per_hour{};  ///< 95 % interval of false_per_hour
+    double threshold{};                      ///< mean of the chosen thresholds (largest score)
     double delay{};                          ///< median time from the end of the label to the report (s)
 };
 
@@ -37,7 +38,6 @@ struct Spotting {
     SpottingScore best;    ///< thresholds with the best F1 on other users
     SpottingScore at_six;  ///< thresholds with at most 6 false reports an hour on other users
     SpottingScore at_two;  ///< ... at most 2
-    double reachable{};    ///< share of the labels that the loosest threshold finds
     double hours{};        ///< length of all sessions, once
     std::size_t sessions{}, labels{};
     double skipped{};  ///< share of the ends of windows that were skipped to limit the work of a tick

@@ -14,11 +14,11 @@ namespace thaum::gesture {
 
 /// Standard deviations of a variation. The defaults are the differences between users.
 struct VariationSettings {
-    double tilt = 0.10;     ///< turn about the z axis (rad)
-    double stretch = 0.12;  ///< logarithm of the scale of each axis
-    double bend = 0.035;    ///< each wave of the shape (share of the size)
-    double hurry = 0.25;    ///< waves of the logarithm of speed
-    double ends = 0.025;    ///< length that is cut from each end (share of the arc length)
+    double tilt = 0.15;     ///< turn about the z axis (rad)
+    double stretch = 0.18;  ///< logarithm of the scale of each axis
+    double bend = 0.05;     ///< each wave of the shape (share of the size)
+    double hurry = 0.35;    ///< waves of the logarithm of speed
+    double ends = 0.04;     ///< length that is cut from each end (share of the arc length)
     double force = 0.3;     ///< logarithm of the level of force
 };
 

@@ -24,7 +24,7 @@ the session's, and thresholds are chosen on the sessions of the other users.
   --templates K   strokes of each gesture that serve as templates (default 1)
   --repeats N     rounds with other random templates (default 3)
   --channels C    xy, xyz, xyf or xyzf; f is the force. Default: all that both files have
-  --wait S        time for which a report waits for a better one (default 0.4 s)
+  --wait S        time for which a report waits for a better one (default 0.3 s)
   --seed S        seed of the random choices (default 1)
   --json FILE     also writes the figures as JSON; - for standard output alone
 
@@ -89,7 +89,8 @@ nlohmann::ordered_json json_of(const gesture::SpottingScore& s) {
             {"false_per_hour", s.false_per_hour},
             {"false_per_hour_low", s.low_per_hour},
             {"false_per_hour_high", s.high_per_hour},
-            {"delay_s", s.delay}};
+            {"delay_s", s.delay},
+            {"threshold", s.threshold}};
 }
 
 std::string json_of(const SpotPlan& plan, const gesture::Spotting& r) {

@@ -73,7 +73,7 @@ std::vector<Gesture> paper_gestures() {
     Random random = random_stream(5, 0);
     for (const auto& [name, course] : shapes) {
         Gesture g = gesture_of(name, {});
-        for (int i = 0; i < 12; ++i) g.strokes.push_back(variation_of(course, random));
+        for (int i = 0; i < 12; ++i) g.strokes.push_back(variation_of(course, random, careful));
         gestures.push_back(std::move(g));
     }
     return gestures;
@@ -85,7 +85,7 @@ double share_right(const StrokeNetwork& network, std::uint64_t seed) {
     int right = 0;
     for (int i = 0; i < 80; ++i) {
         const std::size_t g = static_cast<std::size_t>(i) % 4;
-        const auto outputs = outputs_of(network, variation_of(gestures[g].strokes[0], random));
+        const auto outputs = outputs_of(network, variation_of(gestures[g].strokes[0], random, careful));
         right += std::max_element(outputs.begin(), outputs.end()) - outputs.begin() ==
                  static_cast<std::ptrdiff_t>(g);
     }

@@ -77,7 +77,7 @@ TEST(GestureShape, ARestBeforeOrAfterTheStrokeHasNoEffect) {
     for (std::size_t i = 0; i < rested.size(); ++i) rested[i].t = 0.01 * static_cast<double>(i);
     for (auto p : stroke) rested.push_back({p.t + 0.5, p.at, p.force});
     for (int i = 1; i < 10; ++i) rested.push_back({1.5 + 0.01 * i, stroke.back().at, 0});
-    EXPECT_LT(elastic_distance(shape_of(stroke), shape_of(rested)), 1e-4F);
+    EXPECT_LT(elastic_distance(shape_of(stroke), shape_of(rested)), 1e-3F);
     EXPECT_NEAR(shape_of(rested).start_t, 0.5, 0.02);
     EXPECT_NEAR(shape_of(rested).end_t, 1.5, 0.02);
 }
@@ -113,8 +113,8 @@ TEST(GestureElastic, EqualsAFullComparisonOfSimilarStrokesAndIsNeverLess) {
     Random random = random_stream(4, 2);
     int equal = 0;
     for (int i = 0; i < 40; ++i) {
-        const auto a = shape_of(ess()), b = shape_of(variation_of(ess(), random)),
-                   c = shape_of(variation_of(vee(), random));
+        const auto a = shape_of(ess()), b = shape_of(variation_of(ess(), random, careful)),
+                   c = shape_of(variation_of(vee(), random, careful));
         EXPECT_GE(static_cast<double>(elastic_distance(a, b)), full_distance(a, b) - 1e-6);
         EXPECT_GE(static_cast<double>(elastic_distance(a, c)), full_distance(a, c) - 1e-6);
         equal += std::abs(static_cast<double>(elastic_distance(a, b)) - full_distance(a, b)) < 1e-5;
@@ -129,11 +129,14 @@ TEST(GestureElastic, EightAtOnceHaveTheBitsOfOne) {
         EightShapes templates, strokes;
         std::vector<Shape> shapes;
         for (std::size_t k = 0; k < lanes; ++k) {
-            shapes.push_back(shape_of(variation_of(k % 2 == 0 ? ess() : vee(), random), channels));
-            set_lane(templates, k, shapes[k].channels, shapes[k].values.data());
+            shapes.push_back(shape_of(variation_of(k % 2 == 0 ? ess() : vee(), random, careful), channels));
         }
-        const auto stroke = shape_of(variation_of(ess(), random), channels);
-        for (std::size_t k = 0; k < lanes; ++k) set_lane(strokes, k, stroke.channels, stroke.values.data());
+        std::array<const float*, lanes> values;
+        for (std::size_t k = 0; k < lanes; ++k) values[k] = shapes[k].values.data();
+        set_lanes(templates, shapes[0].channels, values);
+        const auto stroke = shape_of(variation_of(ess(), random, careful), channels);
+        values.fill(stroke.values.data());
+        set_lanes(strokes, stroke.channels, values);
         const auto one = elastic_distances(stroke, templates),
                    eight = elastic_distances(strokes, templates, stroke.channels);
         for (std::size_t k = 0; k < lanes; ++k) {

@@ -5,6 +5,7 @@
 
 #include "core/maths.h"
 #include "gesture/gesture.h"
+#include "gesture/variations.h"
 
 namespace thaum::gesture {
 
@@ -58,6 +59,10 @@ inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
     }
     return stroke;
 }
+
+/// A careful user: differences two thirds as large as those that thresholds are set with.
+inline constexpr VariationSettings careful{
+    .tilt = 0.1, .stretch = 0.12, .bend = 0.035, .hurry = 0.25, .ends = 0.025};
 
 /// Number of calls of operator new in this program (gesture_allocations.cpp).
 std::size_t allocations();

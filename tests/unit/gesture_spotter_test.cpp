@@ -11,15 +11,15 @@ namespace {
 
 constexpr double tick_length = 0.001;
 
-Candidate candidate(std::uint32_t gesture, float distance, double start, double end) {
-    return {.gesture = gesture, .distance = distance, .start = start, .end = end};
+Candidate candidate_of(std::uint32_t gesture, float distance, double start, double end) {
+    return {.gesture = gesture, .distance = distance, .score = distance, .start = start, .end = end};
 }
 
 TEST(CandidateChoice, TheBestOfThoseThatOverlapIsReportedAfterTheWait) {
     CandidateChoice choice(0.4, 0.2F);
-    EXPECT_FALSE(choice.add(candidate(0, 0.15F, 0, 1), 1));
-    EXPECT_FALSE(choice.add(candidate(1, 0.10F, 0.1, 1.1), 1.1));
-    EXPECT_FALSE(choice.add(candidate(2, 0.12F, 0.1, 1.2), 1.2));
+    EXPECT_FALSE(choice.add(candidate_of(0, 0.15F, 0, 1), 1));
+    EXPECT_FALSE(choice.add(candidate_of(1, 0.10F, 0.1, 1.1), 1.1));
+    EXPECT_FALSE(choice.add(candidate_of(2, 0.12F, 0.1, 1.2), 1.2));
     EXPECT_FALSE(choice.at(1.49));
     const auto reported = choice.at(1.5);
     ASSERT_TRUE(reported);
@@ -29,12 +29,12 @@ TEST(CandidateChoice, TheBestOfThoseThatOverlapIsReportedAfterTheWait) {
 
 TEST(CandidateChoice, NothingIsReportedTwiceOrAboveTheThreshold) {
     CandidateChoice choice(0.1, 0.2F);
-    choice.add(candidate(0, 0.1F, 0, 1), 1);
+    choice.add(candidate_of(0, 0.1F, 0, 1), 1);
     EXPECT_TRUE(choice.at(2));
-    choice.add(candidate(0, 0.05F, 0.2, 1.2), 2);  // overlaps what was reported
-    choice.add(candidate(0, 0.25F, 5, 6), 6);      // too far
+    choice.add(candidate_of(0, 0.05F, 0.2, 1.2), 2);  // overlaps what was reported
+    choice.add(candidate_of(0, 0.25F, 5, 6), 6);      // too far
     EXPECT_FALSE(choice.at(9));
-    choice.add(candidate(0, 0.2F, 5, 6), 9);
+    choice.add(candidate_of(0, 0.2F, 5, 6), 9);
     EXPECT_TRUE(choice.at(10));
 }
 
@@ -67,7 +67,8 @@ TEST(Spotter, FindsEachGestureOnceWithStartAndEnd) {
         Spotter spotter(*recogniser, {});
         double start = 0, end = 0;
         std::vector<Spotted> found;
-        for (const auto& p : session_with(variation_of(gestures[g].strokes[0], random), start, end)) {
+        for (const auto& p :
+             session_with(variation_of(gestures[g].strokes[0], random, careful), start, end)) {
             if (const auto s = spotter.feed(p)) found.push_back(*s);
         }
         ASSERT_EQ(found.size(), 1U) << g;
@@ -124,10 +125,10 @@ TEST(Spotting, FindsLabelledGesturesOfAnotherUser) {
         for (const auto& g : gestures) {
             for (int i = 0; i < 3; ++i)
                 strokes.push_back(
-                    {session.user, g.name, std::to_string(i), variation_of(g.strokes[0], random)});
+                    {session.user, g.name, std::to_string(i), variation_of(g.strokes[0], random, careful)});
             double start = 0, end = 0;
             const double from = session.points.empty() ? 0 : session.points.back().t + 1;
-            for (auto p : session_with(variation_of(g.strokes[0], random), start, end)) {
+            for (auto p : session_with(variation_of(g.strokes[0], random, careful), start, end)) {
                 p.t += from;
                 session.points.push_back(p);
             }
