@@ -73,8 +73,9 @@ Points stroke_of(const Gesture& gesture, Random& random) {
 
 /// The beginning of one gesture followed by the end of another.
 std::vector<StrokePoint> chain(const Gesture& a, const Gesture& b, Random& random) {
-    auto result = part_of(thinned(stroke_of(a, random)), 0, random.uniform(0.3, 0.7));
-    const auto tail = part_of(thinned(stroke_of(b, random)), random.uniform(0.3, 0.7), 1);
+    const double end_of_a = random.uniform(0.3, 0.7), start_of_b = random.uniform(0.3, 0.7);
+    auto result = part_of(thinned(stroke_of(a, random)), 0, end_of_a);
+    const auto tail = part_of(thinned(stroke_of(b, random)), start_of_b, 1);
     if (result.empty() || tail.empty()) return result.empty() ? tail : result;
     const double by = size_of(tail) > 0 ? size_of(result) / size_of(tail) : 1;
     const auto end = result.back(), begin = tail.front();
@@ -86,7 +87,8 @@ std::vector<StrokePoint> chain(const Gesture& a, const Gesture& b, Random& rando
 /// A chain of smooth turns in the plane of x and y.
 std::vector<StrokePoint> wander(double size, Random& random) {
     constexpr int points = 96;
-    const auto turn = random_waves(random, random.uniform(2, 8)), speed = random_waves(random, 0.4),
+    const double turns = random.uniform(2, 8);
+    const auto turn = random_waves(random, turns), speed = random_waves(random, 0.4),
                force = random_waves(random, 0.3);
     const double start = random.uniform(0, 2 * pi), curl = 4 * normal(random);
     std::vector<StrokePoint> result;
@@ -111,7 +113,9 @@ double normal(Random& random) {
 std::vector<StrokePoint> variation_of(Points stroke, Random& random, const VariationSettings& settings) {
     auto points = thinned(stroke);
     const double cut = settings.ends;
-    points = part_of(points, std::abs(cut * normal(random)), 1 - std::abs(cut * normal(random)));
+    const double from = std::abs(cut * normal(random));
+    const double to = 1 - std::abs(cut * normal(random));
+    points = part_of(points, from, to);
     if (points.size() < 2) return thinned(stroke);
     const auto length = lengths_of(points);
     const double bend = settings.bend * size_of(points), tilt = settings.tilt * normal(random);

@@ -17,6 +17,7 @@ constexpr std::string_view gesture_help =
   eval STROKES     how often a recogniser is right, how well it knows that, and its time
   spot SESSIONS    finds gestures in continuous motion, without a button
   train STROKES    trains a network of the papers and writes it as a file
+  record NAME      writes strokes of a match or of a file as a gesture file
   check FILE ...   which gestures of template files collide, and by how much
 
 `thaum gesture ACTION --help` explains an action. Files of strokes are CSV, gzipped or not:
@@ -33,6 +34,7 @@ struct Action {
 constexpr std::array actions{Action{"eval", &gesture_eval_help, run_gesture_eval},
                              Action{"spot", &gesture_spot_help, run_gesture_spot},
                              Action{"train", &gesture_train_help, run_gesture_train},
+                             Action{"record", &gesture_record_help, run_gesture_record},
                              Action{"check", &gesture_check_help, run_gesture_check}};
 
 int run_gesture(const std::vector<std::string>& words) {

@@ -213,6 +213,38 @@ cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was sav
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
+# Gestures: files that are wrong are refused in one line; a network and a gesture file are written whole.
+printf 'user,gesture,sample,t,x,y\n' >"$folder/strokes.csv"
+for user in 1 2 3; do
+    for i in 0 1 2 3 4 5 6 7 8 9; do
+        echo "$user,line,0,0.$i,$i,$((user * i))" >>"$folder/strokes.csv"
+        echo "$user,hook,0,0.$i,$i,$(((i - 5) * (i - 5)))" >>"$folder/strokes.csv"
+    done
+done
+head -c 100 "$folder/strokes.csv" | gzip | head -c 40 >"$folder/cut.csv.gz"
+expect 2 "no action" gesture
+expect 2 "unknown action 'draw'" gesture draw
+expect 2 "name one file of strokes" gesture eval
+expect 2 "must be dot, tdnn, directions, elastic or default" gesture eval strokes.csv --method guess
+expect 2 "must be user-dependent, leave-user-out or random" gesture eval strokes.csv --protocol best
+expect 2 "the file has no force" gesture eval strokes.csv --channels xyf
+expect 2 "cut off" gesture eval cut.csv.gz
+expect 2 "no column 't_start'" gesture spot strokes.csv --labels strokes.csv --train strokes.csv
+expect 2 "must be tdnn or directions" gesture train strokes.csv --method dot --out "$folder/net.toml"
+expect 2 "no stroke of the gesture 'ring'" gesture record ring --strokes strokes.csv --out "$folder/ring.toml"
+expect 2 "no such file" gesture check "$folder/none.toml"
+for name in line hook; do "$thaum" gesture record $name --strokes "$folder/strokes.csv" --out "$folder/$name.toml" >/dev/null; done
+"$thaum" gesture check "$folder/line.toml" "$folder/hook.toml" >"$folder/check.txt" ||
+    { echo "failed: two gestures that differ collide"; failures=$((failures + 1)); }
+"$thaum" gesture check "$folder/line.toml" "$folder/line.toml" >"$folder/check.txt"
+[[ $? == 1 && $(<"$folder/check.txt") == *collide* ]] || { echo "failed: two equal gestures do not collide"; failures=$((failures + 1)); }
+"$thaum" gesture train "$folder/strokes.csv" --method directions --out "$folder/net.toml" --epochs 3 >/dev/null
+"$thaum" gesture train "$folder/strokes.csv" --method directions --out "$folder/again.toml" --epochs 3 >/dev/null
+cmp -s "$folder/net.toml" "$folder/again.toml" || { echo "failed: equal seeds gave two networks"; failures=$((failures + 1)); }
+"$thaum" gesture eval "$folder/strokes.csv" --json "$folder/eval.json" --svg "$folder/eval.svg" >/dev/null
+grep -q '"accuracy"' "$folder/eval.json" && grep -q '</svg>' "$folder/eval.svg" ||
+    { echo "failed: the report of an evaluation"; failures=$((failures + 1)); }
+
 # The sounds as a list, as files and as pictures. A name, a folder or a recipe that is wrong is refused in one line.
 expect 2 "no sound 'horn'; \`thaum sounds\` lists them" sounds boil horn
 expect 2 "cannot create" sounds boil --out /dev/null/out

@@ -4,6 +4,7 @@
 
 #include "game/app/stroke_files.h"
 #include "gesture/gesture_file.h"
+#include "gesture/stroke_recorder.h"
 #include "unit/gesture_shapes.h"
 
 namespace thaum::gesture {
@@ -96,6 +97,25 @@ TEST(GestureFile, ReadsBackToTheSameBits) {
         EXPECT_EQ(read->strokes[0][i].at, gesture.strokes[0][i].at);
         EXPECT_EQ(read->strokes[0][i].force, gesture.strokes[0][i].force);
     }
+}
+
+TEST(StrokeRecorder, CutsStrokesWhileTheButtonIsDown) {
+    StrokeRecorder recorder;
+    const auto hold = [&](double from, double to, bool down) {
+        for (double t = from; t < to; t += 0.001) recorder.feed({t, {t, 0, 0}, 1}, down);
+    };
+    hold(0, 0.2, false);
+    hold(0.2, 0.7, true);
+    hold(0.7, 0.8, false);
+    hold(0.8, 0.85, true);  // too short
+    hold(0.85, 1, false);
+    hold(1, 1.3, true);
+    recorder.end();
+    ASSERT_EQ(recorder.strokes().size(), 2U);
+    EXPECT_EQ(recorder.strokes()[0].front().t, 0);
+    EXPECT_NEAR(recorder.strokes()[0].back().t, 0.5, 0.003);
+    EXPECT_NEAR(recorder.strokes()[0].back().at.x, 0.7, 0.003);
+    EXPECT_NEAR(recorder.strokes()[1].back().t, 0.3, 0.003);
 }
 
 std::string gesture_fault(const std::string& stroke) {

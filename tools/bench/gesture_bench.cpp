@@ -143,7 +143,7 @@ std::vector<gesture::StrokePoint> gesture_motion(std::span<const gesture::Gestur
             for (double t = a.t; t < b.t; t += tick)
                 points.push_back({0, from + a.at + (b.at - a.at) * ((t - a.t) / (b.t - a.t)), a.force});
         }
-        const vec3 start = points.back().at, end(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+        const vec3 start = points.back().at, end{random.uniform(-1, 1), random.uniform(-1, 1), 0};
         const auto way = 300 + random.below(1500);
         for (std::uint64_t i = 0; i < way; ++i)
             points.push_back(

@@ -1,0 +1,19 @@
+#include "gesture/stroke_recorder.h"
+
+namespace thaum::gesture {
+
+void StrokeRecorder::feed(const StrokePoint& hand, bool down) {
+    if (!down) return end();
+    open_.push_back(hand);
+    if (open_.size() > 1) open_.back().t -= open_.front().t;
+}
+
+void StrokeRecorder::end() {
+    if (open_.size() > 1 && open_.back().t >= least_seconds_) {
+        open_.front().t = 0;
+        strokes_.push_back(open_);
+    }
+    open_.clear();
+}
+
+}  // namespace thaum::gesture
