@@ -8,6 +8,7 @@ namespace {
 
 using Floats8 = float __attribute__((vector_size(32)));
 
+constexpr float lowest_score = -1e30F;
 constexpr float second_weight = 0.5F;  // of the second nearest template of a gesture
 
 /// Dot product of two arrays whose length is a multiple of eight.
@@ -64,10 +65,13 @@ TurnedProduct turned_product(const float* stroke, const float* t, std::size_t ch
 
 }  // namespace
 
-RecogniserSpace::RecogniserSpace() { survivors_.resize(most_templates + 1); }
+RecogniserSpace::RecogniserSpace() {
+    survivors_.resize(most_templates + 1);
+    compared_.resize(most_templates);
+}
 
 Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) const {
-    Survivor best{.score = -1e30F};
+    Survivor best{.score = lowest_score};
     const std::size_t shifts = t.closed ? shape_points : 1;
     for (std::size_t s = 0; s < shifts; ++s) {
         const float* values = &values_[t.values + s * t.channels];
@@ -92,14 +96,14 @@ Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) co
 
 std::size_t Recogniser::verified_at_most() const {
     if (settings_.exhaustive) return most_templates;
-    const std::size_t groups = (templates_.size() + 15) / 16;
+    const std::size_t groups = (templates_.size() + 31) / 32 + (templates_.size() > 128 ? 2 : 0);
     return lanes * std::clamp<std::size_t>(groups, 1, 8);
 }
 
 /// Keeps the templates with the largest dot products, best first.
 void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t most,
                         RecogniserSpace& space) const {
-    auto& list = space.survivors_;
+    auto& list = space.compared_;
     std::size_t count = 0;
     for (std::uint32_t k = 0; k < templates_.size(); ++k) {
         const auto& t = templates_[k];
@@ -108,14 +112,32 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
         if (limits.length_range > 0 &&
             (shape.length > t.length * limits.length_range || shape.length * limits.length_range < t.length))
             continue;
-        auto one = score(shape, t);
-        one.place = k;
-        if (count == most && !(one.score > list[count - 1].score)) continue;
-        std::size_t at = count < most ? count++ : count - 1;
-        for (; at > 0 && one.score > list[at - 1].score; --at) list[at] = list[at - 1];
-        list[at] = one;
+        list[count] = score(shape, t);
+        list[count].place = k;
+        space.scores_[count] = list[count].score;
+        ++count;
     }
-    space.survivor_count_ = count;
+    keep_best(count, most, space);
+}
+
+/// Puts the best `most` of the compared templates in the list of survivors, best first. Each finds its rank by
+/// comparison with all others, without a branch that the processor would have to guess.
+void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace& space) {
+    const std::size_t rounded = (count + lanes - 1) / lanes * lanes;
+    std::fill(space.scores_.begin() + static_cast<std::ptrdiff_t>(count),
+              space.scores_.begin() + static_cast<std::ptrdiff_t>(rounded), lowest_score);
+    for (std::size_t k = 0; k < count; ++k) {
+        const float own = space.scores_[k];
+        std::int32_t rank = 0;
+        for (std::size_t other = 0; other < rounded; ++other) {
+            const float score = space.scores_[other];
+            rank +=
+                static_cast<std::int32_t>(score > own) + static_cast<std::int32_t>(score == own && other < k);
+        }
+        const auto place = std::min(static_cast<std::size_t>(rank), most);  // the last place is a bin
+        space.survivors_[place] = space.compared_[k];
+    }
+    space.survivor_count_ = std::min(count, most);
 }
 
 /// Values of a template as the elastic distance needs them: from its chosen start, and turned towards the stroke.

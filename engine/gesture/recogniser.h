@@ -75,7 +75,8 @@ private:
     Shape solid_, planar_;
     EightShapes eight_, strokes_;
     std::array<std::array<float, shape_points * most_channels>, lanes> turned_{};
-    std::vector<Survivor> survivors_;
+    std::vector<Survivor> survivors_, compared_;
+    std::array<float, most_templates> scores_{};
     std::array<Nearest, most_gestures> nearest_{};
     std::size_t survivor_count_{};
 };
@@ -142,6 +143,7 @@ private:
     Recognition decide(const Shape* solid, const Shape* flat, const Limits& limits,
                        RecogniserSpace& space) const;
     void choose(const Shape& shape, const Limits& limits, std::size_t most, RecogniserSpace& space) const;
+    static void keep_best(std::size_t count, std::size_t most, RecogniserSpace& space);
     void verify(const Shape& shape, RecogniserSpace& space) const;
     void note(float distance, const Template& t, RecogniserSpace& space) const;
     const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;

@@ -6,7 +6,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t few_points = 200;  // up to here a search point by point is fastest
+constexpr std::size_t few_points = 200;  // up to here it is faster to compute all places first
 constexpr float turn_weight = 0.5F;
 // Length of the direction of a long step, and the step (sizes of the stroke) that halves it. Where the points lie close
 // together, their direction is uncertain.
@@ -82,6 +82,18 @@ bool fill(Points stroke, Channels channels, ShapeSpace& space) {
     return std::isfinite(space.length[space.count - 1]);
 }
 
+/// The last point from `first` to before `last` whose place is below `wanted`; `first` if none is. The steps of the
+/// search depend on the number of points alone, so the processor foresees them.
+template <class Place>
+std::size_t point_before(float wanted, std::size_t first, std::size_t last, Place place) {
+    for (std::size_t count = last - first; count > 1;) {
+        const std::size_t half = count / 2;
+        first += place(first + half) < wanted ? half : 0;
+        count -= half;
+    }
+    return first;
+}
+
 /// Places of the shape along the points, in arc length and time.
 Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
@@ -93,27 +105,17 @@ Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     const bool few = last - first < few_points;
     for (std::size_t i = first; few && i <= last; ++i) s.place[i] = place(i);
     Sampled out;
-    std::size_t j = first + 1;
     for (std::size_t i = 0; i < shape_points; ++i) {
         const float wanted = static_cast<float>(i) / static_cast<float>(shape_points - 1);
-        if (few) {
-            while (j < last && s.place[j] < wanted) ++j;
-        } else {
-            for (std::size_t high = last; j < high;) {  // bisection; the same point as by the search above
-                const std::size_t middle = (j + high) / 2;
-                if (place(middle) < wanted) {
-                    j = middle + 1;
-                } else {
-                    high = middle;
-                }
-            }
-        }
-        const float before = place(j - 1), step = place(j) - before;
+        const std::size_t j =
+            few ? point_before(wanted, first, last, [&](std::size_t k) { return s.place[k]; })
+                : point_before(wanted, first, last, place);
+        const float before = place(j), step = place(j + 1) - before;
         const float part = step > 0 ? std::clamp((wanted - before) / step, 0.0F, 1.0F) : 0.0F;
-        out.x[i] = s.x[j - 1] + part * (s.x[j] - s.x[j - 1]);
-        out.y[i] = s.y[j - 1] + part * (s.y[j] - s.y[j - 1]);
-        out.z[i] = s.z[j - 1] + part * (s.z[j] - s.z[j - 1]);
-        out.force[i] = s.force[j - 1] + part * (s.force[j] - s.force[j - 1]);
+        out.x[i] = s.x[j] + part * (s.x[j + 1] - s.x[j]);
+        out.y[i] = s.y[j] + part * (s.y[j + 1] - s.y[j]);
+        out.z[i] = s.z[j] + part * (s.z[j + 1] - s.z[j]);
+        out.force[i] = s.force[j] + part * (s.force[j + 1] - s.force[j]);
     }
     return out;
 }

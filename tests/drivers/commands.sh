@@ -232,7 +232,7 @@ expect 2 "cut off" gesture eval cut.csv.gz
 expect 2 "no column 't_start'" gesture spot strokes.csv --labels strokes.csv --train strokes.csv
 expect 2 "must be tdnn or directions" gesture train strokes.csv --method dot --out "$folder/net.toml"
 expect 2 "no stroke of the gesture 'ring'" gesture record ring --strokes strokes.csv --out "$folder/ring.toml"
-expect 2 "no such file" gesture check "$folder/none.toml"
+expect 2 "No such file" gesture check "$folder/none.toml"
 for name in line hook; do "$thaum" gesture record $name --strokes "$folder/strokes.csv" --out "$folder/$name.toml" >/dev/null; done
 "$thaum" gesture check "$folder/line.toml" "$folder/hook.toml" >"$folder/check.txt" ||
     { echo "failed: two gestures that differ collide"; failures=$((failures + 1)); }
