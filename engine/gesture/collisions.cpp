@@ -1,6 +1,7 @@
 #include "gesture/collisions.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/text.h"
 #include "gesture/variations.h"
@@ -61,8 +62,9 @@ Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
             pairs.push_back({a, b, shares[a][b], shares[b][a], std::min(*there, *back) / width});
         }
     }
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const Pair& p, const Pair& q) { return p.separation < q.separation; });
+    std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
+        return std::tie(p.separation, p.a, p.b) < std::tie(q.separation, q.a, q.b);
+    });
     return pairs;
 }
 

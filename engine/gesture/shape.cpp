@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace thaum::gesture {
 namespace {
@@ -17,6 +18,29 @@ constexpr float force_deviation = 0.5F;              // standard deviation of th
 struct Sampled {
     std::array<float, shape_points> x{}, y{}, z{}, force{};
 };
+
+/// Whether all numbers of all points are finite, also of points that do not count. Four numbers at a time.
+bool all_finite_numbers(Points stroke) {
+    using Bits4 = std::uint64_t __attribute__((vector_size(32)));
+    static_assert(sizeof(StrokePoint) == 5 * sizeof(double));
+    constexpr std::uint64_t exponent = 0x7ff0000000000000;
+    const auto* from = reinterpret_cast<const unsigned char*>(stroke.data());
+    const std::size_t bytes = stroke.size_bytes();
+    Bits4 bad{};
+    std::size_t i = 0;
+    for (; i + sizeof(Bits4) <= bytes; i += sizeof(Bits4)) {
+        Bits4 bits;
+        std::memcpy(&bits, from + i, sizeof bits);
+        bad |= static_cast<Bits4>((bits & exponent) == exponent);
+    }
+    bool rest = true;
+    for (; i < bytes; i += sizeof(double)) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, from + i, sizeof bits);
+        rest = rest && (bits & exponent) != exponent;
+    }
+    return rest && (bad[0] | bad[1] | bad[2] | bad[3]) == 0;
+}
 
 /// Copies the points as floats from the first point's place and time. Returns false if a value is not finite.
 bool copy(Points stroke, Channels channels, ShapeSpace& space) {
@@ -76,7 +100,7 @@ void drop_rests(ShapeSpace& s) {
 }
 
 bool fill(Points stroke, Channels channels, ShapeSpace& space) {
-    if (stroke.empty() || !copy(stroke, channels, space)) return false;
+    if (stroke.empty() || !all_finite_numbers(stroke) || !copy(stroke, channels, space)) return false;
     measure_steps(space);
     drop_rests(space);
     return std::isfinite(space.length[space.count - 1]);

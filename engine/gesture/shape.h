@@ -21,7 +21,7 @@ namespace thaum::gesture {
 
 inline constexpr std::size_t shape_points = 24;
 /// Points of a stroke that count. A longer stroke is thinned evenly, which the 24 points of the shape do not show.
-inline constexpr std::size_t counted_points = 128;
+inline constexpr std::size_t counted_points = 80;
 inline constexpr std::size_t most_points = 4096;   ///< room for callers that fill the space themselves
 inline constexpr std::size_t planar_channels = 6;  ///< x, y, direction x, y, turn z, force
 inline constexpr std::size_t solid_channels = 10;  ///< x, y, z, direction x, y, z, turn x, y, z, force
