@@ -11,10 +11,9 @@ namespace thaum::app {
 namespace {
 
 std::vector<Command> commands() {
-    return {play_command(),  range_command(),    replay_command(), shots_command(),
-            diff_command(),  scenario_command(), league_command(), lab_command(),
-            bench_command(), plot_command(),     sounds_command(), gesture_command(),
-            doctor_command()};
+    return {play_command(),     range_command(),   replay_command(), shots_command(), diff_command(),
+            scenario_command(), league_command(),  lab_command(),    bench_command(), plot_command(),
+            sounds_command(),   gesture_command(), doctor_command()};
 }
 
 void print_overview() {
