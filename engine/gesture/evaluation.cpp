@@ -64,7 +64,8 @@ private:
         for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
         Random random = random_stream(settings_.seed, 0x10000 + repeat);
         draw(order,
-             static_cast<std::size_t>(settings_.unknown_share * static_cast<double>(order.size()) + 0.5),
+             static_cast<std::size_t>(
+                 std::lround(settings_.unknown_share * static_cast<double>(order.size()))),
              random);
         std::vector<char> unknown(index_.gestures.size());
         for (const auto g : order) unknown[g] = 1;

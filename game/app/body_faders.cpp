@@ -13,8 +13,8 @@ constexpr std::array<Words, tactile::purpose_count> words{{
     {"Own steps", "Each step taps the waist on its side."},
     {"Gifts and magic", "The body swells with what a brew or a shield gives."},
     {"Heart and warnings", "The heart beats when little health is left."},
-    {"Own shots", "Each shot kicks the shoulder of the wand."},
-    {"Stirring", "The brew drags at the arms."},
+    {"Own shots", "Each shot kicks the side of the wand."},
+    {"Stirring", "The brew drags at the side of the wand."},
     {"Touched things", "What the wand touches is felt on the body."},
     {"Music", "The music is felt on the body."},
 }};

@@ -236,7 +236,14 @@ Finding jacket_of_player(const Settings& settings, std::uint32_t player,
             return {"jacket", State::note, text(whose, ": ", layout.error().message),
                     "it has its usual layout"};
     }
-    if (jacket.link == Jacket::Link::record) return {"jacket", State::good, whose, ""};
+    if (jacket.link == Jacket::Link::record) {
+        const auto folder = std::filesystem::absolute(jacket.name).parent_path();
+        std::error_code ignored;
+        return std::filesystem::is_directory(folder, ignored)
+                   ? Finding{"jacket", State::good, whose, ""}
+                   : Finding{"jacket", State::note, text(whose, ": there is no folder ", folder.string()),
+                             "make it"};
+    }
     if (const auto opened = output->open(); !opened)
         return {"jacket", State::note, text(whose, ": ", opened.error().message),
                 "it is looked for every two seconds in a session"};

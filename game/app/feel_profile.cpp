@@ -10,7 +10,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_profiles = 100;
+constexpr std::size_t most_profiles = 100, most_faults = 10;
 constexpr std::size_t largest_file = 1U << 16U;
 constexpr std::string_view ending = ".toml";
 
@@ -108,7 +108,8 @@ Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::strin
     return profile;
 }
 
-std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder, std::string& fault) {
+std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
+                                            std::vector<std::string>& faults) {
     std::vector<FeelProfile> profiles;
     std::error_code error;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
@@ -119,8 +120,8 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
                               : Expected<FeelProfile>(tl::unexpected(source.error()));
         if (profile)
             profiles.push_back(std::move(*profile));
-        else if (fault.empty())
-            fault = profile.error().message;
+        else if (faults.size() < most_faults)
+            faults.push_back(profile.error().message);
     }
     std::sort(profiles.begin(), profiles.end(),
               [](const FeelProfile& a, const FeelProfile& b) { return a.name < b.name; });

@@ -27,8 +27,10 @@ bool feels_alike(const FeelProfile& a, const FeelProfile& b);
 std::string written(const FeelProfile& profile);
 Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::string& file);
 
-/// All profiles of a folder, sorted by name. Files that cannot be read are left out; `fault` receives the first fault.
-std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder, std::string& fault);
+/// All profiles of a folder, sorted by name. Files that cannot be read are left out; `faults` receives
+/// one line for each.
+std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
+                                            std::vector<std::string>& faults);
 /// Writes a profile, replacing one of the same name.
 Expected<void> save_feel_profile(const std::filesystem::path& folder, const FeelProfile& profile);
 

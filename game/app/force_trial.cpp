@@ -30,11 +30,13 @@ std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint
     const bool down = take_fire(match.setup().devices, player, frame);
     const bool pressed = down && !std::exchange(held_, down);
     held_ = down;
-    const bool decided = pressed && percent_ > 0;
-    const bool strongest_felt = percent_ == 100 && age_ % between_kicks == 0;
-    if (decided || strongest_felt) {
+    if (pressed && percent_ > 0) {
         runs_ = false;
         return percent_;
+    }
+    if (percent_ == 100 && age_ % between_kicks == 0) {  // nobody has pressed, so nothing changes
+        runs_ = false;
+        return {};
     }
     // The whole force may come out during the trial.
     if (age_ == 0) frame.devices.at(0).change = {static_cast<std::uint8_t>(input::HandFader::force), 100};

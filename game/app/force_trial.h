@@ -18,7 +18,8 @@ public:
     void begin() { *this = ForceTrial(true); }
     bool runs() const { return runs_; }
     /// Acts before a tick of play of the player's match: kicks the hand, and takes fire out of the player's samples.
-    /// Returns the force on which the player has decided (% of the device's peak), once.
+    /// Returns the force on which the player has decided (% of the device's peak), once. Who never presses decides on
+    /// none.
     std::optional<std::uint32_t> step(game::Simulation& match, std::uint32_t player,
                                       input::InputFrame& frame);
     /// Words for the player.

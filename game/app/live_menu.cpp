@@ -24,9 +24,9 @@ LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path s
     : state_(std::move(state)), context_(std::move(context)), settings_file_(std::move(settings_file)) {
     if (settings_file_.empty()) return;
     profiles_folder_ = settings_file_.parent_path() / "feel";
-    std::string fault;
-    context_.profiles = load_feel_profiles(profiles_folder_, fault);
-    if (!fault.empty()) std::fprintf(stderr, "a profile is left out: %s\n", fault.c_str());
+    std::vector<std::string> faults;
+    context_.profiles = load_feel_profiles(profiles_folder_, faults);
+    for (const auto& fault : faults) std::fprintf(stderr, "a profile is left out: %s\n", fault.c_str());
 }
 
 void LiveMenu::open(Page page) {

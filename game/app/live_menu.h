@@ -68,6 +68,10 @@ public:
     void name_pads(const Pads& pads);
     /// State of the loudspeakers, for the page of the sounds.
     void tell_sound(std::string state) { context_.sound = std::move(state); }
+    /// State of a player's jacket, for the mixer's page; empty: none.
+    void tell_jacket(std::size_t player, std::string state) {
+        context_.jackets.at(player) = std::move(state);
+    }
     /// Purposes of the effects on the body, for the mixer's page.
     void tell_purposes(std::vector<tactile::Purpose> purposes) { context_.body = std::move(purposes); }
     /// Name and state of the arm at an index of MenuContext::arms.

@@ -59,6 +59,11 @@ void Practice::say(std::string words, Tick how_long) {
     caption_until_ = match().match().played + how_long;
 }
 
+void Practice::tell_found(std::uint32_t percent) {
+    fire_anew_ = true;  // the press that decided shoots nothing
+    say(text("your largest force is now ", percent, " % of what the device can do"), reading_shown);
+}
+
 void Practice::set_dummy(game::DummyKind kind) {
     if (kind == range_.dummy.kind()) return;
     range_.dummy.become(kind);

@@ -52,9 +52,11 @@ public:
     /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
         const auto found = force_trial_.step(match(), game::practising, frame);
-        if (found) fire_anew_ = true;  // the press that decided shoots nothing
+        if (found) tell_found(*found);
         return found;
     }
+    /// Whether a force is sought at present. Then the player's own largest force does not count.
+    bool finds_force() const { return force_trial_.runs(); }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
     /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
@@ -75,6 +77,7 @@ public:
 
 private:
     void say(std::string words, Tick how_long);
+    void tell_found(std::uint32_t percent);
     void place(std::uint32_t player);
     void heal();
     void show_lesson(game::PracticePicture& picture);

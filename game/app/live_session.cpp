@@ -297,6 +297,8 @@ void LiveSession::apply_settings() {
     if (menu_.is_open())
         menu_.tell_sound(shared_.sound != nullptr ? shared_.sound->status()
                                                   : "no sound: the terminal says which file is wrong");
+    for (std::uint32_t p = 0; menu_.on_mixer() && p < game::players; ++p)
+        menu_.tell_jacket(p, shared_.tactile.jacket_state(p));
     if (!menu_.take_settings_change()) return;
     hands_.rebind(menu_.settings());
     want_faders(menu_.settings(), shared_.seats);

@@ -67,6 +67,11 @@ input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&r
 bool is_idle(const SimulationThread& s) { return s.shared.progress.state.load() != PlayState::playing; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
+bool finds_force(Round& round) {
+    const auto* practice = practice_of(round);
+    return practice != nullptr && practice->finds_force();
+}
+
 void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
     shared.scene.to_fill() = std::move(data);
     shared.scene.publish();
@@ -222,7 +227,8 @@ input::InputFrame take_frame(SimulationThread& s) {
     if (auto* practice = practice_of(s.round)) frame.devices[game::dummys] = practice->dummy_sample();
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
-        if (auto& faders = s.shared.seats[i].faders) frame.devices[i].change = faders->take();
+        auto& faders = s.shared.seats[i].faders;
+        if (faders && !finds_force(s.round)) frame.devices[i].change = faders->take();
         frame.devices[i].away = s.shared.pad_lost[i];
     }
     each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t device) {

@@ -88,6 +88,12 @@ void LiveTactile::tell_status() {
     }
 }
 
+std::string LiveTactile::jacket_state(std::uint32_t player) const {
+    const auto& jacket = seats_.at(player).jacket;
+    const auto status = jacket.plays ? jacket.own->status() : std::string();
+    return status.empty() ? status : text(status, ".");
+}
+
 input::TactileReport LiveTactile::report(std::uint32_t player) const {
     return seats_.at(player).motors.report();
 }

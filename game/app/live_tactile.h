@@ -43,6 +43,8 @@ public:
     void use_pad(std::uint32_t player, const render::PadState* pad);
     /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
     void tell_status();
+    /// State of a player's jacket in one sentence; empty: the player has none.
+    std::string jacket_state(std::uint32_t player) const;
     input::TactileReport report(std::uint32_t player) const;
     input::TactileReport jacket_report(std::uint32_t player) const;
     /// Lays a frame over those of a match, as `feel` and `feel_jacket` pass them.

@@ -65,7 +65,7 @@ void leave_seat(MenuState& s, const Device& device) {
 
 // Values ----------------------------------------------------------------------------------------------------
 
-void open(MenuState& s, Page page) { s.pages.push_back({page, 0}); }
+void open(MenuState& s, Page page) { s.pages.push_back({page, 0, 0}); }
 
 template <class List>
 void turn(std::size_t& index, const List& list, int way) {
@@ -217,6 +217,11 @@ void type(MenuState& s, Typing what, std::string words) {
     s.typed = what;
 }
 
+void try_body(MenuState& s, tactile::Purpose purpose) {
+    s.tries = {s.player, purpose};
+    if (s.settings.players[s.player].body.of(purpose) == 0) s.note = "at 0 % nothing is felt";
+}
+
 /// Takes the words that were typed.
 void take_typed(MenuState& s) {
     auto words = player_name(*s.typing).value_or(std::string());
@@ -273,7 +278,7 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
             else
                 s.note = "open this page in the pause of the range";
             break;
-        case RowKind::body_fader: s.tries = {s.player, static_cast<tactile::Purpose>(row.index)}; break;
+        case RowKind::body_fader: try_body(s, static_cast<tactile::Purpose>(row.index)); break;
         case RowKind::cauldron: open(s, Page::cauldron); break;
         case RowKind::fader: switch_fader(s, row.index); break;
         case RowKind::back: s.pages.pop_back(); break;
@@ -291,7 +296,7 @@ void go_back(MenuState& s, const MenuEvent& event, const std::vector<Row>& rows)
     } else if (event.device.kind == DeviceKind::pad) {
         join(s, event.device);  // any button of a pad joins
     } else {
-        s.pages.back().cursor = rows.size() - 1;  // Quit is the last row
+        s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // Quit is the last row
         s.chooser = event.device;
     }
 }
@@ -359,14 +364,15 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
         case Kind::other:
             if (s.pages.back().page == Page::start) join_or_start(s, event.device);
             break;
-        default: move(cursor, rows.size(), event.kind);
+        case Kind::point: break;
+        default: move(cursor, rows.size(), event.kind); s.pages.back().middle = cursor;
     }
 }
 
 }  // namespace
 
 MenuState opened(MenuState state, Page page) {
-    state.pages = {{page, 0}};
+    state.pages = {{page, 0, 0}};
     state.chooser.reset();
     state.typing.reset();
     state.note.clear();

@@ -75,6 +75,8 @@ struct MenuContext {
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
+    std::array<std::string, game::players>
+        jackets{};                         ///< state of each player's jacket; empty: the player has none
     std::vector<FeelProfile> profiles{};   ///< what players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     /// words of the start screen on a faulty settings file; empty: there is no fault
@@ -108,6 +110,7 @@ struct MenuState {
     struct Open {
         Page page{};
         std::size_t cursor = 0;
+        std::size_t middle = 0;  ///< row about which the page is scrolled; the mouse moves the cursor alone
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;

@@ -122,6 +122,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     if (s.pages.back().page == Page::start) picture.seats = seats_of(s, context);
     auto rows = rows_of(s, context);
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
+    picture.middle = std::min(s.pages.back().middle, rows.size() - 1);
     picture.line = line_of(s, context, rows[picture.cursor]);
     picture.hint = hint_of(s, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));

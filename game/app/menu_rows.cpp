@@ -333,7 +333,7 @@ void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows
     rows.push_back({RowKind::preset,
                     0,
                     {.label = "Preset",
-                     .help = "Sets all values of this page: gentle, all that devices can do, or nothing.",
+                     .help = "Sets forces, motors and body: gentle, all that devices can do, or nothing.",
                      .value = preset_of(s),
                      .longest_value = "gentle",
                      .adjustable = true}});
@@ -356,6 +356,12 @@ void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows
 /// Share as the page shows it.
 std::string percent_words(double share) { return text(std::round(1000 * share) / 10, " %"); }
 
+/// State of the player's jacket, or how to name one.
+std::string jacket_help(const MenuContext& context, std::size_t player) {
+    const auto& state = context.jackets.at(player);
+    return state.empty() ? std::string("Is changed in the settings file only; its comment says how.") : state;
+}
+
 void add_body_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     const auto& player = s.settings.players[s.player];
     for (const auto purpose : context.body) {
@@ -370,7 +376,7 @@ void add_body_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     rows.push_back({RowKind::jacket,
                     0,
                     {.label = "Jacket",
-                     .help = "Is changed in the settings file only; its comment says how.",
+                     .help = jacket_help(context, s.player),
                      .value = player.jacket.empty() ? std::string("none") : shortened(player.jacket),
                      .dim = true}});
 }

@@ -170,6 +170,15 @@ void publish_models(MatchContext& context, const BrewResource& brew, bool live) 
     });
 }
 
+void recall_models(MatchContext& context) {
+    auto& models = context.output.models.write();
+    models = {};
+    std::as_const(context.world).view<const Arm>().each([&](const Arm& arm) {
+        if (arm.state.number == 0) return;
+        models[arm.player] = recalled(model_in(context.world, arm, arm.state.number)).model;
+    });
+}
+
 void tell_arms(ecs::World& world, bool panic) {
     world.view<Arm>().each([&](Arm& arm) {
         const bool rearm = std::as_const(world).get<HandState>(wizard_of(world, arm.player)).rearm != 0;

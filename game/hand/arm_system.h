@@ -24,6 +24,10 @@ void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
 /// the match is live.
 void publish_models(MatchContext& context, const BrewResource& brew, bool live);
 
+/// Restores the models of the arms from the World, after it was restored: parts that did not change are not written
+/// again (resource::Models), and the World holds the bytes of past models.
+void recall_models(MatchContext& context);
+
 /// Passes a player's panic press, or a press that switches forces on again, to the arms.
 void tell_arms(ecs::World& world, bool panic);
 

@@ -97,7 +97,9 @@ MenuLayout lay_out(const MenuPicture& menu, render::Size size, double text_scale
     l.seats_top = l.line_top + (menu.line.empty() ? 0 : line_units * u);
     l.seats_height = seat_units * u;
     l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, words, l.width, height, u), 1));
-    l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
+    l.first = menu.middle < l.visible / 2 ? 0 : std::min(menu.middle - l.visible / 2, rows - l.visible);
+    // The chosen row stays visible, also in a window that has become smaller.
+    l.first = std::clamp(l.first, menu.cursor + 1 - std::min(menu.cursor + 1, l.visible), menu.cursor);
     // The marks for more rows stand beside the rows, inside the window.
     l.row_width = std::min({l.width, 700 * u, width - 32 * u});
     l.row_height = row_units * u;
@@ -261,8 +263,9 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     const auto l = lay_out(menu, size, text_scale);
     const float u = l.unit, middle = width / 2;
     add_panel(out, {0, 0}, {width, height}, menu_veil, 0);
-    add_fitted(out, menu.title, {middle, l.title_top}, 36 * u, l.width, bright, Align::centre);
-    add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, l.width, bright_gold, Align::centre);
+    const float head_width = l.width - (menu.figure ? 2 * (figure_wide + edge_units) * u : 0);
+    add_fitted(out, menu.title, {middle, l.title_top}, 36 * u, head_width, bright, Align::centre);
+    add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, head_width, bright_gold, Align::centre);
     add_seats(out, menu, l, width);
     if (menu.figure) {
         const fvec2 low(width - (figure_wide + edge_units) * u, edge_units * u);

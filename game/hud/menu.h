@@ -34,6 +34,7 @@ struct MenuPicture {
     std::vector<MenuSeat> seats;
     std::vector<MenuRow> rows;
     std::size_t cursor = 0;  ///< index of the chosen row
+    std::size_t middle = 0;  ///< row about which the rows are shown if not all fit
     std::string note;        ///< report of the last action
     std::string hint;        ///< help on the keys
     /// Cells of a figure of the body beside the title, 0 to 1 (game/hud/picture.h); std::nullopt: no figure.

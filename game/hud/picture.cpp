@@ -128,7 +128,7 @@ void take_force(const Simulation& match, std::uint32_t player, const LoadedWand*
     const auto& trace = match.felt(player);
     out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
-    out.cap = game::force_cap(match.haptic_setup(), player);
+    out.cap = match.haptic_setup().on[player] ? force_cap(match.haptic_setup(), player) : 0;
     out.now = hand_state.servo.safety.output;
     out.source =
         strongest_source(hand_state, wand != nullptr ? wand->look.steady_force : std::string_view()).name;

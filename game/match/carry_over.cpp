@@ -5,10 +5,10 @@
 #include "core/assert.h"
 #include "ecs/snapshot.h"
 #include "game/components/hand_state.h"
-#include "game/components/moved_faders.h"
 #include "game/context/hand_forces.h"
 #include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
+#include "game/match/haptic_setup.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -79,7 +79,7 @@ void move_match(const MatchContext& from, MatchContext& to) {
     to.world.single<Match>() = from.world.single<Match>();
     to.world.single<Dice>() = from.world.single<Dice>();
     to.world.single<EventLog>() = from.world.single<EventLog>();
-    from.world.view<const MovedFaders>().each([&](const MovedFaders& moved) { to.world.create(moved); });
+    if (const auto moved = moved_faders_in(from.world)) to.world.create(*moved);
 }
 
 void copy_world(const MatchContext& from, MatchContext& to) {

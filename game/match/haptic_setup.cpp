@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "game/components/hand_state.h"
-#include "game/components/moved_faders.h"
 
 namespace thaum::game {
 namespace {
@@ -45,7 +44,8 @@ void set_force(const MatchData& data, std::uint32_t player, std::uint8_t percent
     const bool as_rules = percent == input::force_as_rules;
     const auto own = as_rules ? std::lround(100 * data.haptic_rules.share) : long{percent};
     setup.on[player] = own > 0;
-    if (own > 0) setup.force_percent[player] = static_cast<std::uint8_t>(own);
+    // The value depends on the last move alone, so that a restored match has the same.
+    setup.force_percent[player] = static_cast<std::uint8_t>(own);
 }
 
 void apply(const MatchData& data, std::uint32_t player, const input::FaderChange& change,
@@ -120,7 +120,9 @@ void move_faders(const MatchData& data, const std::vector<input::DeviceSpec>& de
         const auto player = devices[i].player;
         if (change.fader == 0 || !is_valid(change) || !devices[i].moves_faders || player >= players) continue;
         auto& moved = record_of(world);
-        moved.percent[player * input::hand_faders + change.fader - 1] = change.percent;
+        auto& value = moved.percent[player * input::hand_faders + change.fader - 1];
+        if (value == change.percent) continue;  // nothing changes, so nothing fades
+        value = change.percent;
         moved.settling[player] = settling_ticks;
         apply(data, player, change, setup);
     }
@@ -134,6 +136,12 @@ const std::vector<std::string>& fader_names() {
         return all;
     }();
     return names;
+}
+
+std::optional<MovedFaders> moved_faders_in(const ecs::World& world) {
+    std::optional<MovedFaders> found;
+    world.view<const MovedFaders>().each([&](const MovedFaders& moved) { found = moved; });
+    return found;
 }
 
 void apply_moved_faders(const MatchData& data, const ecs::World& world, HapticSetup& setup) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "game/components/moved_faders.h"
 #include "game/context/match_context.h"
 
 namespace thaum::game {
@@ -17,6 +18,9 @@ void move_faders(const MatchData& data, const std::vector<input::DeviceSpec>& de
 
 /// Names of all faders, input::HandFader `n` at n - 1: "force", "weight", ..., "brew viscosity", ...
 const std::vector<std::string>& fader_names();
+
+/// The World's record of moved faders, which a new round takes over; std::nullopt: none was moved.
+std::optional<MovedFaders> moved_faders_in(const ecs::World& world);
 
 /// Applies all faders that the World says were moved, after it was restored.
 void apply_moved_faders(const MatchData& data, const ecs::World& world, HapticSetup& setup);

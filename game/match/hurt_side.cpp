@@ -17,4 +17,15 @@ std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, st
     return way;
 }
 
+std::optional<vec3> way_to_source(const Simulation& match, const Event& event, std::uint32_t player) {
+    constexpr double on_body =
+        0.7;  // largest distance of a struck place from the middle of the body along the ground (m)
+    const auto way = way_to_cause(match, event, player);
+    if (!way || event.by >= players || event.by == player) return way;
+    if (!info_of(event.kind).placed || std::hypot(way->x, way->z) > on_body) return way;
+    auto at_body = event;
+    at_body.place = match.world().get<Motion>(wizard_of(match.world(), player)).position;
+    return way_to_cause(match, at_body, player);
+}
+
 }  // namespace thaum::game

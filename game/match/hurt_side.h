@@ -10,4 +10,8 @@ namespace thaum::game {
 /// the player who caused it. A burst may be behind, although the foe is ahead. std::nullopt: from no side, as a fall.
 std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player);
 
+/// The same for words and marks: what has struck the body comes from the player who caused it, wherever on the body it
+/// struck. A burst beside the body comes from its own place.
+std::optional<vec3> way_to_source(const Simulation& match, const Event& event, std::uint32_t player);
+
 }  // namespace thaum::game

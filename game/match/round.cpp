@@ -4,6 +4,7 @@
 #include "game/cauldron/brewing.h"
 #include "game/context/hand_forces.h"
 #include "game/hand/arm_system.h"
+#include "game/match/haptic_setup.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -68,12 +69,14 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 
 void open_round(MatchContext& context, BrewSolver& solver) {
     const auto arms = arms_in(context.world);
+    const auto faders = moved_faders_in(context.world);
     clear_scene(context.world);
     spawn_arena(context.world, context.data.arena);
     spawn_cauldron(context, solver);
     spawn_niches(context);
     spawn_wizards(context);
     add_arms(context, arms);
+    if (faders) context.world.create(*faders);
 }
 
 void add_round_system(MatchContext& context, ecs::Schedule& schedule) {

@@ -104,6 +104,7 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     journal.restart(std::as_const(context_.world).single<EventLog>());
     brew_.write().bursts_seen = journal.count();
     context_.output.forces.write() = {};
+    recall_models(context_);
     rebuild_physics(context_);
     rebuild_brew(context_, brew_.write());
     now_ = at;

@@ -70,7 +70,7 @@ int verb_body(lua_State* lua, void* context) {
         lua_setfield(lua, -2, "at");
         arg::set_number(lua, "felt", i < frame.count ? static_cast<double>(frame.amplitude.at(i)) : 0);
         arg::set_number(lua, "hz", i < frame.count ? static_cast<double>(frame.carrier_hz.at(i)) : 0);
-        lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
 }
@@ -97,7 +97,7 @@ int verb_heard(lua_State* lua, void* context) {
         arg::set_text(lua, "side", heard_from_words.at(static_cast<std::size_t>(lines[i].from)));
         lua_pushboolean(lua, static_cast<int>(lines[i].important));
         lua_setfield(lua, -2, "important");
-        lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
 }
@@ -123,7 +123,7 @@ void push_sound(lua_State* lua, const std::vector<float>& samples) {
         for (std::size_t i = 0; i < spectrogram.columns; ++i) sum += spectrogram.at(i, row);
         const double mean = sum / static_cast<double>(spectrogram.columns);
         lua_pushnumber(lua, 10 * std::log10(std::max(mean, 1e-20)));
-        lua_rawseti(lua, -2, static_cast<lua_Integer>(row + 1));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(row) + 1);
     }
     lua_setfield(lua, -2, "bands");
 }
@@ -138,7 +138,7 @@ int verb_sounds(lua_State* lua, void* context) {
     lua_createtable(lua, static_cast<int>(sounds.size()), 0);
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         lua_pushlstring(lua, sounds[i].name.data(), sounds[i].name.size());
-        lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
 }

@@ -54,7 +54,7 @@ void begin_own_hurt(SoundWriting& writing, const Event& event, SoundNumber sound
     const auto& world = writing.match.world();
     const auto& rows = writing.match.data().presentation->events;
     Heard heard{.gain = gain, .heard_by = writing.ears_of(event.subject), .at_ear = true};
-    const auto way = way_to_cause(writing.match, event, event.subject);
+    const auto way = way_to_source(writing.match, event, event.subject);
     if (way && row_of(rows, event.kind).mark != HudMark::fall) {
         const vec3 flat(way->x, 0, way->z);
         const auto& motion = world.get<Motion>(wizard_of(world, event.subject));

@@ -68,17 +68,18 @@ TEST(FeelProfile, AFaultNamesFileAndKey) {
 
 TEST(FeelProfile, AFolderKeepsOneFileForEachName) {
     const rig::TestPath folder("feel");
-    std::string fault;
-    EXPECT_TRUE(load_feel_profiles(folder.path, fault).empty()) << "there is no folder yet";
-    EXPECT_EQ(fault, "");
+    std::vector<std::string> faults;
+    EXPECT_TRUE(load_feel_profiles(folder.path, faults).empty()) << "there is no folder yet";
+    EXPECT_TRUE(faults.empty());
     for (const auto* name : {"b", "A", "a", "ä", "ö", "../up", "b"})
         ASSERT_TRUE(save_feel_profile(folder.path, unlike_defaults(name)));
     ASSERT_TRUE(write_text_file(folder.path / "broken.toml", "version = 1\nrecoil = 7\n"));
-    const auto profiles = load_feel_profiles(folder.path, fault);
+    const auto profiles = load_feel_profiles(folder.path, faults);
     std::vector<std::string> names;
     for (const auto& profile : profiles) names.push_back(profile.name);
     EXPECT_EQ(names, (std::vector<std::string>{"../up", "A", "a", "b", "ä", "ö"}));
-    EXPECT_NE(fault.find("broken.toml"), std::string::npos);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults[0].find("broken.toml"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(folder.path.parent_path() / "up.toml"));
     EXPECT_FALSE(save_feel_profile({}, unlike_defaults("x"))) << "no folder";
     EXPECT_FALSE(save_feel_profile(folder.path / "broken.toml" / "x", unlike_defaults("x")))

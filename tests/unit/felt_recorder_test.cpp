@@ -60,7 +60,7 @@ TEST(FeltRecorder, NoFileIsEverReplaced) {
     for (int i = 0; i < 2; ++i) {
         const auto recorder = felt_recorder(file, 0);
         ASSERT_TRUE(recorder->open());
-        recorder->write(frame_at(static_cast<Tick>(8 * i)), 0);
+        recorder->write(frame_at(8 * static_cast<Tick>(i)), 0);
     }
     EXPECT_EQ(read(file), "mine\n");
     EXPECT_EQ(read(folder.path() / "felt_3.csv"), felt_header() + row_of(0, 1));
@@ -90,7 +90,7 @@ TEST(FeltRecorder, AFullDiskIsToldOnceAndLeavesNoFile) {
     EXPECT_TRUE(recorder->open());
     int rows = 0;
     while (recorder->is_connected() && rows < 10'000)
-        recorder->write(frame_at(static_cast<Tick>(8 * rows++)), 0);
+        recorder->write(frame_at(8 * static_cast<Tick>(rows++)), 0);
     const auto fault = recorder->fault();
     recorder->close();
     ::setrlimit(RLIMIT_FSIZE, &before);

@@ -35,11 +35,14 @@ struct WordsRig {
     }
     vec3 middle() const { return match.world().get<Motion>(wizard_of(match.world(), 0)).position; }
     void turn(double yaw) { match.world_to_change().get<Gaze>(wizard_of(match.world(), 0)).yaw = yaw; }
-    void happen(EventKind kind, vec3 from, std::uint32_t detail = 0) {
+    void place_other(vec3 at) {
+        match.world_to_change().get<Motion>(wizard_of(match.world(), 1)).position = at;
+    }
+    void happen(EventKind kind, vec3 from, std::uint32_t by = no_player) {
         record(match.context_to_change(), {.tick = match.match().played,
                                            .kind = kind,
                                            .subject = 0,
-                                           .detail = detail,
+                                           .by = by,
                                            .amount = 20,
                                            .place = from});
         play(audio::frame_ticks);
@@ -143,6 +146,19 @@ TEST(FeltWords, TheOwnHitHasItsSideAndIsToldOnce) {
         rig.happen(hit_kind("bolt_hit"), rig.middle() + from);
         EXPECT_EQ(rig.lines(), std::vector<std::string>{words});
     }
+}
+
+TEST(FeltWords, AHitComesFromTheShooterWhereverOnTheBodyItStrikes) {
+    WordsRig rig;
+    rig.turn(0);
+    rig.place_other(rig.middle() + vec3(0, 0, -8));
+    rig.happen(hit_kind("bolt_hit"), rig.middle() + vec3(0.3, 0, 0.05), 1);
+    EXPECT_EQ(rig.lines(), std::vector<std::string>{"hit from ahead"}) << "it struck the right flank";
+    WordsRig behind;
+    behind.turn(0);
+    behind.place_other(behind.middle() + vec3(0, 0, -8));
+    behind.happen(hit_kind("blast_hit"), behind.middle() + vec3(0, 0, 2), 1);
+    EXPECT_EQ(behind.lines(), std::vector<std::string>{"hard hit from behind"}) << "a burst behind the back";
 }
 
 TEST(FeltWords, AFallAndAHitFromNowhereHaveNoSide) {

@@ -95,6 +95,29 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     EXPECT_EQ(replay->missing_hashes(), "");
 }
 
+TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
+    plan_.settings.players[0].force = 0;  // the player wants none
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    plan_.practice = game::DummyKind::still;
+    session_.emplace(shared_, plan_);
+    ASSERT_TRUE(session_->next().open_range());
+    start_match(std::move(*session_->next().take_range()));
+    while (!shared_.pictures.take() || shared_.pictures.newest().tick == 0) std::this_thread::yield();
+    ++shared_.requests.force_trials;
+    const auto& shown = shared_.pictures;
+    double most = 0;
+    for (bool words = false; !words || most < 0.5;) {
+        if (!shared_.pictures.take()) {
+            std::this_thread::yield();
+            continue;
+        }
+        const auto& wizard = shown.newest().wizards[0];
+        words = words || shown.newest().caption.words.find("kick of") != std::string::npos;
+        for (const auto felt : wizard.force.strongest) most = std::max(most, static_cast<double>(felt));
+    }
+    end_match();
+}
+
 TEST_F(LiveThreadsTest, AFaultOfTheSettingsFileIsShownAtTheStartOfAMatch) {
     start_match({}, "settings.toml, line 2: defaults replace wrong values");
     press("escape");

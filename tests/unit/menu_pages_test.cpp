@@ -395,6 +395,31 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
     }
 }
 
+TEST(MenuDrawing, PointingAtARowOfALongPageLeavesItWhereItIs) {
+    constexpr render::Size size{1280, 720};
+    auto s = mixer_page();
+    const auto row_at = [&](fvec2 point) { return game::place_at(picture_of(s, context()), size, 2, point); };
+    for (int i = 0; i < 6; ++i) s = with(s, Kind::down);  // the page is scrolled
+    int pointed = 0;
+    for (float y = 0; y < 720; y += 7) {
+        const fvec2 point(640, y);
+        const auto before = row_at(point);
+        if (!before) continue;
+        s = step(s, {.kind = Kind::point, .device = keyboard, .row = before->row}, context());
+        const auto after = row_at(point);
+        ASSERT_TRUE(after);
+        EXPECT_EQ(after->row, before->row) << y;
+        EXPECT_EQ(picture_of(s, context()).cursor, before->row);
+        ++pointed;
+    }
+    EXPECT_GT(pointed, 20);
+    const auto shown_before = row_at({640, 400});
+    s = with(s, Kind::down);
+    s = with(s, Kind::down);
+    s = with(s, Kind::down);
+    EXPECT_NE(row_at({640, 400})->row, shown_before->row) << "keys scroll the page";
+}
+
 /// Size of the text that has these words, in a menu at 640 x 480 and 250 % (px).
 float size_of(const game::MenuPicture& picture, std::string_view words) {
     render::Overlay overlay;

@@ -16,7 +16,8 @@ std::size_t differing(const render::Image& a, const render::Image& b, fvec2 low,
     };
     for (int y = pixel(low.y, a.height); y < pixel(high.y, a.height); ++y) {
         for (int x = pixel(low.x, a.width); x < pixel(high.x, a.width); ++x) {
-            const auto at = static_cast<std::size_t>(3 * (y * a.width + x));
+            const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
+                                 static_cast<std::size_t>(x));
             count += std::equal(a.rgb.begin() + static_cast<std::ptrdiff_t>(at),
                                 a.rgb.begin() + static_cast<std::ptrdiff_t>(at + 3),
                                 b.rgb.begin() + static_cast<std::ptrdiff_t>(at))
