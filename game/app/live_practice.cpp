@@ -170,6 +170,8 @@ void Practice::show(game::Picture& picture) {
     if (apprentice_) show_lesson(picture.practice);
     if (force_trial_.runs())
         picture.caption = {.words = force_trial_.words()};
+    else if (force_sample_.runs())
+        picture.caption = {.words = std::string(force_sample_.words())};
     else if (match().match().played < caption_until_)
         picture.caption = caption_;
     else

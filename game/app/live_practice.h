@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/triple_buffer.h"
+#include "game/app/force_sample.h"
 #include "game/app/force_trial.h"
 #include "game/bots/apprentice.h"
 #include "game/bots/range_files.h"
@@ -51,10 +52,13 @@ public:
     void find_force() { force_trial_.begin(); }
     /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
     std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
+        force_sample_.step(match(), game::practising);
         const auto found = force_trial_.step(match(), game::practising, frame);
         if (found) tell_found(*found);
         return found;
     }
+    /// Lets the player feel one fader of the forces.
+    void play_force(input::HandFader fader) { force_sample_.begin(fader); }
     /// Whether a force is sought at present. Then the player's own largest force does not count.
     bool finds_force() const { return force_trial_.runs(); }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
@@ -88,6 +92,7 @@ private:
     game::RangeScorer scorer_{};
     std::optional<game::Apprentice> apprentice_;
     ForceTrial force_trial_{};
+    ForceSample force_sample_{};
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time

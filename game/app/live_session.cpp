@@ -322,8 +322,10 @@ void LiveSession::carry_out_request() {
     if (skips) ++shared_.requests.lesson_skips;
     if (repeats) ++shared_.requests.lesson_repeats;
     const bool finds = request == MenuRequest::find_force;
+    const bool feels = request == MenuRequest::feel_force;
     if (finds) ++shared_.requests.force_trials;
-    if (request == MenuRequest::go_on || skips || repeats || finds)
+    if (feels) shared_.requests.felt_fader = static_cast<std::uint8_t>(menu_.state().feels);
+    if (request == MenuRequest::go_on || skips || repeats || finds || feels)
         shared_.requests.go_on = first_person(shared_.seats).value_or(0);
     if (request == MenuRequest::restart) restart();
     if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match();

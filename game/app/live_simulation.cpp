@@ -213,6 +213,8 @@ void try_force(SimulationThread& s, Practice& practice, input::InputFrame& frame
         s.trials_seen = trials;
         practice.find_force();
     }
+    if (const auto fader = s.shared.requests.felt_fader.exchange(0); fader != 0)
+        practice.play_force(input::HandFader{fader});
     const auto found = practice.try_force(frame);
     s.shared.seats[game::practising].faders->note(frame.devices[game::practising].change);
     if (!found) return;

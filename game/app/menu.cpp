@@ -217,6 +217,16 @@ void type(MenuState& s, Typing what, std::string words) {
     s.typed = what;
 }
 
+/// Lets the player of the range feel a fader of the forces.
+void feel_force(MenuState& s, const Row& row, const MenuContext& context) {
+    if (can_find_force(s, context)) {
+        s.feels = felt_fader_of(row);
+        s.request = MenuRequest::feel_force;
+    } else {
+        s.note = "in the pause of the range a press lets you feel it";
+    }
+}
+
 void try_body(MenuState& s, tactile::Purpose purpose) {
     s.tries = {s.player, purpose};
     if (s.settings.players[s.player].body.of(purpose) == 0) s.note = "at 0 % nothing is felt";
@@ -282,7 +292,11 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::cauldron: open(s, Page::cauldron); break;
         case RowKind::fader: switch_fader(s, row.index); break;
         case RowKind::back: s.pages.pop_back(); break;
-        default: adjust(s, row, context, 1);
+        default:
+            if (felt_fader_of(row) == input::HandFader::none)
+                adjust(s, row, context, 1);
+            else
+                feel_force(s, row, context);
     }
 }
 

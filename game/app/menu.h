@@ -92,6 +92,7 @@ enum class MenuRequest : std::uint8_t {
     skip_step,
     repeat_step,
     find_force,
+    feel_force,
     restart,
     leave,
     quit
@@ -130,6 +131,7 @@ struct MenuState {
     std::string note;                      ///< result of the last event, or the reason why it had none
     MenuRequest request{};                 ///< request of the last event to the caller
     std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
+    input::HandFader feels{};              ///< fader of MenuRequest::feel_force
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 

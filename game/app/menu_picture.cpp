@@ -72,7 +72,7 @@ std::string hint_of(const MenuState& s, const Row& row) {
         case Page::cauldron:
             return "less, more: arrows    off, on: Enter, A, click on its name    back: Esc, B, right button";
         case Page::mixer:
-            return row.kind == RowKind::body_fader
+            return row.kind == RowKind::body_fader || felt_fader_of(row) != input::HandFader::none
                        ? "less, more: arrows    feel it: Enter, A, click on its name    back: Esc, B, right "
                          "button"
                        : "less, more: arrows    confirm: Enter, A, click    back: Esc, B, right button";

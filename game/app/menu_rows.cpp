@@ -21,6 +21,14 @@ bool can_find_force(const MenuState& s, const MenuContext& context) {
     return context.practice && !context.apprentice && s.player == game::practising;
 }
 
+input::HandFader felt_fader_of(const Row& row) {
+    if (row.kind != RowKind::player_setting) return input::HandFader::none;
+    const auto key = player_settings()[row.index].key;
+    if (key == "carried_weight") return input::HandFader::weight;
+    if (key == "carried_blows") return input::HandFader::blows;
+    return key == "recoil" ? input::HandFader::recoil : input::HandFader::none;
+}
+
 bool starts_at_once(const MenuState& s, const Row& row) {
     const bool for_one = row.kind == RowKind::apprentice || row.kind == RowKind::range;
     return for_one && s.pages.back().page == Page::start && joined(s) == 0;

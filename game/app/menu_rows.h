@@ -59,6 +59,9 @@ std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
 /// Whether the player of the page can find the largest force by feel: it is the one who practises on the range.
 bool can_find_force(const MenuState& state, const MenuContext& context);
 
+/// Fader of the forces that a row sets and that can be felt on the range; none for other rows.
+input::HandFader felt_fader_of(const Row& row);
+
 /// Number of players who have joined.
 std::size_t joined(const MenuState& state);
 

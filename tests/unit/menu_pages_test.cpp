@@ -147,6 +147,19 @@ TEST(MixerPage, APressOnAFaderOfTheBodyAsksToPlayItsEffect) {
     EXPECT_FALSE(with(s, Kind::down).tries) << "it is asked once";
 }
 
+TEST(MixerPage, APressOnAFaderOfTheForcesAsksForItOnTheRange) {
+    auto s = choose(mixer_page(), "Recoil of the wands");
+    EXPECT_EQ(s.note, "in the pause of the range a press lets you feel it");
+    EXPECT_EQ(s.settings, Settings{});
+    auto range = context();
+    range.practice = true;
+    const auto row = row_named(s, "Carried weight");
+    s = step(s, {.kind = Kind::confirm, .device = keyboard, .row = row}, range);
+    EXPECT_EQ(s.request, MenuRequest::feel_force);
+    EXPECT_EQ(s.feels, input::HandFader::weight);
+    EXPECT_EQ(s.settings, Settings{});
+}
+
 TEST(MixerPage, PresetsSetAllThatIsFeltAndNothingElse) {
     auto s = mixer_page();
     s.settings.players[0].name = "Zoë";

@@ -317,6 +317,24 @@ TEST_F(ForceTrialTest, WhoNeverPressesChangesNothingAndTheMotorsStayCool) {
     EXPECT_LT(std::sqrt(squares / ticks), practice_.match().data().device.continuous_force);
 }
 
+TEST_F(ForceTrialTest, EachFaderOfTheForcesCanBeFelt) {
+    runs_ = false;
+    const auto felt = [&](input::HandFader fader) {
+        strongest_ = 0;
+        practice_.play_force(fader);
+        for (int i = 0; i < 2500; ++i) tick(false);
+        return strongest_;
+    };
+    const auto& hand = practice_.match().world().get<game::HandState>(
+        game::wizard_of(practice_.match().world(), game::practising));
+    const double share = practice_.match().haptic_setup().servos[0].limits.cap / 3.3;
+    EXPECT_NEAR(felt(input::HandFader::recoil), 1.2 * share, 0.05);
+    EXPECT_NEAR(felt(input::HandFader::blows), 2 * share, 0.05);
+    EXPECT_NEAR(felt(input::HandFader::weight), 0.3 * share, 0.03);
+    EXPECT_EQ(hand.steady_force.force, vec3(0)) << "the weight goes again";
+    EXPECT_LT(felt(input::HandFader::roughness), 0.01) << "it needs something to touch";
+}
+
 TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
     runs_ = false;
     for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
