@@ -86,12 +86,12 @@ eventually "the new key is not in the settings" grep -q '^move_forward = "key i"
 presses Escape Escape Down Return Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
 grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
-# The cauldron's page is the last row but two. Player 1's viscosity goes down by two steps, and the flow is
-# switched off.
-presses Up Up Up Return Down Left Left Down Return
+# "Forces and body" is the last row but two, and the cauldron's page is its row 15. Player 1's viscosity goes down by
+# two steps, and the flow is switched off.
+presses Up Up Up Return $(yes Down | head -14) Return Down Left Left Down Return
 eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
-presses Escape Escape Escape
+presses Escape Escape Escape Escape
 eventually "Esc did not go on" no_pause_menu
 presses Escape
 eventually "no second pause" pause_menu
@@ -107,7 +107,7 @@ grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
 [ "$(grep -o '^device 1 [lj][a-z]*' <<<"$seen" | xargs)" = "device 1 left device 1 joined" ] ||
     fail "the log does not say when the pad left and its player joined again"
 
-[ "$(field 0 kept_off)" = 0,0,0,0,0,0,0 ] || fail "a fader that was moved in the pause acts in the same match"
+[ "$(field 0 kept_off)" = 0,0,0,0,0,0,0 ] || fail "the header has a fader that was moved later"
 
 # 4. After a restart the new key works, and the match uses the faders.
 "$thaum" --solo 1 --seconds 12 --record "$folder/log" 2>"$folder/said" &
