@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "core/sanitizers.h"
 #include "unit/gesture_shapes.h"
 
 namespace {
@@ -12,6 +13,8 @@ std::atomic<std::size_t> gesture_count{0};
 
 std::size_t thaum::gesture::allocations() { return gesture_count.load(); }
 
+#if !THAUM_THREAD_SANITIZER  // which has operators of its own, so nothing is counted there
+
 void* operator new(std::size_t size) {
     gesture_count.fetch_add(1, std::memory_order_relaxed);
     if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
@@ -19,3 +22,5 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+#endif
