@@ -227,6 +227,20 @@ void feel_force(MenuState& s, const Row& row, const MenuContext& context) {
     }
 }
 
+void feel_or_adjust(MenuState& s, const Row& row, const MenuContext& context) {
+    if (felt_fader_of(row) == input::HandFader::none)
+        adjust(s, row, context, 1);
+    else
+        feel_force(s, row, context);
+}
+
+void find_force(MenuState& s, const MenuContext& context) {
+    if (can_find_force(s, context))
+        s.request = MenuRequest::find_force;
+    else
+        s.note = "open this page in the pause of the range";
+}
+
 void try_body(MenuState& s, tactile::Purpose purpose) {
     s.tries = {s.player, purpose};
     if (s.settings.players[s.player].body.of(purpose) == 0) s.note = "at 0 % nothing is felt";
@@ -282,21 +296,12 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
         case RowKind::profile: load_profile(s, context); break;
         case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
-        case RowKind::find_force:
-            if (can_find_force(s, context))
-                s.request = MenuRequest::find_force;
-            else
-                s.note = "open this page in the pause of the range";
-            break;
+        case RowKind::find_force: find_force(s, context); break;
         case RowKind::body_fader: try_body(s, static_cast<tactile::Purpose>(row.index)); break;
         case RowKind::cauldron: open(s, Page::cauldron); break;
         case RowKind::fader: switch_fader(s, row.index); break;
         case RowKind::back: s.pages.pop_back(); break;
-        default:
-            if (felt_fader_of(row) == input::HandFader::none)
-                adjust(s, row, context, 1);
-            else
-                feel_force(s, row, context);
+        default: feel_or_adjust(s, row, context);
     }
 }
 
