@@ -101,29 +101,4 @@ std::array<float, lanes> elastic_distances(const EightShapes& strokes, const Eig
     return result;
 }
 
-float elastic_distance(const Shape& a, const Shape& b) {
-    std::array<float, shape_points + 2> rows[2];
-    rows[0].fill(far);
-    rows[1].fill(far);
-    rows[0][0] = 0;
-    for (std::size_t i = 1; i <= shape_points; ++i) {
-        auto& row = rows[i % 2];
-        const auto& above = rows[(i + 1) % 2];
-        const std::size_t low = i > warp_band ? i - warp_band : 1,
-                          high = std::min(shape_points, i + warp_band);
-        row[low - 1] = far;
-        row[high + 1] = far;
-        for (std::size_t j = low; j <= high; ++j) {
-            float s = 0;
-            for (std::size_t c = 0; c < a.channels; ++c) {
-                const float d = a.values[(i - 1) * a.channels + c] - b.values[(j - 1) * a.channels + c];
-                s += d * d;
-            }
-            row[j] = s / (1 + robustness * s) + std::min(above[j - 1], std::min(above[j], row[j - 1]));
-        }
-        rows[0][0] = far;
-    }
-    return rows[shape_points % 2][shape_points] / static_cast<float>(shape_points);
-}
-
 }  // namespace thaum::gesture

@@ -1,12 +1,9 @@
-// gesture/elastic.h: elastic distance between shapes, for one template or for eight at once.
+// gesture/elastic.h: elastic distance between shapes, for eight templates at once.
 //
 // Dynamic time warping with a band (Sakoe, Chiba 1978): points of the stroke are matched to points of the template in
 // order, each at most `warp_band` places away from its own. The distance is the least sum of costs over all matchings,
-// divided by the number of points. The cost of two points at squared distance s is
-//
-//     s / (1 + 2 s)
-//
-// which has a limit of 1/2 (Geman, McClure 1985). One wrong corner then cannot outweigh a good match of the rest: on
+// divided by the number of points. Two points at squared distance s cost s / (1 + 2 s), at most 1/2 (Geman, McClure
+// 1985). One wrong corner then cannot outweigh a good match of the rest: on
 // letters it halves the errors of one template (design: gesture.md).
 #pragma once
 #include <array>
@@ -20,9 +17,6 @@ inline constexpr std::size_t warp_band = 3;
 inline constexpr std::size_t lanes = 8;
 inline constexpr float robustness = 2;
 
-/// Distance of two shapes of the same number of channels, from 0 to 1/2 for matchings without repeats.
-float elastic_distance(const Shape& a, const Shape& b);
-
 /// Eight templates side by side: value of channel c of point i of template k at [(i * channels + c) * lanes + k].
 struct alignas(32) EightShapes {
     std::array<float, shape_points * most_channels * lanes> values{};
@@ -31,10 +25,11 @@ struct alignas(32) EightShapes {
 /// Puts the values of eight templates in the lanes. A template may be given several times.
 void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 
-/// Distances of a stroke to eight templates, with the bits of elastic_distance.
+/// Distances of a stroke to eight templates of as many channels, each from 0 to 1/2 for matchings without repeats. A
+/// distance has the same bits in each lane.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);
 
-/// Distances of eight strokes to eight templates, lane by lane, with the bits of elastic_distance.
+/// Distances of eight strokes to eight templates, lane by lane, with the same bits.
 std::array<float, lanes> elastic_distances(const EightShapes& strokes, const EightShapes& eight,
                                            std::size_t channels);
 

@@ -31,7 +31,7 @@ std::optional<Protocol> protocol_of(std::string_view name);
 struct EvaluationSettings {
     Method method = Method::standard;
     Protocol protocol = Protocol::leave_user_out;
-    std::size_t templates = 1;  ///< of each gesture
+    std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 10;
     Channels channels{};
     double unknown_share = 0;  ///< share of gestures without templates, 0 to less than 1
@@ -80,7 +80,7 @@ struct Evaluation {
 /// The gestures of a data set in the order of their names, each with all its strokes' numbers.
 struct GestureIndex {
     std::vector<std::string> gestures, users;
-    std::vector<std::uint32_t> gesture_of, user_of;  ///< of each stroke
+    std::vector<std::uint32_t> gesture_of, user_of;  ///< gesture and user of each stroke
 };
 GestureIndex index_of(std::span<const Stroke> strokes);
 

@@ -10,8 +10,8 @@
 namespace thaum::gesture {
 
 inline constexpr std::size_t most_gestures = 256;
-inline constexpr std::size_t most_templates =
-    1024;  ///< of all gestures together, copies drawn backwards included
+/// Most templates of all gestures together, copies drawn backwards included.
+inline constexpr std::size_t most_templates = 1024;
 inline constexpr std::size_t most_template_points = 100'000;  ///< points of one recorded stroke
 
 /// Rules for strokes of one gesture.

@@ -15,7 +15,7 @@
 
 namespace thaum::gesture {
 
-inline constexpr std::size_t most_nodes = 512;  ///< of each layer
+inline constexpr std::size_t most_nodes = 512;  ///< most nodes of one layer
 
 /// Hyperbolic tangent with the same bits on every processor; the error is below 1e-15.
 double det_tanh(double x);

@@ -9,7 +9,8 @@ namespace {
 using Floats8 = float __attribute__((vector_size(32)));
 
 constexpr float lowest_score = -1e30F;
-constexpr float second_weight = 0.5F;  // of the second nearest template of a gesture
+/// Weight of the second nearest template of a gesture, as a share of that of the nearest.
+constexpr float second_weight = 0.5F;
 
 /// Dot product of two arrays whose length is a multiple of eight.
 float dot(const float* a, const float* b, std::size_t count) {

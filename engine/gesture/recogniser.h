@@ -67,7 +67,7 @@ private:
         float cosine = 1, sine = 0;
     };
     struct Nearest {
-        float first{}, second{};  ///< of two different recorded strokes
+        float first{}, second{};  ///< least distances to two different recorded strokes
         std::uint32_t stroke{};   ///< recorded stroke of `first`
         std::uint32_t count{};    ///< recorded strokes that were compared, 2 for more
     };
@@ -96,7 +96,7 @@ public:
     void set_calibration(Calibration calibration) { calibration_ = std::move(calibration); }
 
     Recognition recognise(Points stroke, RecogniserSpace& space) const;
-    /// As recognise, for a recogniser without the gesture `left_out`, to see how a stroke that means nothing to
+    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means nothing to
     /// it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
@@ -126,7 +126,7 @@ private:
         float self{};  ///< dot product with itself
         bool closed{};
         bool turns{};                 ///< true with a tolerance of rotation
-        float cosine{}, sine{};       ///< of the tolerance
+        float cosine{}, sine{};       ///< cosine and sine of the tolerance
         float smallest{}, largest{};  ///< range of scale
     };
     using Survivor = RecogniserSpace::Survivor;

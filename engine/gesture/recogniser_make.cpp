@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t variations_of_each = 24;
 constexpr std::size_t least_scribbles = 300, most_scribbles = 1200;
-constexpr double gentle_share = 0.6, harsh_share = 1.6;  // of the templates' force
+/// Usual bounds of a gentle and of a harsh stroke, as shares of the templates' mean force.
+constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
 
 std::vector<StrokePoint> backwards(Points stroke) {

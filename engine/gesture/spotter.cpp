@@ -8,9 +8,10 @@ namespace {
 
 constexpr double points_of_shortest = 40;  // points of the shortest window
 constexpr double ends_of_shortest = 14;    // ends within the arc length of the shortest window
-constexpr double most_overlap = 0.15;      // of the shorter of two gestures
-constexpr double plain_usual = 0.06;       // usual distance of a gesture whose score is the distance
-constexpr float least_match = 0.5F;        // share of the template's dot product with itself
+/// Largest overlap of two reported gestures, as a share of the shorter one.
+constexpr double most_overlap = 0.15;
+constexpr double plain_usual = 0.06;  // usual distance of a gesture whose score is the distance
+constexpr float least_match = 0.5F;   // share of the template's dot product with itself
 constexpr std::size_t kept_points = most_points / 2;
 
 /// Overlap of two spans of time, as a share of the shorter.

@@ -33,7 +33,7 @@ struct Candidate {
     /// The distance, made smaller for gestures whose strokes usually differ more, by the cube root of their usual
     /// distance.
     float score{};
-    double start{}, end{};  ///< s
+    double start{}, end{};  ///< times of the first and the last point (s)
     double mean_force{};
 
     bool operator==(const Candidate&) const = default;
@@ -63,7 +63,7 @@ private:
     float most_score_;
     std::optional<Candidate> waiting_;
     double due_ = 0;                        ///< time at which the waiting candidate is reported (s)
-    double start_ = -1e300, end_ = -1e300;  ///< of the last reported gesture (s)
+    double start_ = -1e300, end_ = -1e300;  ///< times of the last reported gesture (s)
 };
 
 class Spotter {
@@ -75,7 +75,7 @@ public:
     /// Allocates nothing.
     std::optional<Spotted> feed(const StrokePoint& point);
 
-    /// As `feed`, but only collects the candidates of ends that were finished in this tick.
+    /// Does what `feed` does, but only collects the candidates of ends that were finished in this tick.
     std::span<const Candidate> scan(const StrokePoint& point);
 
     std::uint64_t skipped_ends() const { return skipped_; }

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "core/units.h"
 #include "gesture/evaluation.h"
 
 namespace thaum::gesture {
 namespace {
 
-constexpr double tick_seconds = 0.001;  // s
 constexpr double least_overlap = 0.5;
 constexpr float tightest = 0.02F, loosest = 0.4F, threshold_step = 0.005F;
 constexpr auto thresholds = static_cast<std::size_t>((loosest - tightest) / threshold_step + 1.5F);
@@ -24,7 +24,7 @@ struct Found {
 /// Counts of one session at one threshold.
 struct Count {
     std::size_t right{}, wrong{}, missed{};
-    std::vector<double> delays;  ///< s
+    std::vector<double> delays;  ///< times from the end of a gesture to its report (s)
 
     void add(const Count& other) {
         right += other.right;

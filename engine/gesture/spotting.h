@@ -17,7 +17,7 @@
 namespace thaum::gesture {
 
 struct SpottingSettings {
-    std::size_t templates = 1;  ///< of each gesture
+    std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 3;    ///< rounds with other random templates
     Channels channels{false, false};
     std::uint64_t seed = 1;

@@ -39,8 +39,8 @@ struct SessionSet {
 struct SessionLabel {
     std::string user;
     std::string gesture;
-    double start{};  ///< s
-    double end{};    ///< s
+    double start{};  ///< time at which the gesture begins (s)
+    double end{};    ///< time at which it ends (s)
 };
 
 /// The error names file, line and fault.

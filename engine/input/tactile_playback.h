@@ -8,8 +8,8 @@
 // blow is felt, and the newest frame's carriers. The age of a waiting frame is unknown. It counts as old as the step
 // before, so frames that waited while an output hung are dropped.
 //
-// A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are laid over those
-// of the match, and each counts for its time to live.
+// A second source, such as a menu in which an effect is tried, passes its frames by `try_out`. They are laid over the
+// match's frames. Each counts for its time to live.
 #pragma once
 #include <atomic>
 #include <memory>

@@ -62,15 +62,19 @@ void read_off(const ConfigTable& table, Faders& faders) {
 std::string_view label_of_fader(std::size_t source) { return fader_words[source].label; }
 std::string_view effect_of_fader(std::size_t source) { return fader_words[source].told; }
 
+std::string percent_words(double share) { return text(std::round(1000 * share) / 10, " %"); }
+
+double moved_share(double share, int steps, int in_all) {
+    const auto now = static_cast<int>(std::lround(in_all * share));
+    return static_cast<double>(std::clamp(now + steps, 0, in_all)) / in_all;
+}
+
 std::string shown(const Fader& fader) {
-    const auto percent = text(std::round(1000 * fader.share) / 10, " %");
+    const auto percent = percent_words(fader.share);
     return fader.on ? percent : text("off (", percent, ")");
 }
 
-void change(Fader& fader, int steps) {
-    const auto now = static_cast<int>(std::lround(fader_steps * fader.share));
-    fader.share = static_cast<double>(std::clamp(now + steps, 0, fader_steps)) / fader_steps;
-}
+void change(Fader& fader, int steps) { fader.share = moved_share(fader.share, steps, fader_steps); }
 
 Faders read_faders(const ConfigTable& table, Faders faders) {
     for (std::size_t i = 0; i < faders.size(); ++i)

@@ -23,6 +23,11 @@ using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 std::string_view label_of_fader(std::size_t source);
 std::string_view effect_of_fader(std::size_t source);
 
+/// Text of a share: "75 %", "7.5 %".
+std::string percent_words(double share);
+/// A share that is moved by `steps` of which `in_all` make the whole; at most 1, at least 0.
+double moved_share(double share, int steps, int in_all);
+
 /// Text of a fader's value: "75 %", "off (75 %)".
 std::string shown(const Fader& fader);
 /// Moves the fader up or down by `steps` of 5 %, or switches it on or off.

@@ -10,10 +10,12 @@ namespace {
 using input::HandFader;
 
 constexpr Tick length = ticks(1.5);
-// As game.md has them for a device of 3.3 N.
-constexpr double bolt_recoil = 1.2, blow = 2, weight_per_kg = 0.01;  // N, N, N/kg
+// Forces of the samples at a device with a peak of 3.3 N; recoil and weight as the wands have them (game.md).
+constexpr double bolt_recoil = 1.2;     // peak of a kick (N)
+constexpr double blow = 2;              // peak of a blow (N)
+constexpr double weight_per_kg = 0.01;  // felt weight (N/kg)
 constexpr Tick recoil_length = 15, blow_length = 20, between_recoils = 125, recoils = 4;
-constexpr double mass = 30;        // kg
+constexpr double mass = 30;        // mass whose weight is felt (kg)
 constexpr Tick weight_rise = 200;  // ticks in which the weight comes and goes
 
 /// Felt weight at a time, as a share of the whole.

@@ -4,11 +4,9 @@
 #include "game/context/hand_forces.h"
 
 namespace thaum::app {
-namespace {
 
 using input::Button;
 
-/// Takes fire out of the player's samples. Returns whether it was down.
 bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t player,
                input::InputFrame& frame) {
     bool down = false;
@@ -22,13 +20,11 @@ bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t play
     return down;
 }
 
-}  // namespace
-
 std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint32_t player,
                                               input::InputFrame& frame) {
     if (!runs_ || match.match().paused != 0) return {};
     const bool down = take_fire(match.setup().devices, player, frame);
-    const bool pressed = down && !std::exchange(held_, down);
+    const bool pressed = down && !held_;
     held_ = down;
     if (pressed && percent_ > 0) {
         runs_ = false;

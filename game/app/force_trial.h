@@ -9,6 +9,9 @@
 
 namespace thaum::app {
 
+/// Takes fire out of a player's samples. Returns whether it was down.
+bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t player, input::InputFrame& frame);
+
 class ForceTrial {
 public:
     static constexpr std::uint32_t percent_per_kick = 5;

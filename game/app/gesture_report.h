@@ -10,7 +10,7 @@ struct GestureReport {
     std::string file, method, protocol, channels;
     std::size_t templates{}, repeats{}, strokes{}, users{};
     gesture::Evaluation evaluation;
-    double own_calibration_error{};  ///< of the probabilities that the method gives from its templates alone
+    double own_calibration_error{};  ///< error of the probabilities from the templates alone
     bool has_own_calibration = false;
     double median_us{}, p99_us{};  ///< time of a recognition, shape included (us)
 };

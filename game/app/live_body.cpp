@@ -73,11 +73,8 @@ void MatchBody::begin(const game::Simulation& match) {
         scenes_.at(p)->add(body_->pad);
         for (const auto& jacket : body_->jackets) scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
-        // The figure shows what comes from outside. The own shots would hide it.
         // The player's own faders are for motors.
-        tactile::Faders shown;
-        shown.of(tactile::Purpose::recoil) = 0;
-        scenes_.at(p)->set_faders(figure, shown);
+        scenes_.at(p)->set_faders(figure, game::figure_faders());
     }
 }
 
@@ -163,7 +160,7 @@ void MatchBody::show(game::Picture& picture) const {
         const auto& amplitude = scenes_.at(p)->frame(figure_frame).amplitude;
         shown.felt.fill(0);
         if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
-        shown.since_felt_s = felt_at_.at(p) == 0 ? 1e6 : seconds(now_ - std::min(now_, felt_at_.at(p)));
+        shown.since_felt_s = game::since_felt_s(now_, felt_at_.at(p));
     }
 }
 

@@ -97,16 +97,7 @@ void Practice::place(std::uint32_t player) {
 }
 
 void Practice::hold_fire_back(input::InputFrame& frame) {
-    if (!fire_anew_) return;
-    fire_anew_ = false;
-    const auto& devices = match().setup().devices;
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        auto& sample = frame.devices[i];
-        if (devices[i].player != game::practising || !sample.down(input::Button::fire)) continue;
-        fire_anew_ = true;
-        sample.buttons &= ~input::bit(input::Button::fire);
-        sample.counts[input::hand::trigger] = 0;
-    }
+    if (fire_anew_) fire_anew_ = take_fire(match().setup().devices, game::practising, frame);
 }
 
 /// Gives the learner back some health each gameplay tick.

@@ -1,7 +1,6 @@
 #include "game/app/menu.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/text.h"
 #include "game/app/menu_rows.h"
@@ -112,8 +111,7 @@ void turn_preset(MenuState& s, int way) {
 void change_body(MenuState& s, std::size_t purpose, int way) {
     constexpr int steps = 10;
     auto& value = s.settings.players[s.player].body.values.at(purpose);
-    const auto now = static_cast<int>(std::lround(steps * value));
-    value = static_cast<double>(std::clamp(now + way, 0, steps)) / steps;
+    value = moved_share(value, way, steps);
 }
 
 void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {

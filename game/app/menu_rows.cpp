@@ -1,7 +1,6 @@
 #include "game/app/menu_rows.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/text.h"
 #include "game/bots/dummy.h"
@@ -21,12 +20,25 @@ bool can_find_force(const MenuState& s, const MenuContext& context) {
     return context.practice && !context.apprentice && s.player == game::practising;
 }
 
+namespace {
+
+/// Whether a setting is about this value of a player.
+template <class T>
+bool is_about(const PlayerSetting& setting, T PlayerSettings::*value) {
+    using Kind =
+        std::conditional_t<std::is_same_v<T, int>, WholeOf<PlayerSettings>, NumberOf<PlayerSettings>>;
+    const auto* kind = std::get_if<Kind>(&setting.kind);
+    return kind != nullptr && kind->value == value;
+}
+
+}  // namespace
+
 input::HandFader felt_fader_of(const Row& row) {
     if (row.kind != RowKind::player_setting) return input::HandFader::none;
-    const auto key = player_settings()[row.index].key;
-    if (key == "carried_weight") return input::HandFader::weight;
-    if (key == "carried_blows") return input::HandFader::blows;
-    return key == "recoil" ? input::HandFader::recoil : input::HandFader::none;
+    const auto& setting = player_settings()[row.index];
+    if (is_about(setting, &PlayerSettings::carried_weight)) return input::HandFader::weight;
+    if (is_about(setting, &PlayerSettings::carried_blows)) return input::HandFader::blows;
+    return is_about(setting, &PlayerSettings::recoil) ? input::HandFader::recoil : input::HandFader::none;
 }
 
 bool starts_at_once(const MenuState& s, const Row& row) {
@@ -361,9 +373,6 @@ void add_profile_rows(const MenuState& s, const MenuContext& context, Rows& rows
                      .value = types ? text(*s.typing, "_") : std::string()}});
 }
 
-/// Share as the page shows it.
-std::string percent_words(double share) { return text(std::round(1000 * share) / 10, " %"); }
-
 /// State of the player's jacket, or how to name one.
 std::string jacket_help(const MenuContext& context, std::size_t player) {
     const auto& state = context.jackets.at(player);
@@ -397,12 +406,6 @@ Row find_force_row(const MenuState& s, const MenuContext& context) {
              .dim = !can_find_force(s, context)}};
 }
 
-/// Whether the setting is the largest force that counts only for the choice "own".
-bool is_own_force(const PlayerSetting& setting) {
-    const auto* whole = std::get_if<WholeOf<PlayerSettings>>(&setting.kind);
-    return whole != nullptr && whole->value == &PlayerSettings::own_force_percent;
-}
-
 void add_mixer_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     add_whose_row(s, "Who feels it", rows);
     add_profile_rows(s, context, rows);
@@ -410,9 +413,10 @@ void add_mixer_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
     for (std::size_t i = 0; i < settings.size(); ++i)
         if (settings[i].page == SettingPage::mixer) {
             auto row = row_of(RowKind::player_setting, i, settings[i], s.settings.players[s.player]);
-            row.look.dim = is_own_force(settings[i]) && s.settings.players[s.player].force != own_force;
+            const bool own = is_about(settings[i], &PlayerSettings::own_force_percent);
+            row.look.dim = own && s.settings.players[s.player].force != own_force;
             rows.push_back(std::move(row));
-            if (is_own_force(settings[i])) rows.push_back(find_force_row(s, context));
+            if (own) rows.push_back(find_force_row(s, context));
         }
     rows.push_back(
         {RowKind::cauldron,

@@ -145,14 +145,14 @@ std::optional<MovedFaders> moved_faders_in(const ecs::World& world) {
 }
 
 void apply_moved_faders(const MatchData& data, const ecs::World& world, HapticSetup& setup) {
-    world.view<const MovedFaders>().each([&](const MovedFaders& moved) {
-        for (std::size_t i = 0; i < moved.percent.size(); ++i) {
-            if (moved.percent[i] == MovedFaders::at_rest) continue;
-            const auto player = static_cast<std::uint32_t>(i / input::hand_faders);
-            const auto fader = static_cast<std::uint8_t>(i % input::hand_faders + 1);
-            apply(data, player, {fader, moved.percent[i]}, setup);
-        }
-    });
+    const auto moved = moved_faders_in(world);
+    if (!moved) return;
+    for (std::size_t i = 0; i < moved->percent.size(); ++i) {
+        if (moved->percent[i] == MovedFaders::at_rest) continue;
+        const auto player = static_cast<std::uint32_t>(i / input::hand_faders);
+        const auto fader = static_cast<std::uint8_t>(i % input::hand_faders + 1);
+        apply(data, player, {fader, moved->percent[i]}, setup);
+    }
 }
 
 }  // namespace thaum::game

@@ -30,12 +30,9 @@ Senses::Senses(std::shared_ptr<const SenseData> data, MatchSounds sounds, MatchE
       effects_(std::move(effects)),
       told_(told_by_sounds(sounds_, data_->bank)),
       sound_(sounds_) {
-    // The figure shows what comes from outside. The own shots would hide it.
-    tactile::Faders faders;
-    faders.values.at(static_cast<std::size_t>(tactile::Purpose::recoil)) = 0;
     for (std::uint32_t p = 0; p < players; ++p) {
         scenes_.at(p) = std::make_unique<TactileScene>(effects_, data_->effects, p);
-        scenes_.at(p)->set_faders(scenes_.at(p)->add(data_->figure), faders);
+        scenes_.at(p)->set_faders(scenes_.at(p)->add(data_->figure), figure_faders());
     }
 }
 
@@ -64,8 +61,7 @@ void Senses::follow(const Simulation& match) {
 }
 
 double Senses::since_felt_s(std::uint32_t player) const {
-    const auto at = felt_at_.at(player);
-    return at == 0 ? 1e6 : seconds(now_ - std::min(now_, at));
+    return game::since_felt_s(now_, felt_at_.at(player));
 }
 
 }  // namespace thaum::game

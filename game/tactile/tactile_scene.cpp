@@ -48,6 +48,16 @@ double raised_arm(const Simulation& match, std::uint32_t player) {
 
 }  // namespace
 
+tactile::Faders figure_faders() {
+    tactile::Faders faders;
+    faders.of(tactile::Purpose::recoil) = 0;
+    return faders;
+}
+
+double since_felt_s(Tick now, Tick felt_at) {
+    return felt_at == 0 ? 1e6 : seconds(now - std::min(now, felt_at));
+}
+
 TactileScene::TactileScene(const MatchEffects& effects, const tactile::EffectBank& bank, std::uint32_t player)
     : effects_(effects), bank_(bank), player_(player) {
     cues_.reserve(256);

@@ -24,6 +24,12 @@ struct BodyCue {
     EventKind event{};    ///< event that caused it; EventKind::none: the state of the match did
 };
 
+/// Faders of the figure in the view: it shows what comes from outside, and the own shots would hide that.
+tactile::Faders figure_faders();
+
+/// Time since a cell of a figure was last on, at the tick `felt_at` (s); very long for 0: never.
+double since_felt_s(Tick now, Tick felt_at);
+
 class TactileScene {
 public:
     /// Keeps the references.

@@ -33,6 +33,15 @@ protected:
         session_->begin_match(pads);
         pads_ = pads;
     }
+    /// Begins the range for the player with the mouse.
+    void begin_range() {
+        plan_.practice = game::DummyKind::still;
+        plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+        session_.emplace(shared_, plan_);
+        ASSERT_TRUE(session_->next().open_range());
+        session_->take_seats({});
+        session_->begin_match({});
+    }
     void step(std::int64_t after_ms = 4) {
         now_ += after_ms * rig::ms;
         session_->step_match(pads_, now_);

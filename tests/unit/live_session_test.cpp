@@ -356,12 +356,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesTheDummy) {
 }
 
 TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesItsRules) {
-    plan_.practice = game::DummyKind::still;
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
-    session_.emplace(shared_, plan_);
-    ASSERT_TRUE(session_->next().open_range());
-    session_->take_seats({});
-    session_->begin_match({});
+    begin_range();
     ASSERT_TRUE(session_->next().take_range());
     pause(0);
     step();
@@ -404,12 +399,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
 }
 
 TEST_F(LiveSessionTest, ThePauseOfTheRangeFindsTheLargestForceByFeel) {
-    plan_.practice = game::DummyKind::still;
-    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
-    session_.emplace(shared_, plan_);
-    ASSERT_TRUE(session_->next().open_range());
-    session_->take_seats({});
-    session_->begin_match({});
+    begin_range();
     pause(0);
     step();
     for (const auto* row : {"Settings", "Forces and body", "Find it by feel"}) {
