@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "audio/detail/oscillator.h"
 
 namespace thaum::audio {
 
@@ -33,7 +34,7 @@ void ChannelTones::mix(std::span<float> block) {
             const double amplitude = wave.amplitude + rise * static_cast<double>(i + 1);
             wave.phase += step;
             block[i * channels_ + channel] =
-                static_cast<float>(amplitude * std::sin(2 * std::numbers::pi * wave.phase));
+                static_cast<float>(amplitude * sine_of_cycles(wave.phase - std::floor(wave.phase)));
         }
         wave.phase -= std::floor(wave.phase);
         wave.amplitude = wave.wanted;

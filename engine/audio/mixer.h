@@ -63,8 +63,8 @@ double distance_gain(double distance_m, double near_m, double reach_m);
 /// Gain of a fader; values outside 0 to 1 are clipped.
 double fader_gain(double fader);
 
-/// Sets OpenAL's variables of the environment, once for the process. A program calls it while one thread runs, if others
-/// run before its first mixer is made.
+/// Sets OpenAL's variables of the environment, once for the process. A program calls it while one thread runs, if
+/// others run before its first mixer is made.
 void prepare_openal();
 
 class Mixer {

@@ -10,8 +10,8 @@
 
 namespace thaum::audio {
 
-/// A device that takes blocks of 384 samples for each channel at 48 kHz; stereo where nothing else is said. One thread calls all functions. `open` and `close` may
-/// take long; the others must not.
+/// A device that takes blocks of 384 samples for each channel at 48 kHz; stereo where nothing else is said. One thread
+/// calls all functions. `open` and `close` may take long; the others must not.
 class SoundDevice {
 public:
     virtual ~SoundDevice() = default;

@@ -5,8 +5,8 @@
 // device itself delays. A device that had gaps gets one block more, so 36 ms.
 //
 // Without a device nothing is heard, and the thread tries again every two seconds. A device may block its caller for
-// ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A thread that is left behind
-// calls OpenAL no more: the program may be ending.
+// ever, so the destructor waits for the thread for `most_wait_s` only (core/step_thread.h). A thread that is left
+// behind calls OpenAL no more: the program may be ending.
 #pragma once
 #include <memory>
 #include <string>

@@ -13,8 +13,8 @@ Sound make_sound(const Recipe& recipe);
 /// Whether sounds get their samples. Without samples they have all but that, in almost no time: words and reach.
 enum class WithSamples : std::uint8_t { no, yes };
 
-/// Makes the sounds of all recipes NAME.toml of a folder. A faulty recipe costs its own sound only. The error: the folder
-/// cannot be read, or holds no sounds, or too many.
+/// Makes the sounds of all recipes NAME.toml of a folder. A faulty recipe costs its own sound only. The error: the
+/// folder cannot be read, or holds no sounds, or too many.
 Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples samples = WithSamples::yes);
 
 }  // namespace thaum::audio

@@ -96,8 +96,8 @@ public:
     void set_calibration(Calibration calibration) { calibration_ = std::move(calibration); }
 
     Recognition recognise(Points stroke, RecogniserSpace& space) const;
-    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means nothing to
-    /// it is taken.
+    /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means
+    /// nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
     /// Evidence of a recognition of this recogniser, for a calibration with labelled strokes.

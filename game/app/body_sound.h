@@ -1,6 +1,6 @@
-// game/app/body_sound.h: the sounds of one match as both players feel them on their jackets. It hears the match for itself,
-// apart from the loudspeakers: so it is the same in a session and in `thaum replay --tactile`, at any loudness and without
-// a sound device.
+// game/app/body_sound.h: the sounds of one match as both players feel them on their jackets. It hears the match for
+// itself, apart from the loudspeakers: so it is the same in a session and in `thaum replay --tactile`, at any loudness
+// and without a sound device.
 #pragma once
 #include "game/sound/sound_scene.h"
 #include "game/tactile/felt_sound.h"

@@ -33,11 +33,11 @@ constexpr std::string_view doctor_help =
 
 Checks this machine and reports what is missing: processor, data files, OpenGL,
 display, sound, the hands' devices, pads and their permissions, jackets, the
-accuracy of a 1 kHz clock, and the folders of settings and logs. If there is a display, a match is shown for three seconds to measure the delay from a
-movement to its picture. Force feedback arms are listed with the numbers by
-which --hands arm:0 names them. Each is used for two seconds without force, to
-measure how evenly its ticks come and the delay from a pose to its force. Hold
-the arms still.
+accuracy of a 1 kHz clock, and the folders of settings and logs. If there is a
+display, a match is shown for three seconds to measure the delay from a movement
+to its picture. Force feedback arms are listed with the numbers by which --hands
+arm:0 names them. Each is used for two seconds without force, to measure how
+evenly its ticks come and the delay from a pose to its force. Hold the arms still.
 
   --json FILE   the findings as JSON, replacing an older file; - for stdout
 

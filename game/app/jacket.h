@@ -53,9 +53,9 @@ std::size_t motors_of(Jacket::Layout layout);
 /// Reads the setting. The error says what is wrong with it.
 Expected<Jacket> parse_jacket(std::string_view words);
 
-/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without ending, or any
-/// other file by its path. It may have fewer actuators than the jacket has motors; those that follow stay off. The error
-/// is one line, and then the jacket has its usual layout.
+/// The layout that a player has written for a jacket: a file of assets/tactile/layouts by its name without ending, or
+/// any other file by its path. It may have fewer actuators than the jacket has motors; those that follow stay off. The
+/// error is one line, and then the jacket has its usual layout.
 Expected<tactile::Layout> load_own_layout(const std::string& words, const Jacket& jacket,
                                           const std::filesystem::path& assets);
 

@@ -41,8 +41,6 @@ void LiveMenu::close() {
     state_.typing.reset();
 }
 
-/// Applies an event. A request ends the menu or its match. Presses that come before the session carries it out
-/// are not meant for the menu.
 namespace {
 
 /// The chosen row of the page that is shown; std::nullopt: there is no page.
@@ -52,6 +50,8 @@ std::optional<std::size_t> chosen_row(const MenuState& state) {
 
 }  // namespace
 
+/// Applies an event. A request ends the menu or its match. Presses that come before the session carries it out
+/// are not meant for the menu.
 void LiveMenu::step(const MenuEvent& event) {
     if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;

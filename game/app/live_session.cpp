@@ -317,18 +317,24 @@ void LiveSession::play_trial(std::int64_t now_ns) {
 }
 
 void LiveSession::carry_out_request() {
-    const auto request = menu_.take_request();
-    const bool skips = request == MenuRequest::skip_step, repeats = request == MenuRequest::repeat_step;
-    if (skips) ++shared_.requests.lesson_skips;
-    if (repeats) ++shared_.requests.lesson_repeats;
-    const bool finds = request == MenuRequest::find_force;
-    const bool feels = request == MenuRequest::feel_force;
-    if (finds) ++shared_.requests.force_trials;
-    if (feels) shared_.requests.felt_fader = static_cast<std::uint8_t>(menu_.state().feels);
-    if (request == MenuRequest::go_on || skips || repeats || finds || feels)
-        shared_.requests.go_on = first_person(shared_.seats).value_or(0);
-    if (request == MenuRequest::restart) restart();
-    if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match();
+    auto& requests = shared_.requests;
+    switch (menu_.take_request()) {
+        case MenuRequest::restart: return restart();
+        case MenuRequest::leave:
+        case MenuRequest::quit: return leave_match();
+        case MenuRequest::go_on: break;
+        case MenuRequest::skip_step: ++requests.lesson_skips; break;
+        case MenuRequest::repeat_step: ++requests.lesson_repeats; break;
+        case MenuRequest::find_force: ++requests.force_trials; break;
+        case MenuRequest::feel_force:
+            requests.felt_fader = static_cast<std::uint8_t>(menu_.state().feels);
+            break;
+        case MenuRequest::none:
+        case MenuRequest::start:
+        case MenuRequest::range:
+        case MenuRequest::apprentice: return;  // they belong to the start screen
+    }
+    requests.go_on = first_person(shared_.seats).value_or(0);
 }
 
 /// Ends the match, after which another one begins with the same players. The range reads its files again; while one

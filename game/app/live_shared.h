@@ -74,7 +74,8 @@ struct MatchRequests {
     std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
     std::atomic<std::uint32_t> force_trials{
         0};  ///< number of wishes to find the largest force by feel so far
-    /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0: none.
+    /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0:
+    /// none.
     std::atomic<std::uint8_t> felt_fader{0};
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
     static_assert(decltype(range)::is_always_lock_free);

@@ -146,8 +146,8 @@ void reset_sheet(MenuState& s) {
         s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
 }
 
-/// Resets a player's page. The menu cannot name a jacket or a layout, so the player keeps both. What the player feels has a page of
-/// its own.
+/// Resets a player's page. The menu cannot name a jacket or a layout, so the player keeps both. What the player feels
+/// has a page of its own.
 void reset_player(Settings& settings, std::size_t player) {
     const auto felt = feel_of(settings, player);
     auto& own = settings.players[player];

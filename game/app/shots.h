@@ -29,8 +29,8 @@ public:
     /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const game::MatchData& data,
                                   const std::filesystem::path& assets);
-    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each tick, so that
-    /// pictures show what was heard and felt.
+    /// Saves the picture that is due in the playback's state now; at most one per tick. Call it after each tick, so
+    /// that pictures show what was heard and felt.
     Expected<void> follow(const game::Playback& playback);
     /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
     void confirm() { unconfirmed_.clear(); }

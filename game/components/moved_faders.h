@@ -1,5 +1,5 @@
-// game/components/moved_faders.h: faders for the forces at the hands that players moved during the match. An entity with
-// this component exists from the first move on. For all other faders the settings in the log's header hold.
+// game/components/moved_faders.h: faders for the forces at the hands that players moved during the match. An entity
+// with this component exists from the first move on. For all other faders the settings in the log's header hold.
 #pragma once
 #include "ecs/component.h"
 #include "game/components/match.h"

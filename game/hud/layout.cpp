@@ -301,8 +301,8 @@ std::vector<std::string> broken_between_groups(std::string_view words, float siz
     return lines;
 }
 
-/// Breaks words at spaces, or between groups if there are some. At the smallest size a word that is longer than a line is
-/// broken, too.
+/// Breaks words at spaces, or between groups if there are some. At the smallest size a word that is longer than a line
+/// is broken, too.
 std::vector<std::string> broken(std::string_view words, float size, float wide) {
     if (size > smallest_words && words.find(group_gap) != std::string_view::npos)
         return broken_between_groups(words, size, wide);

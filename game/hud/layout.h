@@ -73,8 +73,8 @@ struct FittedWords {
 /// Width of a line of text, for laying it out (px). Real lines are seldom wider.
 float width_of(std::string_view line, float size);
 
-/// Breaks words at spaces, or between groups that three spaces part, into lines for a box `room` wide and high (px). The em is `size`, or as much less as the
-/// words need.
+/// Breaks words at spaces, or between groups that three spaces part, into lines for a box `room` wide and high (px).
+/// The em is `size`, or as much less as the words need.
 FittedWords fit(std::string_view words, float size, fvec2 room);
 
 }  // namespace thaum::game

@@ -33,7 +33,8 @@ void add_text(render::Overlay& out, std::string words, fvec2 position, float siz
 void add_text_in(render::Overlay& out, const Panel& box, std::string_view words, float size, fvec4 paint,
                  render::Align align);
 
-/// Adds words like add_text_in, on a dark plate of their width, so that they are readable on a ground of their own colour.
+/// Adds words like add_text_in, on a dark plate of their width, so that they are readable on a ground of their own
+/// colour.
 void add_text_on_plate(render::Overlay& out, const Panel& box, std::string_view words, float size,
                        fvec4 paint, render::Align align);
 

@@ -437,7 +437,8 @@ void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     if (p.since_felt_s <= shown_s) add_figure(out, l.figure, p.felt);
 }
 
-/// Adds what is heard and felt in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to two lines.
+/// Adds what is heard and felt in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to
+/// two lines.
 void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewLayout& l) {
     const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;

@@ -15,8 +15,8 @@ namespace thaum::game {
 /// Layouts, words and mixed sound of one run.
 class PlaySenses {
 public:
-    /// `layouts`: names of files in assets/tactile/layouts, beside the figure of the view. `mixed`: the sounds are mixed,
-    /// too, as loudspeakers would play them. The error names the faulty file, or says that there is no OpenAL.
+    /// `layouts`: names of files in assets/tactile/layouts, beside the figure of the view. `mixed`: the sounds are
+    /// mixed, too, as loudspeakers would play them. The error names the faulty file, or says that there is no OpenAL.
     static Expected<std::unique_ptr<PlaySenses>> create(const std::filesystem::path& assets,
                                                         const Presentation& shown,
                                                         const std::vector<std::string>& layouts, bool mixed);

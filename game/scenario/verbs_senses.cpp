@@ -143,7 +143,8 @@ int verb_sounds(lua_State* lua, void* context) {
     return 1;
 }
 
-/// loopback(name): the sound as the loudspeakers play it, with the name of the sound of the bank that it resembles most.
+/// loopback(name): the sound as the loudspeakers play it, with the name of the sound of the bank that it resembles
+/// most.
 int verb_loopback(lua_State* lua, void* context) {
     auto& senses = mixing(context);
     const auto& bank = senses.senses().data().bank;

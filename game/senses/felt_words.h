@@ -1,5 +1,6 @@
-// game/senses/felt_words.h: what the hand and the body feel in words, beside the words of the sounds (game/sound/heard.h):
-// "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by itself is not told twice.
+// game/senses/felt_words.h: what the hand and the body feel in words, beside the words of the sounds
+// (game/sound/heard.h): "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by
+// itself is not told twice.
 #pragma once
 #include <array>
 #include <span>
@@ -59,7 +60,8 @@ struct ToldBySounds {
 };
 ToldBySounds told_by_sounds(const MatchSounds& sounds, const audio::SoundBank& bank);
 
-/// Adds what the body feels in this frame, but for what sounds tell, and for the kick of the wand, which HandWords tells.
+/// Adds what the body feels in this frame, but for what sounds tell, and for the kick of the wand, which HandWords
+/// tells.
 void add_body_words(const TactileScene& scene, const MatchEffects& effects, const tactile::EffectBank& bank,
                     const ToldBySounds& sounds, HeardLines& lines);
 

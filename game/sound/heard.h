@@ -1,6 +1,6 @@
 // game/sound/heard.h: what is heard and felt in words, for players who do not hear or feel it: "step, behind", "weight
-// pulls down". The words of sounds are those of the sounds that a frame begins or keeps up, so nothing is heard that has
-// no words. game/senses adds what the hand and the body feel.
+// pulls down". The words of sounds are those of the sounds that a frame begins or keeps up, so nothing is heard that
+// has no words. game/senses adds what the hand and the body feel.
 #pragma once
 #include <array>
 #include <bitset>
@@ -21,8 +21,8 @@ enum class HeardFrom : std::uint8_t { here, ahead, right, behind, left, above, b
 inline constexpr std::array<std::string_view, 7> heard_from_words{"",     "ahead", "right", "behind",
                                                                   "left", "above", "below"};
 
-/// Words for the side from which the own body is hurt, by HeardFrom: "hit from behind". So nobody takes the foe's hit for
-/// an own one.
+/// Words for the side from which the own body is hurt, by HeardFrom: "hit from behind". So nobody takes the foe's hit
+/// for an own one.
 inline constexpr std::array<std::string_view, 7> hurt_from_words{
     "", "from ahead", "from the right", "from behind", "from the left", "from above", "from below"};
 /// Words for the side to which a force pushes the hand, by HeardFrom.

@@ -21,7 +21,8 @@ struct MatchSounds {
     std::vector<SoundNumber> events;  ///< by EventKind; without those of power-ups
     std::array<SoundNumber, power_up_names.size()> power_ups{};
     std::vector<WandSoundNumbers> wands;  ///< in the order of Presentation::wands
-    /// A line on each sound that the bank lacks, and on who names it. Faulty sounds are not among them: the bank says why.
+    /// A line on each sound that the bank lacks, and on who names it. Faulty sounds are not among them: the bank says
+    /// why.
     std::vector<std::string> missing{};
 };
 

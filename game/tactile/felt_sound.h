@@ -1,6 +1,7 @@
-// game/tactile/felt_sound.h: sounds as they are felt on a jacket (paper 004's acoustic-tactile display): how strong music
-// and effects are in three bands of frequencies, for each listener. It follows the audio frames of a match and knows the
-// course of each sound (audio/bands.h). So it needs no samples and no sound device, and equal frames give equal strengths.
+// game/tactile/felt_sound.h: sounds as they are felt on a jacket (paper 004's acoustic-tactile display): how strong
+// music and effects are in three bands of frequencies, for each listener. It follows the audio frames of a match and
+// knows the course of each sound (audio/bands.h). So it needs no samples and no sound device, and equal frames give
+// equal strengths.
 #pragma once
 #include <array>
 #include <filesystem>

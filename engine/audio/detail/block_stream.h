@@ -16,8 +16,8 @@ class BlockStream {
 public:
     static constexpr std::size_t least_queued = 2, most_queued = 24;
 
-    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more. `channels`: 2,
-    /// or 8 in the order of surround_channels (audio/channels.h).
+    /// Makes the source. Up to `queued` blocks wait in it; each time that they did not suffice, one more. `channels`:
+    /// 2, or 8 in the order of surround_channels (audio/channels.h).
     explicit BlockStream(std::size_t queued, std::size_t channels = 2);
     void destroy();
 
