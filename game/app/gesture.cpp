@@ -19,6 +19,7 @@ constexpr std::string_view gesture_help =
   train STROKES    trains a network of the papers and writes it as a file
   record NAME      writes strokes of a match or of a file as a gesture file
   check FILE ...   which gestures of template files collide, and by how much
+  generate         the shipped templates, and strokes of users to test them with
 
 `thaum gesture ACTION --help` explains an action. Files of strokes are CSV, gzipped or not:
 user,gesture,sample,t,x,y[,z][,force], one row a point, times in seconds. Sessions are
@@ -35,7 +36,8 @@ constexpr std::array actions{Action{"eval", &gesture_eval_help, run_gesture_eval
                              Action{"spot", &gesture_spot_help, run_gesture_spot},
                              Action{"train", &gesture_train_help, run_gesture_train},
                              Action{"record", &gesture_record_help, run_gesture_record},
-                             Action{"check", &gesture_check_help, run_gesture_check}};
+                             Action{"check", &gesture_check_help, run_gesture_check},
+                             Action{"generate", &gesture_generate_help, run_gesture_generate}};
 
 int run_gesture(const std::vector<std::string>& words) {
     for (const auto& action : actions) {

@@ -232,6 +232,9 @@ expect 2 "cut off" gesture eval cut.csv.gz
 expect 2 "no column 't_start'" gesture spot strokes.csv --labels strokes.csv --train strokes.csv
 expect 2 "must be tdnn or directions" gesture train strokes.csv --method dot --out "$folder/net.toml"
 expect 2 "no stroke of the gesture 'ring'" gesture record ring --strokes strokes.csv --out "$folder/ring.toml"
+expect 2 "name a folder with --out" gesture generate
+expect 2 "must be a number from 1 to 1000" gesture generate --out "$folder/made" --users 0
+expect 2 "cannot create" gesture generate --out /dev/null/made
 expect 2 "No such file" gesture check "$folder/none.toml"
 for name in line hook; do "$thaum" gesture record $name --strokes "$folder/strokes.csv" --out "$folder/$name.toml" >/dev/null; done
 "$thaum" gesture check "$folder/line.toml" "$folder/hook.toml" >"$folder/check.txt" ||

@@ -1,0 +1,100 @@
+// The shipped gestures (assets/gestures) among strokes and scribbles of generated users.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+
+#include "core/file.h"
+#include "gesture/collisions.h"
+#include "gesture/generated_users.h"
+#include "gesture/gesture_file.h"
+
+namespace thaum::gesture {
+namespace {
+
+const std::filesystem::path shipped = std::filesystem::path(THAUM_SOURCE_DIR) / "assets/gestures";
+
+std::vector<Gesture> shipped_gestures() {
+    std::vector<Gesture> gestures;
+    for (const auto name : figure_names()) {
+        auto gesture = load_gesture(shipped / (std::string(name) + ".toml"));
+        EXPECT_TRUE(gesture) << (gesture ? "" : gesture.error().message);
+        if (gesture) gestures.push_back(std::move(*gesture));
+    }
+    return gestures;
+}
+
+struct Figures {
+    std::array<std::array<int, figures + 1>, figures> read{};  ///< [drawn][read]; the last: nothing
+    int right = 0, right_force = 0, scribbles_taken = 0;
+    int drawn = 0, scribbled = 0;
+    std::array<int, figures> taken_as{};
+};
+
+Figures measure(const Recogniser& recogniser, std::uint64_t seed) {
+    Figures f;
+    RecogniserSpace space;
+    const GeneratedSetSettings settings{.users = 100, .samples = 2, .seed = seed};
+    for (const auto& stroke : generated_strokes(settings)) {
+        const auto r = recogniser.recognise(stroke.points, space);
+        std::size_t g = 0;
+        while (figure_names()[g] != stroke.gesture) ++g;
+        ++f.read[g][r.accepted ? r.gesture : figures];
+        const bool right = r.accepted && r.gesture == g;
+        f.right += right;
+        const auto meant = stroke.sample.starts_with("gentle") ? ForceClass::gentle : ForceClass::harsh;
+        f.right_force += right && r.force == meant;
+        ++f.drawn;
+    }
+    for (const auto& stroke : generated_scribbles(settings)) {
+        const auto r = recogniser.recognise(stroke.points, space);
+        f.scribbles_taken += r.accepted;
+        if (r.accepted) ++f.taken_as[r.gesture];
+        ++f.scribbled;
+    }
+    return f;
+}
+
+void print(const Figures& f) {
+    for (std::size_t g = 0; g < figures; ++g) {
+        std::printf("%-7s", std::string(figure_names()[g]).c_str());
+        for (const int count : f.read[g]) std::printf(" %5d", count);
+        std::printf("   scribbles %d\n", f.taken_as[g]);
+    }
+    std::printf("right %.2f %%, with force %.2f %%, scribbles accepted %.2f %%\n", 100.0 * f.right / f.drawn,
+                100.0 * f.right_force / f.drawn, 100.0 * f.scribbles_taken / f.scribbled);
+}
+
+TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
+    const auto recogniser = Recogniser::make(shipped_gestures());
+    ASSERT_TRUE(recogniser);
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto f = measure(*recogniser, seed);
+        print(f);
+        EXPECT_GE(f.right, 0.95 * f.drawn) << "seed " << seed;
+        EXPECT_GE(f.right_force, 0.98 * f.right) << "seed " << seed;
+        EXPECT_LE(f.scribbles_taken, 0.05 * f.scribbled) << "seed " << seed;
+        for (const auto& row : f.read) {
+            const int all = row[0] + row[1] + row[2] + row[3] + row[4];
+            EXPECT_LE(row[figures], all / 10) << "a gesture that is often read as nothing";
+        }
+    }
+}
+
+TEST(GestureConfusion, TheShippedFilesAreThoseOfTheGenerator) {
+    for (const auto& gesture : generated_templates(1)) {
+        const auto file = read_text_file(shipped / (gesture.name + ".toml"), most_gesture_bytes);
+        ASSERT_TRUE(file);
+        EXPECT_TRUE(*file == to_file(gesture)) << gesture.name << ": run `thaum gesture generate`";
+    }
+}
+
+TEST(GestureConfusion, NoTwoShippedGesturesCollide) {
+    const auto pairs = compare_gestures(shipped_gestures());
+    ASSERT_TRUE(pairs);
+    EXPECT_EQ(pairs->size(), 6U);
+    for (const auto& pair : *pairs) EXPECT_FALSE(pair.collides()) << pair.a << " and " << pair.b;
+}
+
+}  // namespace
+}  // namespace thaum::gesture
