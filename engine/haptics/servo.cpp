@@ -101,6 +101,13 @@ bool detect_patch_switch(ServoState& state, const HapticModel& model) {
     return jumped || ended;
 }
 
+/// Returns true if the space became viscous or free.
+bool detect_viscosity_switch(ServoState& state, const HapticModel& model) {
+    const bool jumped = (model.viscosity > 0) != (state.viscosity > 0);
+    state.viscosity = model.viscosity;
+    return jumped;
+}
+
 /// Sources that appeared, ended or jumped with the model of this tick.
 struct Switches {
     bool patch{};  ///< true: the patch of surfaces is one of them
@@ -112,7 +119,8 @@ Switches detect_switches(ServoState& state, const HapticModel& model) {
     const bool source = detect_source_switch(state, model);
     const bool patch = detect_patch_switch(state, model);
     const bool fluid = detect_fluid_switch(state.fluid, model.fluid);
-    return {.patch = patch, .any = set || source || patch || fluid};
+    const bool viscosity = detect_viscosity_switch(state, model);
+    return {.patch = patch, .any = set || source || patch || fluid || viscosity};
 }
 
 struct Tip {
@@ -432,6 +440,9 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
     sources.passive = sources.world;
     const Tip tip{sample.position, velocity, switches.any};
     add_primitives(state, model, tip, sources);
+    if (model.viscosity > 0)
+        sources.passive -=
+            std::min(model.viscosity, servo.most_damping) * prompt_velocity(state, servo.quantum);
     FluidForces fluid;
     if (state.fluid.number != 0) {
         fluid = feel_fluid(model.fluid, state.fluid,

@@ -80,8 +80,11 @@ struct HapticModel {
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
     /// Spring and damper from the tip to the proxy on which the primitives act.
     ProxyCoupling coupling{.stiffness = 300};
-    SurfacePatch patch{};          ///< surfaces near the tip; usually empty, at no cost
-    FrameMotion frame_motion{};    ///< frame motion contained in the patch's bodies
+    SurfacePatch patch{};        ///< surfaces near the tip; usually empty, at no cost
+    FrameMotion frame_motion{};  ///< frame motion contained in the patch's bodies
+    /// Viscosity of the space around the tip, for a hand that draws a stroke (N s/m); usually 0, at no cost. At most
+    /// the damping that the device renders takes effect.
+    double viscosity{};
     vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
@@ -92,7 +95,7 @@ static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                   sizeof(Tether) == 2 * sizeof(vec3) + 3 * sizeof(double) + sizeof(Detents) &&
                   sizeof(HapticModel) == sizeof(Pulse) + sizeof(SteadyForce) + sizeof(Tether) + 8 +
                                              sizeof(PrimitiveSet) + sizeof(ProxyCoupling) +
-                                             sizeof(SurfacePatch) + sizeof(FrameMotion) + sizeof(vec3) + 8 +
+                                             sizeof(SurfacePatch) + sizeof(FrameMotion) + sizeof(vec3) + 16 +
                                              sizeof(FluidTouch),
               "no padding: the bytes of past models are hashed");
 
@@ -149,11 +152,13 @@ struct ServoState {
     vec3 contact_offset{};
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
+    double viscosity{};  ///< viscosity of the space in the last tick (N s/m)
 };
-static_assert(sizeof(ServoState) ==
-              sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
-                  2 * sizeof(vec3) + 6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
-                  sizeof(PassivityObserver) + sizeof(SurfaceState) + sizeof(FluidTouchState));
+static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
+                                        pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
+                                        6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
+                                        sizeof(PassivityObserver) + sizeof(SurfaceState) +
+                                        sizeof(FluidTouchState) + sizeof(double));
 
 /// Time constant with which the contact offset decays if nothing is in the way (s).
 inline constexpr double contact_offset_decay = 0.3;

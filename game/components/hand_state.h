@@ -101,7 +101,8 @@ constexpr auto fields_of(const ServoState*) {
                       ecs::field("steady_force_number", &S::steady_force_number),
                       ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy),
                       ecs::field("surface", &S::surface), ecs::field("contact_offset", &S::contact_offset),
-                      ecs::field("patch_number", &S::patch_number), ecs::field("fluid", &S::fluid));
+                      ecs::field("patch_number", &S::patch_number), ecs::field("fluid", &S::fluid),
+                      ecs::field("viscosity", &S::viscosity));
 }
 
 }  // namespace thaum::haptics

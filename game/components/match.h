@@ -70,7 +70,12 @@ enum class EventKind : std::uint32_t {
     wrested = 16,      ///< a player took the brew over; amount: that player's work in the last 1.5 s (J)
     boiled_over = 17,  ///< the brew boiled over and lost its ingredients; subject: the owner
     spoilt = 18,       ///< a wizard was hurt by a brew that boiled over
-    boon = 19          ///< a well-mixed brew begins to heal its owner; amount: health that it can give (HP)
+    boon = 19,         ///< a well-mixed brew begins to heal its owner; amount: health that it can give (HP)
+    cast = 20,         ///< a spell was cast; detail: its number; amount: its strength, 1 for a gentle one
+    unread = 21,  ///< a stroke meant nothing; detail: number of the nearest gesture; amount: its probability
+    unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the focus that lacked
+    fizzled = 23,    ///< a spell had nothing to act on; detail: its number
+    held_off = 24    ///< a shield took harm; detail: EventKind of the harm; amount: that harm (HP)
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

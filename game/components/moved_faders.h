@@ -3,6 +3,7 @@
 #pragma once
 #include "ecs/component.h"
 #include "game/components/match.h"
+#include "game/components/wizard.h"
 #include "input/frame.h"
 
 namespace thaum::game {

@@ -29,8 +29,12 @@ struct Controls {
     std::int32_t forward{};        ///< -127 to 127
     std::int32_t trigger{};        ///< 0 to 255
     std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
-    /// Displacement of the hand in this tick while the clutch or the ladle is in use (um, device frame).
+    /// Displacement of the hand in this tick while clutch, ladle or Trace is in use (um, device frame).
     std::int32_t hand_right{}, hand_up{}, hand_back{};
+    /// Displacement of the hand from its home by a stick, while Trace is held (um, device frame).
+    std::int32_t stick_right{}, stick_up{};
+    std::uint32_t harsh{};  ///< 1: fire was pressed while Trace is held, which makes a key chord harsh
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Controls";
     static constexpr auto fields() {
         return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
@@ -38,7 +42,10 @@ struct Controls {
                           field("wand_pressed", &Controls::wand_pressed), field("strafe", &Controls::strafe),
                           field("forward", &Controls::forward), field("trigger", &Controls::trigger),
                           field("wheel", &Controls::wheel), field("hand_right", &Controls::hand_right),
-                          field("hand_up", &Controls::hand_up), field("hand_back", &Controls::hand_back));
+                          field("hand_up", &Controls::hand_up), field("hand_back", &Controls::hand_back),
+                          field("stick_right", &Controls::stick_right),
+                          field("stick_up", &Controls::stick_up), field("harsh", &Controls::harsh),
+                          field("spare", &Controls::spare));
     }
 };
 
@@ -71,11 +78,14 @@ struct Health {
     std::uint32_t hurt_by{};   ///< player who caused the last injury; no_player: none
     std::uint32_t hurt_how{};  ///< EventKind of the last injury
     Tick foe_did_at{};         ///< tick at which the other player last hurt this wizard; 0: never
+    double ward{};             ///< harm that a shield still takes in the wizard's place (HP)
+    Tick ward_until{};         ///< tick at which that shield ends
     static constexpr std::string_view name = "Health";
     static constexpr auto fields() {
         return std::tuple(field("points", &Health::points), field("shielded_until", &Health::shielded_until),
                           field("hurt_at", &Health::hurt_at), field("hurt_by", &Health::hurt_by),
-                          field("hurt_how", &Health::hurt_how), field("foe_did_at", &Health::foe_did_at));
+                          field("hurt_how", &Health::hurt_how), field("foe_did_at", &Health::foe_did_at),
+                          field("ward", &Health::ward), field("ward_until", &Health::ward_until));
     }
 };
 

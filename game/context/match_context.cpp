@@ -1,8 +1,10 @@
 #include "game/context/match_context.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "game/components/arm.h"
+#include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/moved_faders.h"
 #include "game/data/event_kinds.h"
@@ -67,6 +69,10 @@ void declare_components(ecs::World& world) {
     world.declare<Ladle>();
     world.declare<Niche>();
     world.declare<Pouch>();
+    world.declare<Focus>();
+    world.declare<DrawnStroke>();
+    world.declare<LastReading>();
+    for (const auto& kind : spell_kinds()) kind.declare(world);
     // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();
@@ -107,7 +113,20 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
     auto& health = world.get<Health>(wizard);
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
-    health.points -= hurt.points;
+    const double held = tick < health.ward_until ? std::min(health.ward, hurt.points) : 0;
+    health.ward -= held;
+    if (held > 0) {
+        record(context, {.tick = tick,
+                         .kind = EventKind::held_off,
+                         .subject = player,
+                         .by = hurt.by,
+                         .detail = static_cast<std::uint32_t>(hurt.how),
+                         .amount = held,
+                         .place = hurt.place});
+    }
+    const double points = hurt.points - held;
+    if (points <= 0) return;
+    health.points -= points;
     health.hurt_at = tick;
     health.hurt_by = hurt.by;
     health.hurt_how = static_cast<std::uint32_t>(hurt.how);
@@ -117,7 +136,7 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
                      .subject = player,
                      .by = hurt.by,
                      .detail = hurt.detail,
-                     .amount = hurt.points,
+                     .amount = points,
                      .place = hurt.place});
 }
 

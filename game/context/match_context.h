@@ -4,6 +4,7 @@
 // Systems declare access to components of the World and to resources: the physics and each output. Every access
 // to one of these is checked while a system runs (ecs/schedule.h).
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "ecs/schedule.h"
@@ -55,7 +56,9 @@ double force_cap(const HapticSetup& setup, std::uint32_t player);
 struct MatchInput {
     HapticSetup haptic_setup;
     std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in `frame`
-    input::InputFrame frame;                 ///< input frame of the current tick
+    /// Gestures of players who drew their own; null: those of the match's data.
+    std::array<std::shared_ptr<const GestureSet>, players> gestures{};
+    input::InputFrame frame;  ///< input frame of the current tick
 };
 
 /// Outputs of a match besides its state: haptic models, events, force traces. They are neither saved nor hashed.

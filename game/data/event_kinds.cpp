@@ -48,6 +48,19 @@ const RuleKind rule_kinds[] = {
     {EventKind::boiled_over, {.name = "boiled_over", .cause = {}, .placed = true}},
     {EventKind::spoilt, hit_info("spoilt", "brew", 5)},
     {EventKind::boon, {.name = "boon", .cause = {}, .unit = "hp", .placed = true, .has_subject = true}},
+    {EventKind::cast, {.name = "cast", .cause = {}, .with = EventWith::spell, .unit = "x", .placed = true}},
+    {EventKind::unread,
+     {.name = "unread", .cause = {}, .with = EventWith::gesture, .unit = "probability", .placed = true}},
+    {EventKind::unfocused,
+     {.name = "unfocused", .cause = {}, .with = EventWith::spell, .unit = "focus", .placed = true}},
+    {EventKind::fizzled, {.name = "fizzled", .cause = {}, .with = EventWith::spell, .placed = true}},
+    {EventKind::held_off,
+     {.name = "held_off",
+      .cause = {},
+      .with = EventWith::cause,
+      .unit = "hp",
+      .placed = true,
+      .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

@@ -25,7 +25,9 @@ enum class EventWith : std::uint8_t {
     ending,
     power_up,
     round,
-    ingredient
+    ingredient,
+    spell,   ///< Event::detail is the number of a spell
+    gesture  ///< Event::detail is the number of a gesture
 };
 
 /// Meaning of the fields of one kind of event.

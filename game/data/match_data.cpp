@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "gesture/gesture_file.h"
 
 namespace thaum::game {
 namespace {
@@ -211,6 +212,69 @@ void load_wands(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
+/// Names of the files in assets/gestures, sorted.
+std::vector<std::string> gesture_files(const std::filesystem::path& assets) {
+    std::vector<std::string> names;
+    std::error_code ignored;
+    for (std::filesystem::directory_iterator it(assets / "gestures", ignored), end; it != end && !ignored;
+         it.increment(ignored))
+        if (it->path().extension() == ".toml") names.push_back("gestures/" + it->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void load_gestures(MatchData& data, Loader& loader) {
+    std::vector<gesture::Gesture> gestures;
+    for (const auto& file : gesture_files(loader.assets())) {
+        auto read = loader.load(file, [](const Config& config) {
+            return std::optional<Expected<gesture::Gesture>>(gesture::read_gesture(config));
+        });
+        if (loader.error) return;
+        if (!*read) {
+            loader.error = read->error();
+            return;
+        }
+        gestures.push_back(std::move(**read));
+    }
+    if (const auto fault = fault_of(gestures)) {
+        loader.error = Error{text("gestures: ", *fault)};
+        return;
+    }
+    data.gestures = std::make_shared<GestureSet>(std::move(gestures));
+}
+
+/// Refuses a spell whose gesture does not exist or belongs to another spell, or whose slot is taken.
+void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file) {
+    const auto& gesture = spell.stats.gesture;
+    if (!data.gestures->number(gesture))
+        file.root().report("gesture",
+                           text("'gesture' is '", gesture, "', but there is no gestures/", gesture, ".toml"));
+    for (const auto& other : data.spells) {
+        if (other.stats.gesture == gesture)
+            file.root().report("gesture",
+                               text("'gesture' is '", gesture, "', which casts ", other.kind->name));
+        if (other.stats.slot == spell.stats.slot)
+            file.root().report("slot",
+                               text("'slot' is ", spell.stats.slot + 1, ", where ", other.kind->name, " is"));
+    }
+}
+
+/// Loads gestures and spells, if the rule set has them.
+void load_spells(MatchData& data, Loader& loader) {
+    if (!data.rules.spells) return;
+    load_gestures(data, loader);
+    data.casting = loader.load("casting.toml",
+                               [](const Config& file) { return std::optional(read_casting_rules(file)); });
+    for (const auto& kind : spell_kinds()) {
+        if (loader.error) return;
+        data.spells.push_back(loader.load(text("spells/", kind.name, ".toml"), [&](const Config& file) {
+            auto spell = read_spell(kind, file);
+            check_spell(data, spell, file);
+            return spell;
+        }));
+    }
+}
+
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -256,6 +320,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
         });
     }
     load_wands(data, loader);
+    load_spells(data, loader);
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);
     apply_rule_set(data);

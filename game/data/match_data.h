@@ -7,8 +7,11 @@
 #include "game/arena/arena.h"
 #include "game/arena/look.h"
 #include "game/brew/brew.h"
+#include "game/data/casting_rules.h"
+#include "game/data/gesture_set.h"
 #include "game/data/presentation.h"
 #include "game/data/rules.h"
+#include "game/data/spell.h"
 #include "game/data/wand.h"
 #include "haptics/device.h"
 #include "input/log.h"
@@ -36,6 +39,10 @@ struct MatchData {
     /// std::nullopt if the rule set has no cauldron or the arena no bowl
     std::optional<CauldronRules> cauldron;
     std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes
+    /// Gestures of assets/gestures, and what strokes can do. All are empty if the rule set has no spells.
+    std::shared_ptr<const GestureSet> gestures;
+    std::optional<CastingRules> casting;
+    std::vector<LoadedSpell> spells;                   ///< sorted by name of kind
     std::shared_ptr<const Presentation> presentation;  ///< never null after loading
     /// All files that decide a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;

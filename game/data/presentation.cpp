@@ -15,7 +15,8 @@ struct Known {
     std::string_view whose;
 };
 
-constexpr std::array<std::string_view, 6> word_names{"by", "whom", "cause", "power_up", "amount", "gain"};
+constexpr std::array<std::string_view, 7> word_names{"by",     "whom", "cause", "power_up",
+                                                     "amount", "gain", "spell"};
 
 /// Reads words, and reports braces without a known name.
 std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback) {

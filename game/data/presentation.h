@@ -13,7 +13,7 @@
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
-// Words may contain {by}, {whom}, {cause}, {power_up}, {amount} and {gain}.
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain} and {spell}.
 #pragma once
 #include <memory>
 #include <optional>
@@ -36,7 +36,7 @@ enum class HudMark : std::uint8_t {
 };
 
 /// Names in braces that the words of a row may contain.
-enum class EventWord : std::uint8_t { by, whom, cause, power_up, amount, gain };
+enum class EventWord : std::uint8_t { by, whom, cause, power_up, amount, gain, spell };
 
 /// Plain words, and the name in braces that follows them.
 struct WordsPiece {

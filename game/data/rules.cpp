@@ -22,6 +22,7 @@ RuleSet read_rule_set(const Config& file) {
     rules.spawn_shield = root.boolean("spawn_shield", true);
     rules.aim_assist = root.boolean("aim_assist", true);
     rules.cauldron = root.boolean("cauldron", true);
+    rules.spells = root.boolean("spells", true);
     for (std::size_t kind = 0; kind < power_up_names.size(); ++kind) {
         const auto table = root.table(power_up_names[kind]);
         rules.power_ups[kind] = {.health = table.number("health", {0, 1e6}),

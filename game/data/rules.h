@@ -34,6 +34,7 @@ struct RuleSet {
     bool spawn_shield = true;
     bool aim_assist = true;  ///< players may be helped with aiming (game/context/aim_assist.h)
     bool cauldron = true;    ///< a bowl in the arena holds a brew
+    bool spells = true;      ///< strokes cast spells
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 

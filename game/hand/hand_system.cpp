@@ -2,6 +2,7 @@
 
 #include "core/hash.h"
 #include "game/cauldron/ladle.h"
+#include "game/components/casting.h"
 #include "game/context/arms.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
@@ -47,8 +48,10 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     // A held clutch lets the ladle drift with the brew: the hand follows the device.
     const bool relaxed =
         (controls.held & bit(Button::clutch)) != 0 && std::as_const(context.world).has<Ladle>(wizard);
-    hand_state.home = relaxed ? hand_state.device.position
-                              : glm::clamp(hand_state.home + moved, -device.reach, device.reach);
+    const vec3 wanted = hand_state.home + moved;
+    hand_state.home = relaxed ? hand_state.device.position : glm::clamp(wanted, -device.reach, device.reach);
+    if (auto* trace = context.world.find<DrawnStroke>(wizard); trace != nullptr && !relaxed)
+        trace->beyond += wanted - hand_state.home;
     hand_state.device = haptics::step(device, hand_state.device, hand_state.home + hand_state.pull, force);
     return glm::length(force);
 }
@@ -66,6 +69,9 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     model.force_percent = context.input.haptic_setup.force_percent[player];
     model.panic = panic;
     model.rearm = hand_state.rearm != 0;
+    const auto& world = std::as_const(context.world);
+    const bool draws = world.has<DrawnStroke>(wizard) && !world.has<Ladle>(wizard);
+    model.viscosity = draws ? context.data.casting->viscosity : 0;
     fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
         feel_brew(context, *brew.read().work, hand_state, player, *ladle,
@@ -82,7 +88,7 @@ void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Sched
         {.name = "touch",
          .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewSamples,
                              resource::Brew, resource::Physics>(),
-         .writes = world.mask<HandState, Arm, Ladle, resource::Models, resource::Forces>(),
+         .writes = world.mask<HandState, Arm, Ladle, DrawnStroke, resource::Models, resource::Forces>(),
          .needs = world.mask<HandState>(),
          .run = [&context, &brew](ecs::World& w, Tick tick) {
              const bool panic = note_panic_keys(w);

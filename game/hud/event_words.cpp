@@ -5,6 +5,7 @@
 #include "core/text.h"
 #include "game/components/power_up.h"
 #include "game/data/presentation.h"
+#include "game/data/spell.h"
 
 namespace thaum::game {
 namespace {
@@ -31,6 +32,7 @@ std::string word_of(EventWord word, const Event& event, const PlayerNames& names
         case EventWord::cause: return cause_words(event, thing);
         case EventWord::power_up: return power_up_words(event);
         case EventWord::amount: return text(std::lround(event.amount));
+        case EventWord::spell: return capitalised(name_of_spell(event.detail));
         case EventWord::gain:
             return event.detail == static_cast<std::uint32_t>(PowerUpKind::spark) ? "energy" : "health";
     }

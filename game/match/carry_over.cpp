@@ -4,6 +4,7 @@
 
 #include "core/assert.h"
 #include "ecs/snapshot.h"
+#include "game/components/casting.h"
 #include "game/components/hand_state.h"
 #include "game/context/hand_forces.h"
 #include "game/hand/arm_system.h"
@@ -50,6 +51,8 @@ void refit_wizards(const MatchContext& from, MatchContext& to) {
         const auto wizard = wizard_of(to.world, player);
         auto& belt = to.world.get<WandBelt>(wizard);
         belt = carried_belt(from.data, to.data, belt);
+        if (auto* focus = to.world.find<Focus>(wizard); focus != nullptr && to.data.casting)
+            focus->points = std::min(focus->points, to.data.casting->focus_cap);
         refit(to, wizard, from.data.wizard);
     }
 }
@@ -69,6 +72,8 @@ void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t playe
     world.remove<Body>(now);
     copy<Motion>(from.world, old, world, now);
     world.get<Motion>(now).asleep = 0;  // the ground under the wizard may be gone
+    if (const auto* focus = from.world.find<Focus>(old); focus != nullptr && world.has<Focus>(now))
+        world.get<Focus>(now) = *focus;
     if (const auto* dead = from.world.find<Dead>(old))
         world.add(now, *dead);
     else

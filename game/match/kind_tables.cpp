@@ -38,7 +38,7 @@ std::string kind_in_words(const KindTable* table, std::uint16_t number) {
 
 std::vector<KindTable> kind_tables(const MatchData& data) {
     KindTable cause{"cause", {}}, event{"event", {}}, ingredient{"ingredient", {}}, power_up{"power_up", {}},
-        wand{"wand", {}};
+        spell{"spell", {}}, wand{"wand", {}};
     const auto& all = event_kinds();
     for (std::size_t i = 0; i < all.causes.size(); ++i) add(i, all.causes[i], cause);
     for (std::size_t i = 0; i < all.kinds.size(); ++i) add(i, all.kinds[i].name, event);
@@ -47,10 +47,15 @@ std::vector<KindTable> kind_tables(const MatchData& data) {
         for (std::size_t i = 0; i < ingredients.size(); ++i) add(i, ingredients[i].name, ingredient);
     }
     for (std::size_t i = 0; i < power_up_names.size(); ++i) add(i, power_up_names[i], power_up);
+    if (data.gestures)
+        for (std::size_t i = 0; i < spell_kinds().size(); ++i) add(i, spell_kinds()[i].name, spell);
     for (const auto& loaded : data.wands) add(loaded.stats.slot + 1, loaded.kind->name, wand);
     std::sort(wand.kinds.begin(), wand.kinds.end(),
               [](const Kind& a, const Kind& b) { return a.number < b.number; });
-    return {cause, event, ingredient, power_up, wand};
+    std::vector<KindTable> tables{cause, event, ingredient, power_up};
+    if (!spell.kinds.empty()) tables.push_back(spell);
+    tables.push_back(wand);
+    return tables;
 }
 
 std::string kind_difference(const std::vector<KindTable>& recorded, const std::vector<KindTable>& here) {

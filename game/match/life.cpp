@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/components/casting.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -56,6 +57,7 @@ void return_to_life(MatchContext& context, ecs::Entity e, const Wizard& wizard, 
     world.get<Gaze>(e) = {pad.yaw, 0};
     world.get<Stance>(e) = {};
     world.get<Blows>(e) = {};
+    if (context.data.casting) world.get<Focus>(e).points = context.data.casting->focus_cap;
     world.get<WandBelt>(e).energy = full_belt(context.data).energy;
     world.commands().remove<Dead>(e);
     world.commands().add(e, wizard_body(context.data.wizard));
@@ -103,7 +105,8 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
         {.name = "resurrection",
          .period = gameplay_period,
          .reads = world.mask<Wizard, Pad, Dead>(),
-         .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, EventLog, resource::Journal>(),
+         .writes =
+             world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, Focus, EventLog, resource::Journal>(),
          .needs = world.mask<Dead>(),
          .run = [&context](ecs::World& w, Tick tick) {
              w.view<const Wizard, Health, const Dead>().each(

@@ -2,7 +2,9 @@
 
 #include "game/arena/spawn.h"
 #include "game/cauldron/brewing.h"
+#include "game/components/casting.h"
 #include "game/context/hand_forces.h"
+#include "game/data/stroke_reading.h"
 #include "game/hand/arm_system.h"
 #include "game/match/haptic_setup.h"
 #include "game/player/walk.h"
@@ -38,6 +40,8 @@ void spawn_wizards(MatchContext& context) {
                                     full_belt(context.data), empty_hand_state(), Score{},
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
         for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
+        if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
+        if (context.data.casting) world.add(e, LastReading{.gesture = no_gesture, .nearest = no_gesture});
         world.add(e, wizard_body(rules));
     }
 }

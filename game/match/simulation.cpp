@@ -1,6 +1,7 @@
 #include "game/match/simulation.h"
 
 #include "ecs/snapshot.h"
+#include "game/casting/casting.h"
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
 #include "game/cauldron/splash.h"
@@ -35,7 +36,10 @@ void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedu
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     : data_(std::move(data)),
       setup_(std::move(setup)),
-      input_{haptic_setup_of(*data_, setup_.devices), setup_.devices, {}},
+      input_{.haptic_setup = haptic_setup_of(*data_, setup_.devices),
+             .devices = setup_.devices,
+             .gestures = setup_.gestures,
+             .frame = {}},
       context_(*data_, input_),
       brew_(context_.world, jobs_),
       jobs_(setup_.workers) {
@@ -60,6 +64,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_body_systems(context, live_);
     add_missile_systems(context, live_);
     add_belt_system(context, live_);
+    add_casting_systems(context, live_);
     if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);

@@ -18,11 +18,13 @@ namespace thaum::game {
 
 /// Version of the rules. It changes whenever the same input would lead to another state. The history of this
 /// file in version control gives the reasons.
-inline constexpr std::uint32_t rules_version = 18;
+inline constexpr std::uint32_t rules_version = 19;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
     std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in an input frame
+    /// Gestures of players who drew their own; null: those of the match's data.
+    std::array<std::shared_ptr<const GestureSet>, players> gestures{};
     /// Number of threads for large work, besides the calling thread; does not affect the match.
     unsigned workers = 0;
 };

@@ -1,6 +1,7 @@
 #include "game/match/tables.h"
 
 #include "core/text.h"
+#include "game/casting/casting.h"
 #include "game/components/hand_state.h"
 #include "game/components/power_up.h"
 #include "game/context/arms.h"
@@ -15,6 +16,12 @@ double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<do
 std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
     const bool known = data.cauldron && number < data.cauldron->ingredients.size();
     return known ? data.cauldron->ingredients[number].name : "";
+}
+
+std::string name_of_gesture(const MatchContext& context, std::uint32_t player, std::uint32_t number) {
+    const auto* gestures = player < players ? gestures_of(context, player) : nullptr;
+    const bool known = gestures != nullptr && number < gestures->gestures().size();
+    return known ? gestures->gestures()[number].name : "";
 }
 
 struct Row {
@@ -74,6 +81,8 @@ std::string with_what(EventWith with, const Event& event, const Simulation& matc
         case EventWith::power_up:
             return event.detail < power_up_names.size() ? std::string(power_up_names[event.detail]) : "";
         case EventWith::ingredient: return name_of_ingredient(match.data(), event.detail);
+        case EventWith::spell: return std::string(name_of_spell(event.detail));
+        case EventWith::gesture: return name_of_gesture(match.context(), event.by, event.detail);
         case EventWith::round: return text("round ", event.detail);
     }
     return {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/casting/casting.h"
 #include "game/components/cauldron.h"
 #include "game/context/aim_assist.h"
 #include "game/context/arms.h"
@@ -61,6 +62,28 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
+/// Moves a hand that draws. A mouse draws at the pace at which it turns the view, so that a player's sensitivity counts
+/// for both. A stick gives the hand's place, so that a turn of the stick is a circle.
+void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpec& spec,
+                       const HapticRules& rules, double stick_reach, Controls& controls) {
+    const auto& counts = sample.counts;
+    const double pace =
+        rules.clutch_per_count * spec.look_rad_per_count / input::DeviceSpec{}.look_rad_per_count;
+    const auto by_mouse = [&](std::size_t look) {
+        const double way = pace * std::clamp(counts[look], -most_counts, most_counts);
+        return static_cast<std::int32_t>(std::lround(std::clamp(way, -1e6, 1e6)));
+    };
+    const auto by_stick = [&](std::size_t turn_) {
+        const double deflection = std::clamp(counts[turn_] / 127.0, -1.0, 1.0);
+        return static_cast<std::int32_t>(std::lround(1e6 * stick_reach * deflection));
+    };
+    const std::int32_t right = by_stick(hand::turn_right), up = by_stick(hand::turn_up);
+    controls.hand_right = by_mouse(hand::look_right) + right - controls.stick_right;
+    controls.hand_up = by_mouse(hand::look_up) + up - controls.stick_up;
+    controls.stick_right = right;
+    controls.stick_up = up;
+}
+
 /// Moves the ladle. Mouse and stick move the ladle in the plane of the surface. The keys or stick for walking
 /// forward and back lift and sink it. The wizard stands still meanwhile.
 void move_ladle_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
@@ -89,9 +112,19 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     return buttons;
 }
 
-void take(const input::DeviceSample& sample, Controls& controls) {
-    controls.pressed |= sample.buttons & ~controls.held;
-    controls.held = sample.buttons;
+/// Buttons of the sample. While Trace is held, a press of fire makes a key chord harsh and shoots nothing.
+std::uint32_t buttons_of(const input::DeviceSample& sample, Controls& controls) {
+    constexpr auto fire = bit(Button::fire);
+    const bool fired_before = (controls.held & fire) != 0;
+    const bool traces = sample.down(Button::trace) && !fired_before;
+    controls.harsh = traces && sample.down(Button::fire) ? 1 : 0;
+    return traces ? sample.buttons & ~fire : sample.buttons;
+}
+
+void take(const input::DeviceSample& sample, bool has_spells, Controls& controls) {
+    const auto buttons = has_spells ? buttons_of(sample, controls) : sample.buttons;
+    controls.pressed |= buttons & ~controls.held;
+    controls.held = buttons;
     if (sample.wand != controls.wand_held && sample.wand <= wand_slots && sample.wand != 0)
         controls.wand_pressed = sample.wand;
     controls.wand_held = sample.wand;
@@ -103,6 +136,36 @@ void take(const input::DeviceSample& sample, Controls& controls) {
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
+/// Whose controls are applied, and when.
+struct Player {
+    ecs::Entity wizard;
+    std::uint32_t number{};
+    Tick tick{};  ///< tick of play
+};
+
+/// Moves hand or view by the sample, whichever the held buttons say.
+void apply(MatchContext& context, const Player& player, const input::DeviceSample& sample,
+           const input::DeviceSpec& spec, Controls& controls, Gaze& gaze) {
+    auto& world = context.world;
+    const auto& rules = context.data.haptic_rules;
+    const bool arm = plays_by_arm(world, player.number);
+    const bool traces = context.data.gestures && (controls.held & bit(Button::trace)) != 0;
+    if (traces && !std::as_const(world).has<Dead>(player.wizard) &&
+        (controls.pressed & bit(Button::trace)) != 0)
+        begin_stroke(context, player.wizard, player.tick);
+    if (!traces) controls.stick_right = controls.stick_up = 0;
+    if (std::as_const(world).has<Ladle>(player.wizard)) {
+        move_ladle_hand(sample, rules, controls);
+    } else if (traces && !arm) {
+        move_tracing_hand(sample, spec, rules, context.data.casting->stick_reach, controls);
+    } else if (!arm && (controls.held & bit(Button::clutch)) != 0) {
+        move_hand(sample, rules, controls);
+    } else {
+        turn(sample, spec, context.data.wizard.pitch_limit,
+             acts(sample) ? view_help(context, player.wizard) : ViewHelp{}, gaze);
+    }
+}
+
 }  // namespace
 
 double stick_curve(std::int32_t deflection) {
@@ -112,35 +175,27 @@ double stick_curve(std::int32_t deflection) {
 
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
-    schedule.add({.name = "controls",
-                  .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, resource::Physics>(),
-                  .writes = world.mask<Controls, Gaze>(),
-                  .needs = world.mask<Controls>(),
-                  .run = [&context](ecs::World& w, Tick) {
-                      const auto& match = std::as_const(w).single<Match>();
-                      const bool live = match.paused == 0 && match.phase == Phase::playing;
-                      w.view<const Wizard, Controls, Gaze>().each(
-                          [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
-                              const bool stirs = std::as_const(w).has<Ladle>(e);
-                              const bool arm = plays_by_arm(w, wizard.player);
-                              const auto buttons = arm_buttons(context, wizard.player);
-                              for (std::size_t d = 0; d < context.input.devices.size(); ++d) {
-                                  const auto& spec = context.input.devices[d];
-                                  if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm)
-                                      continue;
-                                  const auto sample = with_arm(context.input.frame.devices[d], buttons);
-                                  take(sample, controls);
-                                  if (live && stirs) {
-                                      move_ladle_hand(sample, context.data.haptic_rules, controls);
-                                  } else if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
-                                      move_hand(sample, context.data.haptic_rules, controls);
-                                  } else if (live) {
-                                      turn(sample, spec, context.data.wizard.pitch_limit,
-                                           acts(sample) ? view_help(context, e) : ViewHelp{}, gaze);
-                                  }
-                              }
-                          });
-                  }});
+    schedule.add(
+        {.name = "controls",
+         .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, resource::Physics>(),
+         .writes = world.mask<Controls, Gaze, DrawnStroke>(),
+         .needs = world.mask<Controls>(),
+         .run = [&context](ecs::World& w, Tick) {
+             const auto& match = std::as_const(w).single<Match>();
+             const bool live = match.paused == 0 && match.phase == Phase::playing;
+             w.view<const Wizard, Controls, Gaze>().each(
+                 [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                     const auto buttons = arm_buttons(context, wizard.player);
+                     for (std::size_t d = 0; d < context.input.devices.size(); ++d) {
+                         const auto& spec = context.input.devices[d];
+                         if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm) continue;
+                         const auto sample = with_arm(context.input.frame.devices[d], buttons);
+                         take(sample, context.data.gestures != nullptr, controls);
+                         if (live)
+                             apply(context, {e, wizard.player, match.played}, sample, spec, controls, gaze);
+                     }
+                 });
+         }});
 }
 
 void add_pause_system(MatchContext& context, ecs::Schedule& schedule) {

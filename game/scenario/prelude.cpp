@@ -118,7 +118,7 @@ end
 
 for _, name in ipairs {
     "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "readiness", "shots", "kills",
-    "deaths", "dead", "grounded", "shielded", "hand", "force", "force_cause", "created",
+    "deaths", "dead", "grounded", "shielded", "focus", "ward", "hand", "force", "force_cause", "created",
     "stirs", "ladle", "ladle_velocity", "ladle_force",
 } do
     Wizard[name] = function(self) return raw.read(self.player, name) end
@@ -172,6 +172,54 @@ function Wizard:circles(seconds, period, counts, sense, each)
         raw.wait(1)
         if each then each(i) end
     end
+end
+
+-- Corners or points of the shapes of :cast, 2 wide.
+local shapes = {v = {{-0.7, 1}, {0, -1}, {0.7, 1}}, circle = {}, star = {}, s = {}}
+for i = 0, 48 do
+    shapes.circle[i + 1] = {sin(2 * pi * i / 48), cos(2 * pi * i / 48)}
+    local a = pi / 180 * (i <= 24 and 30 + 10 * i or 90 - 10 * (i - 24))
+    shapes.s[i + 1] = {0.6 * cos(a), (i <= 24 and 0.5 or -0.5) + 0.5 * sin(a)}
+end
+for i = 0, 5 do shapes.star[i + 1] = {sin(4 * pi * (i + 0.5) / 5), cos(4 * pi * (i + 0.5) / 5)} end
+
+-- Moves the mouse along a list of places, so many metres of the hand for each unit.
+local function draw_along(self, points, scale, seconds)
+    local length = 0
+    for i = 2, #points do
+        length = length + sqrt((points[i][1] - points[i - 1][1]) ^ 2 + (points[i][2] - points[i - 1][2]) ^ 2)
+    end
+    local per_metre, right, up = 1e4, 0, 0
+    for i = 2, #points do
+        local from, to = points[i - 1], points[i]
+        local way = sqrt((to[1] - from[1]) ^ 2 + (to[2] - from[2]) ^ 2)
+        local steps = max(1, floor(1000 * seconds * way / length + 0.5))
+        for k = 1, steps do
+            local x = per_metre * scale * (from[1] + (to[1] - from[1]) * k / steps - points[1][1])
+            local y = per_metre * scale * (from[2] + (to[2] - from[2]) * k / steps - points[1][2])
+            local next_right, next_up = floor(x + 0.5), floor(y + 0.5)
+            raw.look(self.player, next_right - right, next_up - up)
+            right, up = next_right, next_up
+            raw.wait(1)
+        end
+    end
+end
+
+-- Draws "circle", "v", "s" or "star" with Trace held: {size = width in metres, seconds, times = turns in one stroke}. Any
+-- other shape is a list of places like those of `shapes`.
+function Wizard:cast(shape, how)
+    how = how or {}
+    local points = shapes[shape] or shape
+    local all = {}
+    for _ = 1, how.times or 1 do
+        for i = 1, #points do all[#all + 1] = points[i] end
+    end
+    raw.button(self.player, "trace", true)
+    raw.wait(10)
+    draw_along(self, all, (how.size or 0.07) / 2, (how.seconds or 1) * (how.times or 1))
+    raw.wait(20)
+    raw.button(self.player, "trace", false)
+    raw.wait(10)
 end
 
 -- Fetches what is found at a niche, and drops it into the brew from a place at the rim; Stir stays held.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/match/haptic_setup.h"
@@ -302,6 +303,12 @@ struct WizardReader {
 
 vec3 centre(const Play& play, std::uint32_t player) { return part<Motion>(play, player).position; }
 
+/// Harm that the wizard's shield still takes (HP).
+double ward(const Play& play, std::uint32_t player) {
+    const auto& health = part<Health>(play, player);
+    return play.match->match().played < health.ward_until ? health.ward : 0;
+}
+
 bool is_shielded(const Play& play, std::uint32_t player) {
     return play.match->match().played < part<Health>(play, player).shielded_until;
 }
@@ -374,6 +381,9 @@ constexpr WizardReader wizard_readers[] = {
      [](lua_State* lua, const Play& p, std::uint32_t i) { arg::push_place(lua, ladle(p, i).force); }},
     {"grounded", [](lua_State* lua, const Play& p,
                     std::uint32_t i) { lua_pushboolean(lua, part<Stance>(p, i).grounded != 0); }},
+    {"focus",
+     [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, part<Focus>(p, i).points); }},
+    {"ward", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, ward(p, i)); }},
     {"shielded",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, is_shielded(p, i)); }},
 };

@@ -1,0 +1,214 @@
+#include "game/casting/casting.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "game/casting/reading.h"
+#include "game/components/cauldron.h"
+#include "game/components/hand_state.h"
+
+namespace thaum::game {
+namespace {
+
+using input::Button;
+
+// ---- the stroke -------------------------------------------------------------------------------------------
+
+/// Point of a hand that draws in the air.
+vec3 point_in_air(const HandState& hand_state, const DrawnStroke& trace) {
+    return hand_state.device.position + trace.beyond;
+}
+
+/// Point of a hand that draws on the brew with the ladle.
+vec3 point_on_brew(const HandState& hand_state, const DrawnStroke& trace) {
+    const vec3 at = hand_state.device.position + trace.beyond;
+    return {at.x, -at.z, at.y};
+}
+
+/// Drops every second point of a full stroke.
+void thin(DrawnStroke& trace) {
+    for (std::uint32_t i = 0; i < trace.count / 2; ++i) trace.points[i] = trace.points[2 * i];
+    trace.count /= 2;
+    trace.every *= 2;
+}
+
+void append(const CastingRules& rules, const HandState& hand_state, const Ladle* ladle, double ladle_to_hand,
+            DrawnStroke& trace) {
+    if (trace.waits > 0) {
+        --trace.waits;
+        return;
+    }
+    if (trace.count == trace.points.size()) thin(trace);
+    const vec3 at = ladle != nullptr ? point_on_brew(hand_state, trace) : point_in_air(hand_state, trace);
+    double force = 0;
+    if (ladle != nullptr) {
+        force = ladle_to_hand * glm::length(ladle->force);
+    } else if (trace.count > 0) {
+        const auto& last = trace.points[trace.count - 1];
+        force =
+            rules.viscosity * glm::distance(at, vec3(last.x, last.y, last.z)) / (trace.every * gameplay_dt);
+    }
+    trace.points[trace.count++] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                                   static_cast<float>(at.z), static_cast<float>(force)};
+    trace.waits = trace.every - 1;
+}
+
+// ---- casting ----------------------------------------------------------------------------------------------
+
+struct Caster {
+    ecs::Entity wizard;
+    std::uint32_t player{};
+    Tick tick{};
+};
+
+Event event_of(const MatchContext& context, const Caster& caster, EventKind kind, std::uint32_t detail,
+               double amount) {
+    return {.tick = caster.tick,
+            .kind = kind,
+            .subject = caster.player,
+            .by = caster.player,
+            .detail = detail,
+            .amount = amount,
+            .place = context.world.get<Motion>(caster.wizard).position};
+}
+
+void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell, double force) {
+    const auto& rules = *context.data.casting;
+    const bool harsh = force >= rules.harsh_from;
+    const double cost = spell.stats.focus * (harsh ? rules.harsh_cost : 1);
+    const auto number = static_cast<std::uint32_t>(spell.kind - spell_kinds().data());
+    auto& focus = context.world.get<Focus>(caster.wizard);
+    const auto tell = [&](EventKind kind, double amount) {
+        record(context, event_of(context, caster, kind, number, amount));
+    };
+    if (focus.points < cost) return tell(EventKind::unfocused, cost - focus.points);
+    if (!spell.rules->refusal(context, caster.wizard).empty()) return tell(EventKind::fizzled, 0);
+    focus.points -= cost;
+    const double strength = harsh ? rules.harsh_strength : 1;
+    tell(EventKind::cast, strength);
+    spell.rules->cast({context, caster.wizard, caster.tick, strength});
+}
+
+/// Takes note of a reading, and casts the spell of its gesture. A wizard who stirs casts nothing.
+void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures) {
+    const auto& stroke = reading.stroke;
+    context.world.get<LastReading>(caster.wizard) = {.at = std::max<Tick>(caster.tick, 1),
+                                                     .probability = stroke.probability,
+                                                     .force = stroke.force,
+                                                     .turns = stroke.turns,
+                                                     .gesture = stroke.gesture,
+                                                     .nearest = reading.nearest};
+    if (std::as_const(context.world).has<Ladle>(caster.wizard)) return;
+    const auto* spell = stroke.gesture == no_gesture
+                            ? nullptr
+                            : spell_of(context.data, gestures.gestures()[stroke.gesture].name);
+    if (spell != nullptr) return cast(context, caster, *spell, stroke.force);
+    record(context, event_of(context, caster, EventKind::unread, reading.nearest, stroke.probability));
+}
+
+/// The reading of a key chord: a stroke of the slot's gesture without any doubt.
+Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
+    const auto& rules = *context.data.casting;
+    Reading reading;
+    for (const auto& spell : context.data.spells) {
+        const auto gesture = gestures.number(spell.stats.gesture);
+        if (spell.stats.slot + 1 != controls.wand_pressed || !gesture) continue;
+        reading.nearest = reading.stroke.gesture = *gesture;
+        reading.stroke.probability = 1;
+        reading.stroke.force = controls.harsh != 0 ? rules.harsh_from : rules.gentle_below / 2;
+        reading.stroke.turns = gestures.gestures()[*gesture].options.closed ? 1 : 0;
+    }
+    return reading;
+}
+
+/// Follows the stroke of one wizard for a gameplay tick.
+void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, DrawnStroke& trace) {
+    auto& world = context.world;
+    const auto& controls = std::as_const(world).get<Controls>(caster.wizard);
+    const auto* gestures = gestures_of(context, caster.player);
+    const auto* ladle = std::as_const(world).find<Ladle>(caster.wizard);
+    auto& hand_state = world.get<HandState>(caster.wizard);
+    const bool dead = std::as_const(world).has<Dead>(caster.wizard);
+    const bool held = (controls.held & bit(Button::trace)) != 0;
+    if ((ladle != nullptr) != (trace.on_brew != 0)) trace.over = 1;
+    const double ladle_to_hand = context.data.cauldron ? context.data.cauldron->ladle.newtons_per_newton : 0;
+    if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, ladle_to_hand, trace);
+    if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
+        const auto chord = chord_reading(context, *gestures, controls);
+        trace.over = 1;
+        if (chord.stroke.gesture != no_gesture) act_on(context, caster, chord, *gestures);
+    }
+    if (held && !dead) return;
+    if (!dead && trace.over == 0 && !is_slip(*context.data.casting, trace))
+        act_on(context, caster, read_drawn(*gestures, trace, space), *gestures);
+    if (trace.on_brew == 0) hand_state.home = trace.home;
+    world.commands().remove<DrawnStroke>(caster.wizard);
+}
+
+void join(ecs::Mask& mask, const ecs::Mask& other) {
+    for (std::size_t i = 0; i < mask.words.size(); ++i) mask.words[i] |= other.words[i];
+}
+
+void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
+    schedule.add({.name = "focus",
+                  .period = gameplay_period,
+                  .reads = context.world.mask<Dead>(),
+                  .writes = context.world.mask<Focus>(),
+                  .needs = context.world.mask<Focus>(),
+                  .run = [&context](ecs::World& w, Tick) {
+                      const auto& rules = *context.data.casting;
+                      w.view<Focus, ecs::Without<Dead>>().each([&](Focus& focus) {
+                          focus.points =
+                              std::min(rules.focus_cap, focus.points + rules.focus_regain * gameplay_dt);
+                      });
+                  }});
+}
+
+}  // namespace
+
+const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player) {
+    const auto& own = context.input.gestures[player];
+    return own ? own.get() : context.data.gestures.get();
+}
+
+const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
+    const auto found = std::find_if(data.spells.begin(), data.spells.end(),
+                                    [&](const LoadedSpell& s) { return s.stats.gesture == gesture; });
+    return found == data.spells.end() ? nullptr : &*found;
+}
+
+void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick) {
+    auto& world = context.world;
+    if (!context.data.gestures || std::as_const(world).has<DrawnStroke>(wizard)) return;
+    world.commands().add(wizard, DrawnStroke{.began = tick,
+                                             .on_brew = std::as_const(world).has<Ladle>(wizard) ? 1U : 0U,
+                                             .home = std::as_const(world).get<HandState>(wizard).home});
+}
+
+void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
+    if (!context.data.gestures) return;
+    auto& world = context.world;
+    add_focus_system(context, schedule);
+    auto reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>();
+    auto writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog, resource::Journal>();
+    for (const auto& spell : context.data.spells) {
+        join(reads, spell.rules->reads(world));
+        join(writes, spell.rules->writes(world));
+    }
+    schedule.add({.name = "strokes",
+                  .period = gameplay_period,
+                  .reads = reads,
+                  .writes = writes,
+                  .needs = world.mask<DrawnStroke>(),
+                  .run = [&context, space = std::make_shared<std::optional<ReadingSpace>>()](ecs::World& w,
+                                                                                             Tick tick) {
+                      if (!*space) space->emplace();
+                      w.view<const Wizard, DrawnStroke>().each(
+                          [&](ecs::Entity e, const Wizard& wizard, DrawnStroke& trace) {
+                              follow(context, **space, {e, wizard.player, tick}, trace);
+                          });
+                  }});
+    for (const auto& spell : context.data.spells) spell.rules->add_systems({context, schedule});
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,30 @@
+// game/casting/casting.h: strokes in the match, and the spells that they cast.
+//
+//     Trace goes down -> the wizard has a DrawnStroke, the space round the hand is viscous
+//     while it is held -> a point of the stroke in every gameplay tick
+//     Trace goes up    -> the stroke is read (casting/reading.h); its gesture's spell is cast
+//
+// A press of a wand's key while Trace is held is a key chord. It takes the stroke's place: the spell of that slot is
+// cast, harsh if fire is held too. So everything can be cast by keys alone.
+#pragma once
+#include "game/components/casting.h"
+#include "game/context/match_context.h"
+#include "game/data/stroke_reading.h"
+
+namespace thaum::game {
+
+/// Lets a wizard begin a stroke. Does nothing if there is one, or if the match has no gestures. Reads HandState,
+/// writes Trace.
+void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick);
+
+/// Gestures of a player: the player's own, or those of the match's data; null if the match has none.
+const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player);
+
+/// The spell that a gesture casts; null if there is none.
+const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
+
+/// Adds the system that follows strokes and casts spells, every gameplay tick. Does nothing if the match has no
+/// gestures.
+void add_casting_systems(MatchContext& context, ecs::Schedule& schedule);
+
+}  // namespace thaum::game

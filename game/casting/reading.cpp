@@ -1,0 +1,115 @@
+#include "game/casting/reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/context/match_context.h"
+
+namespace thaum::game {
+namespace {
+
+using gesture::Points;
+using gesture::StrokePoint;
+
+/// Turns from which on a stroke is read turn by turn.
+constexpr double several_turns = 1.5;
+
+Points points_of(const DrawnStroke& trace, ReadingSpace& space) {
+    const double step = trace.every * gameplay_dt;
+    for (std::uint32_t i = 0; i < trace.count; ++i) {
+        const auto& p = trace.points[i];
+        space.stroke[i] = {i * step, vec3(p.x, p.y, p.z), p.force};
+    }
+    return Points(space.stroke).first(trace.count);
+}
+
+vec3 middle_of(Points stroke) {
+    double length = 0;
+    vec3 sum{};
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        const double step = glm::distance(stroke[i - 1].at, stroke[i].at);
+        length += step;
+        sum += step * (stroke[i - 1].at + stroke[i].at) / 2.0;
+    }
+    return length > 0 ? sum / length : vec3(0);
+}
+
+/// Clockwise angle round the middle from one point to the next (rad), -pi to pi.
+double turn_between(vec3 middle, vec3 from, vec3 to) {
+    const vec3 a = from - middle, b = to - middle;
+    const double across = a.x * b.y - a.y * b.x, along = a.x * b.x + a.y * b.y;
+    return across == 0 && along == 0 ? 0 : -det::atan2(across, along);
+}
+
+double turns_of(Points stroke) {
+    const vec3 middle = middle_of(stroke);
+    double angle = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i)
+        angle += turn_between(middle, stroke[i - 1].at, stroke[i].at);
+    return angle / (2 * pi);
+}
+
+/// Reading of all turns of a stroke with about `turns` of them. Nothing is meant unless all turns are one gesture.
+gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points stroke, double turns,
+                                gesture::RecogniserSpace& space) {
+    const vec3 middle = middle_of(stroke);
+    const double whole = std::round(std::abs(turns));
+    const double each = 2 * pi * std::abs(turns) / whole;
+    gesture::Recognition worst{.probability = 1, .accepted = true};
+    double angle = 0;
+    std::size_t first = 0, done = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        angle += turn_between(middle, stroke[i - 1].at, stroke[i].at);
+        const bool last = i + 1 == stroke.size();
+        const bool turn_is_done =
+            static_cast<double>(done + 1) < whole && std::abs(angle) >= each * static_cast<double>(done + 1);
+        if (!last && !turn_is_done) continue;
+        const auto one = recogniser.recognise(stroke.subspan(first, i - first + 1), space);
+        if (!one.accepted || (done > 0 && one.gesture != worst.gesture)) return {};
+        if (one.probability <= worst.probability) worst = one;
+        ++done;
+        first = i;
+    }
+    return worst;
+}
+
+double mean_force_of(Points stroke) {
+    double length = 0, sum = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        const double step = glm::distance(stroke[i - 1].at, stroke[i].at);
+        length += step;
+        sum += step * (stroke[i - 1].force + stroke[i].force) / 2;
+    }
+    return length > 0 ? sum / length : 0;
+}
+
+}  // namespace
+
+bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
+    double length = 0;
+    for (std::uint32_t i = 1; i < trace.count; ++i) {
+        const auto &a = trace.points[i - 1], &b = trace.points[i];
+        length += glm::distance(vec3(a.x, a.y, a.z), vec3(b.x, b.y, b.z));
+    }
+    const Tick lasts = Tick{trace.count} * trace.every * gameplay_period;
+    return lasts < rules.shortest || length < rules.smallest;
+}
+
+Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
+    const auto& recogniser = gestures.recogniser();
+    const auto stroke = points_of(trace, space);
+    auto found = recogniser.recognise(stroke, space.recogniser);
+    const double turns = turns_of(stroke);
+    if (std::abs(turns) >= several_turns) {
+        const auto turn = read_turns(recogniser, stroke, turns, space.recogniser);
+        if (turn.accepted && (!found.accepted || turn.probability > found.probability)) found = turn;
+    }
+    Reading reading{.stroke = {.force = mean_force_of(stroke)}, .nearest = found.gesture};
+    reading.stroke.probability = found.probability;
+    if (!found.accepted) return reading;
+    reading.stroke.gesture = found.gesture;
+    if (gestures.gestures()[found.gesture].options.closed) reading.stroke.turns = turns;
+    return reading;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,27 @@
+// game/casting/reading.h: reads what a drawn stroke means.
+#pragma once
+#include "game/components/casting.h"
+#include "game/data/casting_rules.h"
+#include "game/data/gesture_set.h"
+#include "game/data/stroke_reading.h"
+
+namespace thaum::game {
+
+/// Memory of the reader, which is no state: the same stroke gives the same reading whatever was read before.
+struct ReadingSpace {
+    gesture::RecogniserSpace recogniser;
+    std::array<gesture::StrokePoint, most_drawn_points> stroke{};
+};
+
+struct Reading {
+    StrokeReading stroke;
+    std::uint32_t nearest = no_gesture;  ///< nearest gesture, although it may not be meant; no_gesture: none
+};
+
+/// Whether the stroke is too short to mean anything, such as a slip of the finger.
+bool is_slip(const CastingRules& rules, const DrawnStroke& trace);
+
+/// Reads a stroke. Several turns of a closed gesture in one stroke are read one by one: all must be the gesture.
+Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space);
+
+}  // namespace thaum::game

@@ -1,0 +1,25 @@
+#include "game/data/casting_rules.h"
+
+namespace thaum::game {
+
+CastingRules read_casting_rules(const Config& file) {
+    const auto root = file.root();
+    const auto focus = root.table("focus");
+    const auto stroke = root.table("stroke");
+    const auto force = root.table("force");
+    CastingRules rules{.focus_cap = focus.number("cap", {0, 1e6}),
+                       .focus_regain = focus.number("regain_per_s", {0, 1e6}),
+                       .viscosity = stroke.number("viscosity_n_s_per_m", {0, 100}),
+                       .stick_reach = stroke.number("stick_reach_m", {0, 0.5}),
+                       .gentle_below = force.number("gentle_below_n", {0, 1000}),
+                       .harsh_from = force.number("harsh_from_n", {0, 1000}),
+                       .harsh_strength = force.number("harsh_strength", {0, 100}),
+                       .harsh_cost = force.number("harsh_cost", {0, 100}),
+                       .shortest = ticks(stroke.number("shortest_s", {0, 10})),
+                       .smallest = stroke.number("smallest_m", {0, 1})};
+    if (rules.harsh_from < rules.gentle_below)
+        force.report("harsh_from_n", "'harsh_from_n' must not be below gentle_below_n");
+    return rules;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,31 @@
+#include "game/data/gesture_set.h"
+
+#include <algorithm>
+
+#include "core/assert.h"
+
+namespace thaum::game {
+
+std::optional<std::uint32_t> GestureSet::number(std::string_view name) const {
+    const auto found = std::find_if(gestures_.begin(), gestures_.end(),
+                                    [&](const gesture::Gesture& g) { return g.name == name; });
+    if (found == gestures_.end()) return {};
+    return static_cast<std::uint32_t>(found - gestures_.begin());
+}
+
+const gesture::Recogniser& GestureSet::recogniser() const {
+    std::call_once(once_, [this] {
+        auto made = gesture::Recogniser::make(gestures_);
+        THAUM_ASSERT(made, "gestures of a set were checked");
+        recogniser_ = std::move(*made);
+    });
+    return *recogniser_;
+}
+
+std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures) {
+    const auto made = gesture::Recogniser::make(gestures, {.calibrate = false});
+    if (made) return {};
+    return made.error().message;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,34 @@
+// game/data/gesture_set.h: the gestures that the strokes of a wizard may mean, with their recogniser.
+#pragma once
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gesture/recogniser.h"
+
+namespace thaum::game {
+
+/// Shared by all matches with the same data. The recogniser is made when it is first needed, in any thread.
+class GestureSet {
+public:
+    /// The gestures must have been checked by `fault_of`.
+    explicit GestureSet(std::vector<gesture::Gesture> gestures) : gestures_(std::move(gestures)) {}
+
+    std::span<const gesture::Gesture> gestures() const { return gestures_; }
+    /// Number of the gesture of this name.
+    std::optional<std::uint32_t> number(std::string_view name) const;
+    const gesture::Recogniser& recogniser() const;
+
+private:
+    std::vector<gesture::Gesture> gestures_;
+    mutable std::once_flag once_;
+    mutable std::optional<gesture::Recogniser> recogniser_;
+};
+
+/// Tells in words why no recogniser can be made of these gestures; std::nullopt if one can.
+std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures);
+
+}  // namespace thaum::game

@@ -1,0 +1,88 @@
+// game/data/spell.h: the interface of spells. A spell is one data file (assets/spells/NAME.toml) and one .cpp in
+// game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so a new
+// spell changes no other file.
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+#include "ecs/schedule.h"
+#include "game/components/wizard.h"
+
+namespace thaum::game {
+
+struct MatchContext;
+
+/// Numbers that every spell has in its data file.
+struct SpellStats {
+    std::uint32_t slot{};  ///< key of the chord that casts it without a stroke, 0 to wand_slots - 1
+    std::string gesture;   ///< name of the gesture that casts it
+    double focus{};        ///< focus of a gentle cast
+    std::string shown;     ///< name on the screen
+};
+
+/// Arguments of SpellRules::cast.
+struct SpellCast {
+    MatchContext& context;
+    ecs::Entity wizard;
+    Tick tick;          ///< tick of play
+    double strength{};  ///< 1 for a gentle stroke, more for a harsh one
+};
+
+/// Arguments with which a spell adds its systems.
+struct SpellSystems {
+    MatchContext& context;
+    ecs::Schedule& schedule;
+};
+
+/// Rules of one spell with the numbers of its data file. Its state in a match is in the World.
+class SpellRules {
+public:
+    SpellRules() = default;
+    SpellRules(const SpellRules&) = delete;
+    SpellRules& operator=(const SpellRules&) = delete;
+    virtual ~SpellRules() = default;
+
+    /// Why the spell would do nothing now, in words for the wizard ("nothing to recall"); empty if it can be cast.
+    virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
+    /// Casts the spell. The focus is already paid.
+    virtual void cast(const SpellCast& cast) const = 0;
+    /// Components and resources that `cast` writes, and that `refusal` and `cast` read.
+    virtual ecs::Mask writes(const ecs::World& world) const = 0;
+    virtual ecs::Mask reads(const ecs::World& world) const = 0;
+    /// Adds systems for what the spell leaves in the world.
+    virtual void add_systems(const SpellSystems&) const {}
+};
+
+/// One kind of spell, as its .cpp registers it.
+struct SpellKind {
+    std::string_view name;  ///< assets/spells/NAME.toml
+    /// Declares the spell's components.
+    void (*declare)(ecs::World&);
+    /// Reads the spell's own numbers.
+    std::shared_ptr<const SpellRules> (*read)(const ConfigTable& root);
+};
+
+/// Registers a kind of spell when the program starts.
+struct SpellRegistration {
+    explicit SpellRegistration(const SpellKind& kind);
+};
+
+/// All kinds, sorted by name. A spell's number is its place here.
+const std::vector<SpellKind>& spell_kinds();
+
+/// Name of a spell by its number; empty for a number without a spell.
+std::string_view name_of_spell(std::uint32_t number);
+
+/// A kind of spell with the numbers from its data file.
+struct LoadedSpell {
+    const SpellKind* kind{};
+    SpellStats stats;
+    std::shared_ptr<const SpellRules> rules;
+};
+
+LoadedSpell read_spell(const SpellKind& kind, const Config& file);
+
+}  // namespace thaum::game

@@ -1,0 +1,36 @@
+// The shield: for a while it takes harm in its wizard's place, up to an amount. Where that harm is taken: hurt() in
+// game/context/match_context.h.
+#include "game/context/match_context.h"
+#include "game/data/spell.h"
+
+namespace thaum::game {
+namespace {
+
+class ShieldSpell final : public SpellRules {
+public:
+    explicit ShieldSpell(const ConfigTable& root)
+        : absorbs_(root.number("absorbs_hp", {0, 1e6})), lasts_(ticks(root.number("lasts_s", {0, 3600}))) {}
+
+    void cast(const SpellCast& cast) const override {
+        auto& health = cast.context.world.get<Health>(cast.wizard);
+        health.ward = absorbs_ * cast.strength;
+        health.ward_until = cast.tick + lasts_;
+    }
+    ecs::Mask reads(const ecs::World&) const override { return {}; }
+    ecs::Mask writes(const ecs::World& world) const override { return world.mask<Health>(); }
+
+private:
+    double absorbs_{};  ///< harm that the shield of a gentle stroke takes (HP)
+    Tick lasts_{};
+};
+
+const SpellRegistration registration({
+    .name = "shield",
+    .declare = [](ecs::World&) {},
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
+        return std::make_shared<ShieldSpell>(root);
+    },
+});
+
+}  // namespace
+}  // namespace thaum::game
