@@ -1,0 +1,198 @@
+// Tests of the reading of drawn strokes, and of the strokes in a match.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "game/casting/casting.h"
+#include "game/casting/reading.h"
+#include "gesture/generated_users.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using gesture::Figure;
+using gesture::StrokePoint;
+
+/// Data of the usual match, loaded once.
+std::shared_ptr<const MatchData> data() {
+    static const auto loaded = duel_data();
+    return loaded;
+}
+
+const GestureSet& shipped() { return *data()->gestures; }
+
+DrawnStroke drawn(std::span<const StrokePoint> points) {
+    DrawnStroke stroke;
+    const double step = gameplay_dt;
+    for (double t = 0; t <= points.back().t && stroke.count < most_drawn_points; t += step) {
+        std::size_t i = 1;
+        while (i + 1 < points.size() && points[i].t < t) ++i;
+        const auto &a = points[i - 1], &b = points[i];
+        const double share = b.t > a.t ? std::clamp((t - a.t) / (b.t - a.t), 0.0, 1.0) : 0;
+        const vec3 at = glm::mix(a.at, b.at, share);
+        stroke.points[stroke.count++] = {static_cast<float>(at.x), static_cast<float>(at.y),
+                                         static_cast<float>(at.z),
+                                         static_cast<float>(a.force + share * (b.force - a.force))};
+    }
+    return stroke;
+}
+
+/// Circles of 6 cm, 0.8 s each; clockwise from the top for a positive number of turns.
+DrawnStroke circles(double turns) {
+    std::vector<StrokePoint> points;
+    const int steps = static_cast<int>(100 * std::abs(turns));
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 2 * pi * turns * i / steps;
+        points.push_back({0.008 * i, {0.03 * std::sin(angle), 0.03 * std::cos(angle), 0}, 0.8});
+    }
+    return drawn(points);
+}
+
+TEST(Casting, TurnsOfACircleAreCounted) {
+    ReadingSpace space;
+    for (const double turns : {1.0, -1.0, 2.0, 3.0, -3.0, 5.0}) {
+        const auto reading = read_drawn(shipped(), circles(turns), space);
+        ASSERT_NE(reading.stroke.gesture, no_gesture) << turns;
+        EXPECT_EQ(shipped().gestures()[reading.stroke.gesture].name, "circle") << turns;
+        EXPECT_NEAR(reading.stroke.turns, turns, 0.02);
+        EXPECT_NEAR(reading.stroke.force, 0.8, 1e-6);
+        EXPECT_GT(reading.stroke.probability, 0.75);
+    }
+}
+
+TEST(Casting, AnOpenStrokeHasNoTurns) {
+    Random random{3};
+    ReadingSpace space;
+    for (const auto figure : {Figure::v, Figure::s}) {
+        const auto points =
+            gesture::draw_figure(figure, gesture::random_style(random), gesture::Effort::gentle, random);
+        EXPECT_EQ(read_drawn(shipped(), drawn(points), space).stroke.turns, 0);
+    }
+}
+
+TEST(Casting, AStarIsNotTwoCircles) {
+    Random random{11};
+    ReadingSpace space;
+    int right = 0;
+    for (int i = 0; i < 40; ++i) {
+        const auto points = gesture::draw_figure(Figure::star, gesture::random_style(random),
+                                                 gesture::Effort::normal, random);
+        const auto read = read_drawn(shipped(), drawn(points), space).stroke.gesture;
+        right += read != no_gesture && shipped().gestures()[read].name == "star" ? 1 : 0;
+    }
+    EXPECT_GE(right, 38);
+}
+
+TEST(Casting, BadStrokesMeanNothing) {
+    ReadingSpace space;
+    const CastingRules& rules = *data()->casting;
+    DrawnStroke none;
+    EXPECT_TRUE(is_slip(rules, none));
+    EXPECT_EQ(read_drawn(shipped(), none, space).stroke.gesture, no_gesture);
+    DrawnStroke one;
+    one.count = 1;
+    EXPECT_TRUE(is_slip(rules, one));
+    EXPECT_EQ(read_drawn(shipped(), one, space).stroke.gesture, no_gesture);
+    DrawnStroke still;
+    still.count = most_drawn_points;
+    EXPECT_TRUE(is_slip(rules, still));
+    EXPECT_EQ(read_drawn(shipped(), still, space).stroke.gesture, no_gesture);
+    auto broken = circles(1);
+    broken.points[40].x = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(read_drawn(shipped(), broken, space).stroke.gesture, no_gesture);
+    auto huge = circles(1);
+    for (auto& p : huge.points) p.x *= 1e30F, p.y *= 1e30F;
+    EXPECT_NO_FATAL_FAILURE(read_drawn(shipped(), huge, space));
+}
+
+/// A duel of scripts whose first player's device a test moves.
+struct Drawer {
+    Simulation match{data(), two_hands()};
+    input::InputFrame frame{};
+
+    input::DeviceSample& hand() { return frame.devices[0]; }
+    ecs::Entity wizard() { return wizard_of(match.world(), 0); }
+    /// Circles of so many counts for a while, each in `period` ticks.
+    void circle(int ticks, int period, double counts) {
+        for (int i = 0; i < ticks; ++i) {
+            const double angle = 2 * pi * i / period;
+            hand().counts[input::hand::look_right] = static_cast<int>(std::lround(counts * std::cos(angle)));
+            hand().counts[input::hand::look_up] = static_cast<int>(std::lround(-counts * std::sin(angle)));
+            match.tick(frame);
+        }
+        hand().counts = {};
+    }
+    void wait(int ticks) {
+        for (int i = 0; i < ticks; ++i) match.tick(frame);
+    }
+};
+
+TEST(Casting, AStrokeOfAnyLengthHasRoom) {
+    Drawer drawer;
+    drawer.wait(8);
+    drawer.hand().press(input::Button::trace);
+    drawer.circle(20'000, 800, 3);
+    const auto& stroke = drawer.match.world().get<DrawnStroke>(drawer.wizard());
+    EXPECT_LE(stroke.count, most_drawn_points);
+    EXPECT_GT(stroke.every, 1U);
+    EXPECT_NEAR(stroke.count * stroke.every * 8.0, 20'000, 200);
+}
+
+TEST(Casting, TheHandIsBackWhereItWas) {
+    Drawer drawer;
+    drawer.wait(8);
+    for (int times = 0; times < 20; ++times) {
+        drawer.hand().press(input::Button::trace);
+        drawer.circle(407 + times, 700, 4);  // an open curve, which ends elsewhere
+        drawer.hand().buttons = 0;
+        drawer.wait(33);
+        EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).home, vec3(0)) << times;
+        EXPECT_FALSE(drawer.match.world().has<DrawnStroke>(drawer.wizard()));
+    }
+}
+
+TEST(Casting, TheDeadDrawNothing) {
+    Drawer drawer;
+    drawer.wait(8);
+    drawer.hand().press(input::Button::trace);
+    drawer.circle(200, 800, 4);
+    drawer.match.world_to_change().get<Health>(drawer.wizard()).points = 0;
+    drawer.circle(100, 800, 4);
+    EXPECT_FALSE(drawer.match.world().has<DrawnStroke>(drawer.wizard()));
+    drawer.hand().buttons = 0;
+    drawer.wait(20);
+    drawer.hand().press(input::Button::trace);
+    drawer.wait(20);
+    EXPECT_FALSE(drawer.match.world().has<DrawnStroke>(drawer.wizard()));
+}
+
+TEST(Casting, TheSpaceIsViscousWhileAStrokeIsDrawn) {
+    Drawer drawer;
+    drawer.wait(8);
+    drawer.hand().press(input::Button::trace);
+    drawer.circle(400, 800, 4);
+    const HandState hand = drawer.match.world().get<HandState>(drawer.wizard());
+    EXPECT_EQ(hand.servo.viscosity, data()->casting->viscosity);
+    EXPECT_LT(glm::dot(hand.servo.safety.output, hand.device.velocity), 0);
+    drawer.hand().buttons = 0;
+    drawer.wait(20);
+    EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).servo.viscosity, 0);
+}
+
+TEST(Casting, ARuleSetWithoutSpellsHasNoStrokes) {
+    const auto classic = load_match_data(assets(), {.rules = "classic"});
+    ASSERT_TRUE(classic.has_value());
+    EXPECT_EQ(classic->gestures, nullptr);
+    EXPECT_TRUE(classic->spells.empty());
+    Simulation match(std::make_shared<const MatchData>(*classic), two_hands());
+    input::InputFrame frame;
+    frame.devices[0].press(input::Button::trace);
+    for (int i = 0; i < 100; ++i) match.tick(frame);
+    EXPECT_EQ(match.world().count<DrawnStroke>(), 0U);
+    EXPECT_EQ(match.world().count<Focus>(), 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::test
