@@ -228,6 +228,20 @@ void add_primitives(ServoState& state, const HapticModel& model, const Tip& tip,
     (conservative(model.primitives) ? sources.passive : sources.active) += force;
 }
 
+/// Adds the forces of a viscous space and of a stirred fluid to the sources. Returns the latter.
+FluidForces add_fluid(const Servo& servo, ServoState& state, const HapticModel& model,
+                      const ServoSample& sample, vec3 velocity, Sources& sources) {
+    if (model.viscosity > 0)
+        sources.passive -=
+            std::min(model.viscosity, servo.most_damping) * prompt_velocity(state, servo.quantum);
+    if (state.fluid.number == 0) return {};
+    const FluidForces fluid = feel_fluid(model.fluid, state.fluid,
+                                         {sample.position, velocity, sample.model_age, servo.most_damping});
+    sources.passive += fluid.passive;
+    sources.active += fluid.active;
+    return fluid;
+}
+
 /// Potential of a primitive, above its minimum (J).
 double potential(const Primitive& primitive, vec3 proxy) {
     const vec3 off = proxy - primitive.position;
@@ -440,16 +454,7 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
     sources.passive = sources.world;
     const Tip tip{sample.position, velocity, switches.any};
     add_primitives(state, model, tip, sources);
-    if (model.viscosity > 0)
-        sources.passive -=
-            std::min(model.viscosity, servo.most_damping) * prompt_velocity(state, servo.quantum);
-    FluidForces fluid;
-    if (state.fluid.number != 0) {
-        fluid = feel_fluid(model.fluid, state.fluid,
-                           {sample.position, velocity, sample.model_age, servo.most_damping});
-        sources.passive += fluid.passive;
-        sources.active += fluid.active;
-    }
+    const FluidForces fluid = add_fluid(servo, state, model, sample, velocity, sources);
     const vec3 brake = update_energy(servo, state, model, tether, tip, surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
