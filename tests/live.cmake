@@ -4,7 +4,7 @@ thaum_test(test_hud
     LINK thaum_hud
     NOT_SANITIZED IngredientShapes.DifferInOutline*)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
+    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/drawing_hand_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/body_trial_test.cpp unit/feel_profile_test.cpp unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
@@ -69,6 +69,8 @@ thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_ph
 thaum_driver_test(fake_phantom_feels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_feels.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:forge_log>)
 thaum_driver_test(fake_phantom_fails ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_fails.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
+thaum_driver_test(gesture_record ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_record.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
 set(slow_drivers drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails)
 if(NOT THAUM_SANITIZE)

@@ -16,4 +16,8 @@ void StrokeRecorder::end() {
     open_.clear();
 }
 
+void StrokeRecorder::drop_last() {
+    if (!strokes_.empty()) strokes_.pop_back();
+}
+
 }  // namespace thaum::gesture

@@ -16,8 +16,13 @@ public:
     /// Ends a stroke whose button is still down.
     void end();
 
+    /// Takes the last stroke back, if there is one.
+    void drop_last();
+
     /// Strokes that have ended; each begins at time 0.
     const std::vector<std::vector<StrokePoint>>& strokes() const { return strokes_; }
+    /// The stroke whose button is down; empty: none.
+    Points open() const { return open_; }
 
 private:
     double least_seconds_;

@@ -11,6 +11,7 @@
 #include "game/app/command.h"
 #include "game/app/end_watch.h"
 #include "game/app/live.h"
+#include "game/app/named_arm.h"
 #include "game/components/hand_state.h"
 #include "input/arm_playback.h"
 #include "input/open_arm.h"
@@ -107,27 +108,6 @@ private:
 
 // ---- the arm ----------------------------------------------------------------------------------------------
 
-using Arm = std::unique_ptr<input::OpenArm>;
-
-/// Opens the first arm with this name, or the arm with this number. Other arms are closed again.
-Expected<Arm> open_named(const std::string& name) {
-    std::string found;
-    std::optional<Error> first;
-    const auto places = input::arm_places();
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        auto arm = input::open_arm(places[i]);
-        if (!arm && !first) first = arm.error();
-        if (!arm) continue;
-        const auto& facts = (*arm)->facts();
-        if (name == text("arm:", i) || input::is_called(facts, name)) return arm;
-        found += text(found.empty() ? "" : ", ", input::name_of(facts), " (or: arm:", i,
-                      facts.family.empty() ? "" : ", ", facts.family, ")");
-    }
-    if (found.empty() && first) return fail(text("--feel ", name, ": ", first->message));
-    return fail(
-        text("--feel '", name, "': this device was not found; found ", found.empty() ? "no device" : found));
-}
-
 /// Largest share of the arm's peak force in this machine's settings; 0: no forces.
 double wished_share() {
     const auto settings = settings_to_play_with(settings_file(), game::find_assets()).settings;
@@ -176,7 +156,7 @@ std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand
 int feel(game::Playback playback, const FeelPlan& plan) {
     const double share = wished_share();
     if (!(share > 0)) return refuse({"--feel: your settings say that you want no forces (force: off)"});
-    auto arm = open_named(plan.device);
+    auto arm = open_named_arm("--feel", plan.device);
     if (!arm) return refuse(arm.error());
     const auto& spec = (*arm)->facts().spec;
     input::ArmPlayback hand(haptics::servo_of(spec, share));

@@ -17,7 +17,7 @@ constexpr std::string_view gesture_help =
   eval STROKES     how often a recogniser is right, how well it knows that, and its time
   spot SESSIONS    finds gestures in continuous motion, without a button
   train STROKES    trains a network of the papers and writes it as a file
-  record NAME      writes strokes of a match or of a file as a gesture file
+  record NAME      strokes drawn now, or of a match or a file, as a gesture file
   check FILE ...   which gestures of template files collide, and by how much
   generate         the shipped templates, and strokes of users to test them with
 

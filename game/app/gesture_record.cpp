@@ -1,4 +1,5 @@
-// thaum gesture record: writes strokes of a recorded match, or of a file of strokes, as a gesture file.
+// thaum gesture record: writes strokes that a hand draws now, of a recorded match, or of a file of strokes, as a gesture
+// file.
 #include <cstdio>
 
 #include "core/file.h"
@@ -7,6 +8,7 @@
 #include "game/app/command.h"
 #include "game/app/gesture.h"
 #include "game/app/stroke_files.h"
+#include "game/app/stroke_window.h"
 #include "game/components/hand_state.h"
 #include "game/match/playback.h"
 #include "gesture/gesture_file.h"
@@ -16,10 +18,12 @@
 namespace thaum::app {
 
 const std::string_view gesture_record_help =
-    R"(usage: thaum gesture record NAME --log LOG|--strokes FILE --out FILE.toml [OPTIONS]
+    R"(usage: thaum gesture record NAME [--device D|--log LOG|--strokes FILE] --out FILE.toml [OPTIONS]
 
-Writes strokes as the file of a gesture, which the recogniser uses as templates.
+Writes strokes as the file of a gesture, which the recogniser uses as templates. Without --log and
+--strokes a window opens: hold a button of the mouse, or of the arm's stylus, and draw.
 
+  --device D      mouse (default), or an arm by its name or number, such as touch or arm:0
   --log LOG       a recorded match: a stroke is the way of the hand while Trace is held, in metres
                   and newtons; the newest strokes are taken
   --player N      player of the match whose strokes these are (default 1)
@@ -77,9 +81,12 @@ Expected<Courses> strokes_of_file(const std::string& path, const std::string& na
 
 Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     const auto log = arguments.value("--log"), file = arguments.value("--strokes");
-    if (arguments.plain().size() != 1 || log.has_value() == file.has_value() || !arguments.value("--out"))
+    const bool twice = log.has_value() + file.has_value() + arguments.has("--device") > 1;
+    if (arguments.plain().size() != 1 || twice || !arguments.value("--out"))
         return fail(
-            "name the gesture, one of --log and --strokes, and --out; see `thaum gesture record --help`");
+            "name the gesture, at most one of --device, --log and --strokes, and --out; see `thaum gesture "
+            "record "
+            "--help`");
     const auto player = arguments.whole("--player", 1, game::players, 1),
                count = arguments.whole("--count", 1, 100, 3);
     const auto turn = arguments.number("--rotation", 0, 180, 0);
@@ -91,8 +98,11 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     gesture.options.direction_sensitive = !arguments.has("--any-direction");
     gesture.options.planar = arguments.has("--planar");
     gesture.options.rotation = *turn * radians_per_degree;
-    const auto courses = log ? strokes_of_log(*log, static_cast<std::uint32_t>(*player - 1))
-                             : strokes_of_file(*file, gesture.name);
+    const auto courses = log    ? strokes_of_log(*log, static_cast<std::uint32_t>(*player - 1))
+                         : file ? strokes_of_file(*file, gesture.name)
+                                : draw_strokes({.name = gesture.name,
+                                                .count = *count,
+                                                .device = arguments.value("--device").value_or("mouse")});
     if (!courses) return tl::unexpected(courses.error());
     const std::size_t first = courses->size() > *count ? courses->size() - *count : 0;
     gesture.strokes.assign(courses->begin() + static_cast<std::ptrdiff_t>(first), courses->end());
@@ -105,9 +115,9 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
 }  // namespace
 
 int run_gesture_record(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--log", 1},        {"--player", 1}, {"--strokes", 1},
-                                         {"--count", 1},      {"--out", 1},    {"--closed"},
-                                         {"--any-direction"}, {"--planar"},    {"--rotation", 1}};
+    static constexpr Option options[] = {
+        {"--log", 1}, {"--player", 1}, {"--strokes", 1},    {"--device", 1}, {"--count", 1},
+        {"--out", 1}, {"--closed"},    {"--any-direction"}, {"--planar"},    {"--rotation", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (const auto out = arguments->value("--out")) {

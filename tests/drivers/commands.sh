@@ -232,6 +232,8 @@ expect 2 "cut off" gesture eval cut.csv.gz
 expect 2 "no column 't_start'" gesture spot strokes.csv --labels strokes.csv --train strokes.csv
 expect 2 "must be tdnn or directions" gesture train strokes.csv --method dot --out "$folder/net.toml"
 expect 2 "no stroke of the gesture 'ring'" gesture record ring --strokes strokes.csv --out "$folder/ring.toml"
+expect 2 "at most one of --device, --log and --strokes" gesture record ring --device mouse --strokes strokes.csv --out "$folder/ring.toml"
+expect 2 "drawing strokes needs a display" gesture record ring --out "$folder/ring.toml"
 expect 2 "name a folder with --out" gesture generate
 expect 2 "must be a number from 1 to 1000" gesture generate --out "$folder/made" --users 0
 expect 2 "cannot create" gesture generate --out /dev/null/made

@@ -1,0 +1,67 @@
+#include "game/hud/stroke_picture.h"
+
+#include <algorithm>
+
+#include "game/hud/figures.h"
+#include "game/hud/overlay.h"
+#include "gesture/generated_users.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::size_t most_stroke_lines = 160;  // lines of one stroke
+constexpr float ghost_start = 0.12F;            // part of a ghost in front of which its arrow stands
+
+fvec2 on_screen(const StrokeFit& fit, vec3 at) {
+    const vec3 from = fit.scale * (at - fit.middle);
+    return fit.centre + fvec2(static_cast<float>(from.x), -static_cast<float>(from.y));
+}
+
+/// Adds an arrowhead at `to`, away from `from`.
+void add_arrow(render::Overlay& out, fvec2 from, fvec2 to, float size, fvec4 colour) {
+    const fvec2 way = to - from;
+    if (glm::length(way) < 1e-3F) return;
+    const fvec2 ahead = size * glm::normalize(way), aside(-ahead.y, ahead.x);
+    out.items.push_back(render::TriangleItem{to + ahead, to - 0.7F * aside, to + 0.7F * aside, colour});
+}
+
+}  // namespace
+
+StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size) {
+    if (stroke.empty()) return {.middle = vec3(0), .centre = 0.5F * (box.low + box.high)};
+    vec3 low = stroke[0].at, high = low;
+    for (const auto& p : stroke) {
+        low = glm::min(low, p.at);
+        high = glm::max(high, p.at);
+    }
+    const vec3 size = glm::max(high - low, vec3(least_size));
+    const fvec2 room = box.high - box.low;
+    return {.middle = 0.5 * (low + high),
+            .centre = 0.5F * (box.low + box.high),
+            .scale = std::min(static_cast<double>(room.x) / size.x, static_cast<double>(room.y) / size.y)};
+}
+
+void add_stroke(render::Overlay& out, gesture::Points stroke, const StrokeFit& fit, const StrokeLook& look) {
+    const std::size_t stride = stroke.size() / most_stroke_lines + 1;
+    for (std::size_t i = 0; i + 1 < stroke.size(); i += stride) {
+        const auto& next = stroke[std::min(i + stride, stroke.size() - 1)];
+        const fvec4 colour =
+            look.by_force ? fvec4(force_colour(next.force / (2 * gesture::harsh_force)), 1) : look.colour;
+        out.items.push_back(
+            render::LineItem{on_screen(fit, stroke[i].at), on_screen(fit, next.at), look.width, colour});
+    }
+}
+
+void add_ghost(render::Overlay& out, gesture::Points stroke, const Panel& box, fvec4 colour, float width) {
+    const auto fit = fit_stroke(stroke, box);
+    add_stroke(out, stroke, fit, {.colour = colour, .width = width});
+    if (stroke.size() < 3) return;
+    const auto after =
+        std::max<std::size_t>(1, static_cast<std::size_t>(ghost_start * static_cast<float>(stroke.size())));
+    const fvec2 start = on_screen(fit, stroke.front().at);
+    out.items.push_back(render::ArcItem{
+        .centre = start, .inner = 0, .outer = 1.6F * width, .sweep = whole_turn, .colour = colour});
+    add_arrow(out, on_screen(fit, stroke[after - 1].at), on_screen(fit, stroke[after].at), 3 * width, colour);
+}
+
+}  // namespace thaum::game
