@@ -6,7 +6,7 @@ add_executable(thaum_fuzz
 target_include_directories(thaum_fuzz PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(thaum_fuzz PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(thaum_fuzz PRIVATE thaum_flags thaum_live thaum_lab thaum_scenario thaum_haptics thaum_audio thaum_tactile thaum_strokes PkgConfig::zstd)
-foreach(reader log scenario settings arena rules wizard wand bot range lessons device lab sound layout effect tact bhaptics jacket strokes gesture network gzip)
+foreach(reader log scenario settings arena rules wizard wand bot range lessons device lab sound layout effect tact bhaptics jacket strokes gesture network gzip profile)
     add_test(NAME fuzz.${reader} COMMAND thaum_fuzz ${reader} --runs 300)
     set_tests_properties(fuzz.${reader} PROPERTIES TIMEOUT ${longest_test})
 endforeach()

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/file.h"
-#include "core/hash.h"
 #include "core/text.h"
 #include "game/app/player_name.h"
 
@@ -34,18 +33,6 @@ FeelProfile silent_preset() {
     silent.felt.rumble = 0;
     silent.felt.body.values.fill(0);
     return silent;
-}
-
-/// Name of a profile's file without its ending. Characters that file systems treat differently become "_", and the
-/// hash of the name tells names apart that would be alike.
-std::string file_name_of(const std::string& name) {
-    std::string file;
-    for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-        file += plain ? c : '_';
-    }
-    if (file == name) return file;
-    return text(file, "-", hex(hash_bytes(std::as_bytes(std::span(name)))));
 }
 
 }  // namespace

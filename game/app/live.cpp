@@ -108,9 +108,9 @@ Expected<void> play_matches(Live& live) {
         if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
         if (!recording)
             std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
-        auto played =
-            play_match(live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(),
-                              countdown, fault_at_start(live.plan, number), session.next().take_lessons()});
+        auto played = play_match(
+            live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown,
+                   fault_at_start(live.plan, number), session.next().take_lessons(), session.profile()});
         if (!played) return played;
         again = session.take_restart() || live.shared.requests.rematch;
         if (!again && !live.plan.start_screen) break;

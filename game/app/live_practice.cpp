@@ -42,9 +42,11 @@ void DataWatcher::watch() {
 const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
 
 Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices,
-                   game::DummyKind kind, std::uint64_t seed, std::optional<game::Lessons> lessons)
+                   game::DummyKind kind, std::uint64_t seed, std::optional<game::Lessons> lessons,
+                   std::vector<input::ProfileData> profile)
     : data_(data),
-      range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
+      range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()},
+                              std::move(profile))) {
     if (lessons) {
         apprentice_.emplace(std::move(*lessons));
         // A lesson waits for a deed and not for energy, and nothing else may kill an apprentice.

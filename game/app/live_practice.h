@@ -43,7 +43,8 @@ public:
     /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
     /// one. With lessons the practice is the Apprentice.
     Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
-             std::uint64_t seed, std::optional<game::Lessons> lessons = {});
+             std::uint64_t seed, std::optional<game::Lessons> lessons = {},
+             std::vector<input::ProfileData> profile = {});
 
     game::Simulation& match() { return *range_.match; }
     /// Takes fire out of the practising player's samples until it is released, where a step has just begun.

@@ -1,11 +1,13 @@
 #include "game/app/live_session.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "core/text.h"
 #include "game/app/control_names.h"
 #include "game/app/menu_choices.h"
+#include "game/app/own_gestures.h"
 #include "game/app/recorded_names.h"
 #include "game/match/record.h"
 
@@ -157,14 +159,29 @@ void LiveSession::take_seats(const Pads& pads) {
     shared_.seats = app::take_seats(menu_.settings(), seats);
     want_faders(menu_.settings(), shared_.seats);
     bind_arms(shared_.arms, shared_.seats, plan_.start_screen);
+    load_profile();
+}
+
+/// Reads the own gestures of the people among the players. A fault is told, and the shipped gesture counts.
+void LiveSession::load_profile() {
+    profile_.clear();
+    std::vector<std::string> faults;
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (!shared_.seats[p].hands) continue;
+        const auto folder = own_gestures_folder(plan_.settings_file, menu_.settings(), p);
+        for (auto& own : load_own_gestures(folder, *next_.data(), p, faults))
+            profile_.push_back(std::move(own));
+    }
+    for (const auto& fault : faults) std::fprintf(stderr, "%s\n", fault.c_str());
 }
 
 input::LogHeader LiveSession::log_header(std::uint64_t seed) const {
     std::vector<std::string> players;
     for (const auto& seat : shared_.seats)
         players.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    auto header =
-        game::log_header(*next_.data(), {seed, devices_of(shared_.seats, shared_.arms)}, std::move(players));
+    game::MatchSetup setup{.seed = seed, .devices = devices_of(shared_.seats, shared_.arms)};
+    (void)game::use_profile(*next_.data(), profile_, setup);  // gestures that do not fit were left out
+    auto header = game::log_header(*next_.data(), setup, std::move(players));
     record_names(names(), header);
     return header;
 }

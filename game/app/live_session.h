@@ -26,6 +26,8 @@ public:
     const LivePlan& plan() const { return plan_; }
     const LiveMenu& menu() const { return menu_; }
     NextMatch& next() { return next_; }
+    /// Own gestures of the players of the next match, who have their seats.
+    const std::vector<input::ProfileData>& profile() const { return profile_; }
     /// Header of the log of the next match, whose players have their seats.
     input::LogHeader log_header(std::uint64_t seed) const;
 
@@ -85,6 +87,7 @@ private:
     void carry_out_request();
     void restart();
     void play_trial(std::int64_t now_ns);
+    void load_profile();
     PauseFacts pause_facts() const;
     game::PlayerNames names() const;
     void apply_settings();
@@ -105,13 +108,14 @@ private:
     std::optional<ReplayViewer> viewer_{};  ///< std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};
-    bool restarts_ = false;                   ///< true: the match is ended to begin again
-    bool paused_by_focus_ = false;            ///< true: the lost focus is the reason of the pause
-    Pads pads_{};                             ///< states of the pads at the last look
-    std::optional<BodyTrial> trial_{};        ///< std::nullopt: nothing is felt on the body
-    bool forces_ = false;                     ///< true: the views show the forces that hands feel
-    std::optional<Screen> published_{};       ///< the newest published screen
-    std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)
+    bool restarts_ = false;                      ///< true: the match is ended to begin again
+    bool paused_by_focus_ = false;               ///< true: the lost focus is the reason of the pause
+    Pads pads_{};                                ///< states of the pads at the last look
+    std::vector<input::ProfileData> profile_{};  ///< own gestures of the players who have their seats
+    std::optional<BodyTrial> trial_{};           ///< std::nullopt: nothing is felt on the body
+    bool forces_ = false;                        ///< true: the views show the forces that hands feel
+    std::optional<Screen> published_{};          ///< the newest published screen
+    std::optional<std::int64_t> began_ns_{};     ///< time when the start screen first opened (ns)
 };
 
 }  // namespace thaum::app

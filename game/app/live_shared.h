@@ -139,7 +139,8 @@ struct MatchStart {
     Recording recording;
     int countdown = 0;    ///< time for which the start is shown before the match begins (s)
     std::string fault{};  ///< words for both players on a fault, shown for the first seconds; empty: none
-    std::optional<game::Lessons> lessons{};  ///< lessons of the Apprentice, which is played on the range
+    std::optional<game::Lessons> lessons{};     ///< lessons of the Apprentice, which is played on the range
+    std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
 };
 
 /// Whether a fault that a match begins with is still shown after these ticks of play.

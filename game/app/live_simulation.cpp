@@ -8,6 +8,7 @@
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
 #include "game/hand/arm_system.h"
+#include "game/match/own_gestures.h"
 #include "game/match/record.h"
 
 namespace thaum::app {
@@ -81,8 +82,9 @@ void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& sta
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared.arms);
     devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
-    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy,
-                                                    start.seed, std::move(start.lessons));
+    auto& practice =
+        s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy, start.seed,
+                                       std::move(start.lessons), std::move(start.profile));
     s.round.match = &practice.match();
     s.round.watcher = std::make_unique<DataWatcher>(std::move(files));
 }
@@ -114,10 +116,10 @@ bool start_round(SimulationThread& s, MatchStart start) {
         start_practice(s, std::move(*files), start);
     } else {
         show_scene(s.shared, start.data);
-        s.round.own = std::make_unique<Simulation>(
-            std::move(start.data),
-            game::MatchSetup{
-                .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1});
+        game::MatchSetup setup{
+            .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1};
+        (void)game::use_profile(*start.data, std::move(start.profile), setup);  // as in the log's header
+        s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
     }
     if (auto* log = std::get_if<input::LogWriter>(&start.recording)) s.round.kept = std::move(*log);

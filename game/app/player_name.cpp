@@ -1,5 +1,8 @@
 #include "game/app/player_name.h"
 
+#include <span>
+
+#include "core/hash.h"
 #include "core/text.h"
 #include "core/utf8.h"
 #include "game/data/shown_words.h"
@@ -39,6 +42,16 @@ std::string without_last(std::string name) {
     while (!name.empty() && continues(name.back())) name.pop_back();
     if (!name.empty()) name.pop_back();
     return name;
+}
+
+std::string file_name_of(const std::string& words) {
+    std::string file;
+    for (const char c : words) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        file += plain ? c : '_';
+    }
+    if (file == words) return file;
+    return text(file, "-", hex(hash_bytes(std::as_bytes(std::span(words)))));
 }
 
 }  // namespace thaum::app

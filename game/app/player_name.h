@@ -21,4 +21,8 @@ std::string with_character(std::string name, char32_t character);
 /// Name without its last character.
 std::string without_last(std::string name);
 
+/// Name of a file or folder for a player's words. Characters that file systems treat differently become "_", and the
+/// hash of the words tells words apart that would be alike.
+std::string file_name_of(const std::string& words);
+
 }  // namespace thaum::app

@@ -26,6 +26,7 @@ public:
           std::uint64_t seed);
 
     DummyKind kind() const { return kind_; }
+    const DummyRules& rules() const { return rules_; }
     void become(DummyKind kind);
     /// Continues with changed match data or changed rules.
     void adopt(const Simulation& match, const DummyRules& rules);

@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/match/own_gestures.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -105,9 +106,11 @@ void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& pl
 }
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
-                      std::uint64_t seed, std::vector<input::DeviceSpec> more) {
+                      std::uint64_t seed, std::vector<input::DeviceSpec> more,
+                      std::vector<input::ProfileData> profile) {
     MatchSetup setup{.seed = seed, .devices = {device, dummy_device()}};
     for (auto& other : more) setup.devices.push_back(std::move(other));
+    (void)use_profile(*data.match, std::move(profile), setup);  // the setup stays as it is after an error
     auto match = std::make_unique<Simulation>(data.match, std::move(setup));
     Dummy dummy(*match, dummys, kind, data.dummy, seed);
     return {std::move(match), std::move(dummy)};
@@ -123,6 +126,15 @@ void RangeMatch::tick(const input::DeviceSample& sample) {
 void RangeMatch::adopt(const RangeData& data) {
     match = match->continued_with(data.match);
     dummy.adopt(*match, data.dummy);
+}
+
+Expected<void> RangeMatch::use_gestures(std::vector<input::ProfileData> profile) {
+    auto setup = match->setup();
+    if (auto used = use_profile(match->data(), std::move(profile), setup); !used) return used;
+    const auto rules = dummy.rules();
+    match = match->continued_with(match->shared_data(), std::move(setup));
+    dummy.adopt(*match, rules);
+    return {};
 }
 
 void RangeScorer::reset(const Simulation& match) { before_ = sum_of(match); }

@@ -40,6 +40,8 @@ struct RangeMatch {
     void tick(const input::DeviceSample& sample);
     /// Continues with other data from the next tick on. Both wizards stay where they are.
     void adopt(const RangeData& data);
+    /// Continues with other gestures of the practising player. The error says which does not fit.
+    Expected<void> use_gestures(std::vector<input::ProfileData> profile);
 };
 
 /// Gives a living wizard health (HP), up to that of a new wizard. Only the range may do so, as it is not recorded.
@@ -51,8 +53,10 @@ void refresh_wizard(Simulation& match, std::uint32_t player);
 /// Refreshes a living wizard, and puts it to a place and direction of view: at rest, not stirring, with empty hands.
 void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& place);
 
+/// `more` are further devices, such as arms. Own gestures in `profile` that do not fit the data are left out.
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
-                      std::uint64_t seed, std::vector<input::DeviceSpec> more = {});
+                      std::uint64_t seed, std::vector<input::DeviceSpec> more = {},
+                      std::vector<input::ProfileData> profile = {});
 
 /// Results of the practising player since the score was last reset.
 struct RangeScore {

@@ -3,6 +3,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/match/kind_tables.h"
+#include "game/match/own_gestures.h"
 #include "physics/bullet_build.h"
 #include "physics/bullet_maths.h"
 
@@ -49,6 +50,7 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.overrides = data.choice.overrides;
     header.parameters = {text(match_parameter, data.choice.match)};
     header.kinds = kind_tables(data);
+    header.profile = setup.profile;
     return header;
 }
 
@@ -113,8 +115,10 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
         if (const auto other = kind_difference(header.kinds, kind_tables(*data)); !other.empty())
             return fail(other);
     }
+    MatchSetup setup{.seed = header.seed, .devices = header.devices};
+    if (auto used = use_profile(*data, header.profile, setup); !used) return tl::unexpected(used.error());
     return std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
-                                        MatchSetup{header.seed, header.devices});
+                                        std::move(setup));
 }
 
 std::string build_warning(const input::LogHeader& header) {

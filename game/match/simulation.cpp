@@ -12,6 +12,7 @@
 #include "game/match/carry_over.h"
 #include "game/match/haptic_setup.h"
 #include "game/match/life.h"
+#include "game/match/own_gestures.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
 #include "game/player/controls.h"
@@ -123,7 +124,15 @@ const ForceTrace& Simulation::felt(std::uint32_t player) const {
 }
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
-    auto next = std::make_unique<Simulation>(std::move(data), setup_);
+    auto setup = setup_;
+    // Own gestures stand among the gestures of the data. Those that no longer fit keep their old neighbours.
+    if (!use_profile(*data, setup_.profile, setup)) setup = setup_;
+    return continued_with(std::move(data), std::move(setup));
+}
+
+std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data,
+                                                       MatchSetup setup) const {
+    auto next = std::make_unique<Simulation>(std::move(data), std::move(setup));
     carry_over(context_, next->context_);
     apply_moved_faders(*next->data_, next->context_.world, next->input_.haptic_setup);
     auto& solver = next->brew_.write();

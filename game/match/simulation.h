@@ -23,8 +23,10 @@ inline constexpr std::uint32_t rules_version = 19;
 struct MatchSetup {
     std::uint64_t seed = 1;
     std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in an input frame
-    /// Gestures of players who drew their own; null: those of the match's data.
+    /// Gestures of players who drew their own; null: those of the match's data. Set by use_profile.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
+    /// The data of these gestures, as the log holds them.
+    std::vector<input::ProfileData> profile{};
     /// Number of threads for large work, besides the calling thread; does not affect the match.
     unsigned workers = 0;
 };
@@ -51,6 +53,7 @@ public:
     physics::Physics& physics();
     const physics::Physics& physics() const;
     const MatchData& data() const { return *data_; }
+    const std::shared_ptr<const MatchData>& shared_data() const { return data_; }
     const MatchSetup& setup() const { return setup_; }
     const Match& match() const { return world().single<Match>(); }
     /// Every event of the last seconds.
@@ -74,6 +77,8 @@ public:
     /// Returns a match that continues this one by other data (game/match/carry_over.h). Its state no longer
     /// follows from its own data, seed and input, so it must not be logged.
     std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
+    /// The same, with gestures that players drew in the meantime. The setup has the same seed and devices.
+    std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data, MatchSetup setup) const;
 
     /// Systems of the match with their counters. Those of `always` also run in a pause.
     ecs::Schedule& always() { return always_; }

@@ -4,6 +4,7 @@
 #include "core/text.h"
 #include "fuzz/fuzz.h"
 #include "game/app/stroke_files.h"
+#include "game/match/own_gestures.h"
 #include "gesture/gesture_file.h"
 #include "gesture/recogniser.h"
 #include "gesture/stroke_networks.h"
@@ -102,6 +103,36 @@ std::vector<std::string> network_seeds(const Places&) {
         gesture::to_file(gesture::train_network(gesture::NetworkKind::directions, gestures, quick).network)};
 }
 
+/// Own gestures of two players as a header of a log holds them: a line with the name, then the text of a gesture. What is
+/// accepted must give a match in which a stroke can be read.
+Outcome read_profile(const std::string& input, const Places& places) {
+    static const auto data = game::load_match_data(places.assets, {});
+    if (!data) return {.fault = data.error().message};
+    const auto end = input.find('\n');
+    const auto name = input.substr(0, end), toml = end == std::string::npos ? "" : input.substr(end + 1);
+    const auto bytes = std::as_bytes(std::span(toml));
+    game::MatchSetup setup;
+    for (const std::uint32_t player : {0, 1}) {
+        const auto used = game::use_profile(*data,
+                                            {{.kind = std::string(game::gesture_kind),
+                                              .name = name,
+                                              .player = player,
+                                              .bytes = {bytes.begin(), bytes.end()}}},
+                                            setup);
+        if (!used) return {.refusal = used.error().message};
+    }
+    static gesture::RecogniserSpace space;
+    const auto r = setup.gestures[1]->recogniser().recognise(arc(3), space);
+    if (!(r.probability >= 0 && r.probability <= 1))
+        return {.fault = text("a probability of ", r.probability)};
+    return {.accepted = true};
+}
+
+std::vector<std::string> profile_seeds(const Places&) {
+    return {"v\n" + gesture::to_file({"v", {.rotation = 0.3}, {arc(2), arc(2.5)}}),
+            "circle\n" + gesture::to_file({"circle", {.closed = true}, {arc(2 * pi)}})};
+}
+
 /// "strokes, strokes, strokes", packed by gzip.
 std::vector<std::string> gzip_seeds(const Places&) {
     static constexpr unsigned char words[] = {
@@ -115,6 +146,7 @@ std::vector<std::string> gzip_seeds(const Places&) {
 const Reader stroke_reader{"strokes", stroke_seeds, mutate_text, read_stroke_file};
 const Reader gesture_reader{"gesture", gesture_seeds, mutate_text, read_gesture_file};
 const Reader network_reader{"network", network_seeds, mutate_text, read_network_file};
+const Reader profile_reader{"profile", profile_seeds, mutate_text, read_profile};
 const Reader gzip_reader{"gzip", gzip_seeds, mutate_bytes, read_gzip};
 
 }  // namespace thaum::fuzz

@@ -1,0 +1,222 @@
+// Gestures that players drew themselves: from the profile through a match and its log to a replay without the profile.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/text.h"
+#include "game/app/own_gestures.h"
+#include "game/app/player_name.h"
+#include "game/bots/range.h"
+#include "game/casting/casting.h"
+#include "game/match/playback.h"
+#include "gesture/gesture_file.h"
+#include "unit/game_duel.h"
+
+namespace thaum::app {
+namespace {
+
+using game::test::two_hands;
+
+std::shared_ptr<const game::MatchData> own_data() {
+    static const auto loaded = game::test::duel_data();
+    return loaded;
+}
+
+/// A folder that is gone after the test.
+struct OwnFolder {
+    OwnFolder()
+        : path(std::filesystem::path(testing::TempDir()) /
+               text("thaum_own_", ::getpid(), "_",
+                    testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        std::filesystem::remove_all(path);
+        std::filesystem::create_directories(path);
+    }
+    ~OwnFolder() { std::filesystem::remove_all(path); }
+    OwnFolder(const OwnFolder&) = delete;
+    OwnFolder& operator=(const OwnFolder&) = delete;
+    std::filesystem::path path;
+};
+
+/// Counts of the mouse for one tick of a triangle of 800 ticks.
+vec2 triangle_counts(int tick) {
+    const int side = tick / 267;
+    return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
+}
+
+/// A triangle as the hand of a mouse draws it, as a gesture named "circle".
+gesture::Gesture triangle() {
+    gesture::Gesture g{.name = "circle", .options = {.rotation = 0.3}, .strokes = {}};
+    std::vector<gesture::StrokePoint> points;
+    vec3 at(0);
+    for (int i = 0; i < 800; ++i) {
+        const vec2 counts = triangle_counts(i);
+        at += 1e-5 * vec3(counts.x, counts.y, 0);
+        if (i % 8 == 0) points.push_back({0.001 * i, at, 0.7});
+    }
+    g.strokes = {points, points, points};
+    return g;
+}
+
+/// Player 1 draws the triangle with Trace held. Returns the frame of a tick.
+input::InputFrame triangle_frame(int tick) {
+    input::InputFrame frame;
+    const int at = tick - 100;
+    if (at < 0 || at >= 800) return frame;
+    frame.devices[0].press(input::Button::trace);
+    const vec2 counts = triangle_counts(at);
+    frame.devices[0].counts[input::hand::look_right] = static_cast<int>(counts.x);
+    frame.devices[0].counts[input::hand::look_up] = static_cast<int>(counts.y);
+    return frame;
+}
+
+/// Name of the gesture that was read; empty: nothing was meant.
+std::string read_gesture_of(const game::Simulation& match) {
+    const auto& last = match.world().get<game::LastReading>(game::wizard_of(match.world(), 0));
+    if (last.at == 0 || last.gesture == game::no_gesture) return {};
+    return match.data().gestures->gestures()[last.gesture].name;
+}
+
+game::MatchSetup setup_with(std::vector<input::ProfileData> profile) {
+    auto setup = two_hands();
+    const auto used = game::use_profile(*own_data(), std::move(profile), setup);
+    EXPECT_TRUE(used) << (used ? "" : used.error().message);
+    return setup;
+}
+
+TEST(OwnGestures, AreKeptForEachPlayerAndName) {
+    const OwnFolder folder;
+    Settings settings;
+    settings.players[1].name = "Zoë";
+    const auto first = own_gestures_folder(folder.path / "settings.toml", settings, 0),
+               second = own_gestures_folder(folder.path / "settings.toml", settings, 1);
+    EXPECT_EQ(first, folder.path / "gestures/player-1");
+    EXPECT_NE(first, second);
+    ASSERT_TRUE(save_own_gesture(first, triangle()));
+    std::vector<std::string> faults;
+    const auto own = load_own_gestures(first, *own_data(), 0, faults);
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_EQ(own[0], game::profile_of(triangle(), 0));
+    EXPECT_TRUE(load_own_gestures(second, *own_data(), 1, faults).empty());
+    EXPECT_TRUE(faults.empty());
+    EXPECT_TRUE(forget_own_gesture(first, "circle"));
+    EXPECT_FALSE(forget_own_gesture(first, "circle"));
+    EXPECT_TRUE(load_own_gestures(first, *own_data(), 0, faults).empty());
+    EXPECT_FALSE(save_own_gesture({}, triangle()));
+    EXPECT_TRUE(own_gestures_folder({}, settings, 0).empty());
+}
+
+TEST(OwnGestures, AFaultyFileIsNamedAndTheOthersCount) {
+    const OwnFolder folder;
+    ASSERT_TRUE(save_own_gesture(folder.path, triangle()));
+    std::ofstream(folder.path / "v.toml") << "version = 1\nname = \"v\"\n";
+    std::ofstream(folder.path / "star.toml") << gesture::to_file(triangle());
+    std::ofstream(folder.path / "else.toml") << "no gesture of the game, so nobody reads it";
+    std::vector<std::string> faults;
+    const auto own = load_own_gestures(folder.path, *own_data(), 0, faults);
+    ASSERT_EQ(own.size(), 1U);
+    EXPECT_EQ(own[0].name, "circle");
+    ASSERT_EQ(faults.size(), 2U);
+    EXPECT_NE((faults[0] + faults[1]).find("v.toml"), std::string::npos);
+    EXPECT_NE((faults[0] + faults[1]).find("its text is of a gesture 'circle'"), std::string::npos);
+}
+
+TEST(OwnGestures, StandForTheShippedOneOfThisPlayerOnly) {
+    const auto setup = setup_with({game::profile_of(triangle(), 0)});
+    ASSERT_NE(setup.gestures[0], nullptr);
+    EXPECT_EQ(setup.gestures[1], nullptr);
+    const auto shipped = own_data()->gestures->gestures(), own = setup.gestures[0]->gestures();
+    ASSERT_EQ(own.size(), shipped.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        EXPECT_EQ(own[i].name, shipped[i].name);
+        EXPECT_EQ(own[i].strokes.size() == 3 && own[i].strokes[0].size() == 100, own[i].name == "circle");
+    }
+    game::Simulation with(own_data(), setup), without(own_data(), two_hands());
+    for (int t = 0; t < 1000; ++t) {
+        with.tick(triangle_frame(t));
+        without.tick(triangle_frame(t));
+    }
+    EXPECT_EQ(read_gesture_of(with), "circle");
+    EXPECT_EQ(read_gesture_of(without), "");
+    EXPECT_NE(with.state_hash(), without.state_hash());
+}
+
+TEST(OwnGestures, ALogReplaysWithoutTheProfile) {
+    const OwnFolder folder;
+    const auto profile = folder.path / "gestures", file = folder.path / "log.thaumlog";
+    ASSERT_TRUE(save_own_gesture(profile, triangle()));
+    std::vector<std::string> faults;
+    std::uint64_t state = 0;
+    {
+        game::Simulation match(own_data(), setup_with(load_own_gestures(profile, *own_data(), 0, faults)));
+        auto log = input::LogWriter::create(file, log_header(match.data(), match.setup(), {"human", "human"}),
+                                            input::WhenBehind::wait);
+        ASSERT_TRUE(log) << log.error().message;
+        for (int t = 0; t < 1200; ++t) game::tick_and_record(match, triangle_frame(t), &*log);
+        ASSERT_EQ(read_gesture_of(match), "circle");
+        state = match.state_hash();
+        ASSERT_TRUE(close_log(*log, match));
+    }
+    std::filesystem::remove_all(profile);
+    auto playback = game::Playback::open(file, game::test::assets());
+    ASSERT_TRUE(playback) << playback.error().message;
+    while (playback->step()) {}
+    EXPECT_FALSE(playback->divergence());
+    EXPECT_EQ(playback->match().state_hash(), state);
+    EXPECT_EQ(read_gesture_of(playback->match()), "circle");
+    EXPECT_EQ(playback->log().header().profile.size(), 1U);
+}
+
+TEST(OwnGestures, WrongProfileDataOfALogIsNamed) {
+    auto header = log_header(*own_data(), two_hands(), {"human", "human"});
+    const auto fault = [&](input::ProfileData item) {
+        header.profile = {std::move(item)};
+        const auto made = game::match_of_log(header, game::test::assets());
+        return made ? std::string("none") : made.error().message;
+    };
+    const auto good = game::profile_of(triangle(), 1);
+    EXPECT_EQ(fault(good), "none");
+    auto wrong = good;
+    wrong.kind = "network";
+    EXPECT_EQ(fault(wrong), "profile data of the unknown kind 'network'");
+    wrong = good;
+    wrong.name = "loop";
+    EXPECT_EQ(fault(wrong), "gesture 'loop' of player 2: the game has no gesture of this name");
+    wrong = good;
+    wrong.name = "v";
+    EXPECT_EQ(fault(wrong), "gesture 'v' of player 2: its text is of a gesture 'circle'");
+    wrong = good;
+    wrong.bytes.resize(wrong.bytes.size() / 2);
+    EXPECT_NE(fault(wrong).find("gesture 'circle' of player 2"), std::string::npos);
+    wrong.bytes.clear();
+    EXPECT_NE(fault(wrong).find("gesture 'circle' of player 2"), std::string::npos);
+    wrong = good;
+    wrong.bytes.resize(std::size_t{2} << 20U);
+    EXPECT_NE(fault(wrong).find("more than 1048576 bytes"), std::string::npos);
+    header.rule_set = "classic";
+    header.files = game::load_match_data(game::test::assets(), {.rules = "classic"})->files;
+    header.kinds.clear();
+    EXPECT_NE(fault(good).find("no gestures"), std::string::npos);
+}
+
+TEST(OwnGestures, OnTheRangeChangeBetweenTwoTicks) {
+    const auto data = game::load_range(game::test::assets(), {});
+    ASSERT_TRUE(data);
+    auto range = game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 3);
+    for (int t = 0; t < 100; ++t) range.tick({});
+    const auto before = range.match->now();
+    ASSERT_TRUE(range.use_gestures({game::profile_of(triangle(), game::practising)}));
+    EXPECT_EQ(range.match->now(), before);
+    EXPECT_NE(range.match->setup().gestures[game::practising], nullptr);
+    range.adopt(*data);
+    EXPECT_NE(range.match->setup().gestures[game::practising], nullptr) << "files that are read again";
+    auto wrong = game::profile_of(triangle(), game::practising);
+    wrong.bytes.clear();
+    EXPECT_FALSE(range.use_gestures({wrong}));
+    EXPECT_NE(range.match->setup().gestures[game::practising], nullptr);
+    ASSERT_TRUE(range.use_gestures({}));
+    EXPECT_EQ(range.match->setup().gestures[game::practising], nullptr);
+}
+
+}  // namespace
+}  // namespace thaum::app
