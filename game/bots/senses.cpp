@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/context/fog.h"
 #include "game/context/hand_forces.h"
 #include "game/wands/belt.h"
 
@@ -18,11 +19,13 @@ constexpr double bolt_reach = 0.9;      ///< distance beyond which a passing bol
 constexpr double shot_near = 2.0;
 constexpr double bolt_soon = 0.7;  ///< time to the impact beyond which a bolt is ignored (s)
 
-bool in_view(const Self& self, const Seat& seat, vec3 place) {
+/// Whether the place is in the bot's field of view, and no fog hides it.
+bool in_view(const Simulation& match, const Self& self, const Seat& seat, vec3 place) {
     const vec3 to = place - self.eye;
     const double distance = glm::length(to);
     const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
-    return distance > 1e-6 && glm::dot(to / distance, ahead) >= seat.skill.view_cos;
+    return distance > 1e-6 && glm::dot(to / distance, ahead) >= seat.skill.view_cos &&
+           !hidden_by_fog(match.world(), self.eye, place);
 }
 
 Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
@@ -30,7 +33,7 @@ Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
     const auto foe = wizard_of(world, 1 - seat.player);
     if (world.has<Dead>(foe)) return {};
     const vec3 chest = world.get<Motion>(foe).position + vec3(0, 0.2, 0);
-    if (!in_view(self, seat, chest)) return {};
+    if (!in_view(match, self, seat, chest)) return {};
     const auto hidden = [&](vec3 place) {
         const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
         return hit && hit->key != foe.index ? match.physics().desc(hit->key).layer : 0;
@@ -44,6 +47,7 @@ Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
 
 /// Search for the bolt that arrives first, and the step that avoids it.
 struct Threat {
+    const Simulation& match;
     const Self& self;
     const Seat& seat;
     const Mind& mind;
@@ -56,7 +60,8 @@ void judge(const Missile& missile, Threat& threat) {
     if (missile.player == threat.seat.player || speed < 1) return;
     // A bot reacts only to a missile that has been in the air for its reaction time.
     const double flown = glm::distance(missile.position, threat.mind.foe) / speed;
-    if (flown < seconds(threat.seat.skill.reaction) || !in_view(threat.self, threat.seat, missile.position))
+    if (flown < seconds(threat.seat.skill.reaction) ||
+        !in_view(threat.match, threat.self, threat.seat, missile.position))
         return;
     const vec3 way = missile.velocity / speed;
     const vec3 to_self = threat.self.centre - missile.position;
@@ -126,7 +131,8 @@ void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, 
     const auto number = static_cast<std::uint32_t>(eyes.looks % count);
     const vec3 place = match.data().arena.power_ups[number].position + vec3(0, 0.5, 0);
     const bool near = glm::distance(place, self.centre) < noticed_within;
-    if (!near && (!in_view(self, seat, place) || match.physics().ray(self.eye, place, layer::ground))) return;
+    if (!near && (!in_view(match, self, seat, place) || match.physics().ray(self.eye, place, layer::ground)))
+        return;
     match.world().view<const PowerUp>().each([&](const PowerUp& p) {
         if (p.number == number) eyes.back_at[number] = p.back_at;
     });
@@ -142,7 +148,7 @@ void see_things(const Simulation& match, const Self& self, const Seat& seat, Eye
             if (i++ != number) return;
             const vec3 place = motion.position;
             const bool near = glm::distance(place, self.centre) < noticed_within;
-            if (!near && !in_view(self, seat, place)) return;
+            if (!near && !in_view(match, self, seat, place)) return;
             const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
             if (hit && hit->key == e.index) eyes.things[number] = {e, place};
         });
@@ -160,7 +166,8 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
         const vec3 to = self.centre - missile.position;
         const double ahead = glm::dot(to, missile.velocity);
         const double speed = glm::length(missile.velocity);
-        if (missile.player == seat.player || ahead <= 0 || !in_view(self, seat, missile.position)) return;
+        if (missile.player == seat.player || ahead <= 0 || !in_view(match, self, seat, missile.position))
+            return;
         const double off = glm::length(to - missile.velocity * (ahead / (speed * speed)));
         comes = comes || off < shot_near;
     };
@@ -172,7 +179,7 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
 }
 
 std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind) {
-    Threat threat{.self = self, .seat = seat, .mind = mind};
+    Threat threat{.match = match, .self = self, .seat = seat, .mind = mind};
     for (const auto& wand : match.data().wands) {
         wand.rules->show(match.world(), [&threat](const Missile& missile) { judge(missile, threat); });
     }

@@ -191,6 +191,8 @@ void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
     add_focus_system(context, schedule);
     auto reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>();
     auto writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog, resource::Journal>();
+    // A spell may ask the wand in hand what it holds.
+    for (const auto& wand : context.data.wands) join(reads, wand.rules->writes(world));
     for (const auto& spell : context.data.spells) {
         join(reads, spell.rules->reads(world));
         join(writes, spell.rules->writes(world));

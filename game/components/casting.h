@@ -72,4 +72,11 @@ struct LastReading {
     }
 };
 
+/// Loose thing that a wizard took up or threw last.
+struct LastProp {
+    ecs::Entity thing{};  ///< no entity: none yet
+    static constexpr std::string_view name = "LastProp";
+    static constexpr auto fields() { return std::tuple(field("thing", &LastProp::thing)); }
+};
+
 }  // namespace thaum::game

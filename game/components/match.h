@@ -75,7 +75,8 @@ enum class EventKind : std::uint32_t {
     unread = 21,  ///< a stroke meant nothing; detail: number of the nearest gesture; amount: its probability
     unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the focus that lacked
     fizzled = 23,    ///< a spell had nothing to act on; detail: its number
-    held_off = 24    ///< a shield took harm; detail: EventKind of the harm; amount: that harm (HP)
+    held_off = 24,   ///< a shield took harm; detail: EventKind of the harm; amount: that harm (HP)
+    pushed = 25      ///< a spell pushed a wizard; amount: the speed that it gave (m/s)
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

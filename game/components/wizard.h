@@ -62,12 +62,13 @@ struct Gaze {
 /// How the wizard stands: the mover's state between steps.
 struct Stance : physics::MoverState {
     double rope_lift{};  ///< upward part of the rope's force (N)
+    Tick loose_until{};  ///< tick before which the feet slip on the ground after a push
     static constexpr std::string_view name = "Stance";
     static constexpr auto fields() {
         return std::tuple(field("expected", &Stance::expected),
                           field("ground_normal", &Stance::ground_normal), field("falling", &Stance::falling),
                           field("grounded", &Stance::grounded), field("driven", &Stance::driven),
-                          field("hung", &Stance::rope_lift));
+                          field("hung", &Stance::rope_lift), field("loose_until", &Stance::loose_until));
     }
 };
 

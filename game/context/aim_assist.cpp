@@ -5,6 +5,7 @@
 
 #include "game/context/aim.h"
 #include "game/context/arms.h"
+#include "game/context/fog.h"
 
 namespace thaum::game {
 namespace {
@@ -80,11 +81,12 @@ void draw_to(vec3 eye, vec3 point, const Gaze& gaze, double strength, ViewHelp& 
     help.up = up * step / off;
 }
 
-/// Whether nothing stands between the shooter and the foe.
+/// Whether nothing, not even fog, stands between the shooter and the foe.
 bool sees(const MatchContext& context, ecs::Entity wizard, vec3 from, ecs::Entity foe) {
     const auto& physics = context.physics.read();
-    const auto hit = physics.ray(from, physics.state(foe.index).position, physics::all_layers, wizard.index);
-    return hit && hit->key == foe.index;
+    const vec3 place = physics.state(foe.index).position;
+    const auto hit = physics.ray(from, place, physics::all_layers, wizard.index);
+    return hit && hit->key == foe.index && !hidden_by_fog(context.world, from, place);
 }
 
 vec3 turned_towards(vec3 from, vec3 to, double angle) {

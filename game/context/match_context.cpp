@@ -6,6 +6,7 @@
 #include "game/components/arm.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
+#include "game/components/fog.h"
 #include "game/components/moved_faders.h"
 #include "game/data/event_kinds.h"
 
@@ -72,6 +73,8 @@ void declare_components(ecs::World& world) {
     world.declare<Focus>();
     world.declare<DrawnStroke>();
     world.declare<LastReading>();
+    world.declare<LastProp>();
+    world.declare<Fog>();
     for (const auto& kind : spell_kinds()) kind.declare(world);
     // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();

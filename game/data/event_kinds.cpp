@@ -61,6 +61,7 @@ const RuleKind rule_kinds[] = {
       .unit = "hp",
       .placed = true,
       .has_subject = true}},
+    {EventKind::pushed, {.name = "pushed", .cause = {}, .unit = "m/s", .placed = true, .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

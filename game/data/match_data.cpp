@@ -265,14 +265,17 @@ void load_spells(MatchData& data, Loader& loader) {
     load_gestures(data, loader);
     data.casting = loader.load("casting.toml",
                                [](const Config& file) { return std::optional(read_casting_rules(file)); });
+    auto shown = std::make_shared<Presentation>(*data.presentation);
     for (const auto& kind : spell_kinds()) {
         if (loader.error) return;
         data.spells.push_back(loader.load(text("spells/", kind.name, ".toml"), [&](const Config& file) {
             auto spell = read_spell(kind, file);
             check_spell(data, spell, file);
+            shown->spells.push_back(read_spell_presentation(kind.name, file.root()));
             return spell;
         }));
     }
+    data.presentation = std::move(shown);
 }
 
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.

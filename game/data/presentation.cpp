@@ -23,8 +23,9 @@ std::string read_words(const ConfigTable& table, std::string_view key, std::stri
     auto words = table.string(key, std::move(fallback));
     for (const auto& piece : pieces_of(words)) {
         if (piece.plain.find_first_of("{}") != std::string::npos)
-            table.report(key,
-                         text("'", key, "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}"));
+            table.report(
+                key,
+                text("'", key, "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}"));
     }
     return words;
 }
@@ -99,6 +100,13 @@ WandSounds read_wand_sounds(const ConfigTable& wand) {
             .take = name("take"),
             .ready = name("ready"),
             .hold = name("hold")};
+}
+
+SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell) {
+    const auto table = spell.table("event");
+    return {.name = std::string(name),
+            .sound = table.string("sound", ""),
+            .tactile = table.string("tactile", "")};
 }
 
 const EventRow& row_of(const EventRows& rows, EventKind kind) {

@@ -13,7 +13,8 @@
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
-// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain} and {spell}.
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain} and {spell}. A sound or an effect "{spell}" is that
+// of the spell's own file (game/data/spell.h).
 #pragma once
 #include <memory>
 #include <optional>
@@ -76,9 +77,22 @@ struct WandPresentation {
     double energy_cap{}, energy_cost{};  ///< energy of a full wand, and least energy of one use
 };
 
+/// Name of a sound or an effect that stands for the one of the spell concerned.
+inline constexpr std::string_view of_spell = "{spell}";
+
+/// How the casting of one spell is heard and felt, from the table `event` of its data file.
+struct SpellPresentation {
+    std::string name;     ///< assets/spells/NAME.toml
+    std::string sound;    ///< name of a sound of assets/sounds; empty: none
+    std::string tactile;  ///< name of an effect on the caster's body; empty: none
+};
+SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
+
 /// How a match is shown.
 struct Presentation {
     EventRows events;
+    std::vector<SpellPresentation>
+        spells;                           ///< indexed by the spell's number; empty if the match has no spells
     std::vector<WandPresentation> wands;  ///< in the order of MatchData::wands
 };
 

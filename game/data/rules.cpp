@@ -46,6 +46,8 @@ WizardRules read_wizard_rules(const Config& file) {
     rules.walk.air_acceleration = walk.number("air_acceleration_m_s2", {0, 1000});
     rules.walk.jump_speed = std::sqrt(2 * 9.81 * walk.number("jump_height_m", {0, 50}));
     rules.walk.steepest_cos = det::cos(walk.number("max_slope_deg", {0, 89}) * radians_per_degree);
+    rules.loose = ticks(walk.number("loose_s", {0, 10}));
+    rules.loose_grip = walk.number("loose_grip", {0, 1});
     const auto health = file.root().table("health");
     rules.health = health.number("start", {1, 1e6});
     rules.health_cap = health.number("cap", {1, 1e6});

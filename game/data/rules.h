@@ -41,6 +41,9 @@ struct RuleSet {
 struct WizardRules {
     double mass{}, radius{}, height{}, eye{};  ///< kg, m, m, m: eye is the height of the eye above the feet
     physics::MoverSettings walk{};
+    /// Ticks for which the feet slip after a push, and the share of their grip that is left meanwhile.
+    Tick loose{};
+    double loose_grip{};
     /// Start value (HP), largest value (HP), loss above the start value (HP/s).
     double health{}, health_cap{}, excess_loss{};
     /// Landing speed without harm (m/s), harm per speed above it (HP per m/s).

@@ -1,6 +1,15 @@
 // game/data/spell.h: the interface of spells. A spell is one data file (assets/spells/NAME.toml) and one .cpp in
 // game/spells that registers a SpellKind. The rest of the game uses spells only through this interface, so a new
-// spell changes no other file.
+// spell changes no other file. Keys that every spell's file has:
+//
+//     slot = 1              # key of the chord that casts it without a stroke
+//     gesture = "circle"    # name of a file of assets/gestures
+//     focus = 25            # focus of a gentle cast
+//     [event]               # changes no match
+//     sound = ""            # name of a sound of assets/sounds, heard when the spell is cast
+//     tactile = ""          # name of an effect on the caster's body (assets/tactile/effects)
+//     [look]                # changes no match
+//     shown = "Shield"
 #pragma once
 #include <memory>
 #include <string>

@@ -124,6 +124,11 @@ public:
     virtual void show(const ecs::World&, const std::function<void(const Missile&)>&) const {}
     /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
     virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
+    /// The loose thing that this wizard holds by the wand; no entity if there is none.
+    virtual ecs::Entity held_thing(const ecs::World&, ecs::Entity) const { return {}; }
+    /// Takes a loose thing that has come to the wizard's hand, as if it had been taken up. Returns false if the wand
+    /// cannot. Writes the same as `use`.
+    virtual bool catch_thing(const WandUse&, ecs::Entity) const { return false; }
     /// While the wand holds a thing, the wheel moves the thing and does not select wands.
     virtual bool moves_by_wheel() const { return false; }
     /// Returns the thing under the crosshair that a use of the wand would take hold of, or why it would not.

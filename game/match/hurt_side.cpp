@@ -4,6 +4,10 @@
 
 namespace thaum::game {
 
+bool strikes_body(EventKind kind) {
+    return !info_of(kind).cause.empty() || kind == EventKind::held_off || kind == EventKind::pushed;
+}
+
 std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player) {
     constexpr double beside =
         0.15;  // distance from the middle of the body from which a place is on a side (m)

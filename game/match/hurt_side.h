@@ -6,6 +6,9 @@
 
 namespace thaum::game {
 
+/// Whether an event of this kind strikes the body of its subject from a side, be it harm or not.
+bool strikes_body(EventKind kind);
+
 /// Way from the middle of the player's body towards what has hurt it (m, world): the place of the event, or
 /// the player who caused it. A burst may be behind, although the foe is ahead. std::nullopt: from no side, as a fall.
 std::optional<vec3> way_to_cause(const Simulation& match, const Event& event, std::uint32_t player);

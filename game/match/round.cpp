@@ -41,6 +41,7 @@ void spawn_wizards(MatchContext& context) {
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
         for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
+        if (context.data.casting) world.add(e, LastProp{});
         if (context.data.casting) world.add(e, LastReading{.gesture = no_gesture, .nearest = no_gesture});
         world.add(e, wizard_body(rules));
     }

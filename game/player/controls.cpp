@@ -5,6 +5,7 @@
 
 #include "game/casting/casting.h"
 #include "game/components/cauldron.h"
+#include "game/components/fog.h"
 #include "game/context/aim_assist.h"
 #include "game/context/arms.h"
 #include "input/stick.h"
@@ -177,7 +178,8 @@ void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add(
         {.name = "controls",
-         .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, resource::Physics>(),
+         .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, Fog, Motion,
+                             resource::Physics>(),
          .writes = world.mask<Controls, Gaze, DrawnStroke>(),
          .needs = world.mask<Controls>(),
          .run = [&context](ecs::World& w, Tick) {

@@ -46,13 +46,15 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                          controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
                      // The body rests undisturbed, so the mover has nothing to do.
                      if (motion.asleep != 0 && !wishes) return;
+                     auto abilities = rules.walk;
+                     if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position);
                      const auto result = physics::move(
                          context.physics.write(), e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
                           .jump = (controls.pressed & jump) != 0,
                           .rope_lift = stance.rope_lift},
-                         rules.walk, stance, physics_dt);
+                         abilities, stance, physics_dt);
                      if (result.jumped) controls.pressed &= ~jump;
                      const double excess = result.landing_speed - rules.fall_safe;
                      if (excess > 0) {

@@ -16,7 +16,11 @@
 //       look(right, up) in degrees, aim(place | wizard | thing)
 //       trigger(share)    pull of the device's trigger while fire is held, in 0..1
 //       position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(), shots(),
-//       readiness() of the wand in hand in 0..1, kills(), deaths(), dead(), grounded(), shielded()
+//       readiness() of the wand in hand in 0..1, kills(), deaths(), dead(), grounded(), shielded(),
+//       focus(), ward() (harm that the wizard's shield still takes)
+//       cast(shape [, how])
+//                         draws "circle", "v", "s", "star" or a list of places with Trace held;
+//                         how: {size = width in m, seconds, times = turns in one stroke}
 //       reach(place [, speed])
 //                         moves the arm's tip (m, m/s, arm's frame); without a speed the tip jumps
 //       told()            force computed by the arm's own thread in its last tick (N)
@@ -32,6 +36,7 @@
 //     clear_props()       sets the scene: removes the loose things
 //     round_over() -> over, "kills" | "time", winner; match_over() -> over, {rounds won}; round_number()
 //     power_ups()         a list of {kind = "vial" | "heart" | "spark", place = , there = , back_in = seconds}
+//     fogs()              a list of {place = , radius = , left = seconds, player = }
 //     missiles()          a list of {position = , velocity = , player = , size = }
 //     deeds(n, cause)     {shots = , hits = , kills = , own_deaths = , damage = } of player n; cause: "bolt",
 //                         "blast", "lob", "blow" or "fall"

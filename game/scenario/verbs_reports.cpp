@@ -3,6 +3,7 @@
 #include <set>
 
 #include "ecs/diff.h"
+#include "game/components/fog.h"
 #include "game/match/tables.h"
 #include "game/scenario/detail/verb.h"
 
@@ -107,6 +108,25 @@ int verb_power_ups(lua_State* lua, void* context) {
         lua_pushnumber(lua, played >= p.back_at ? 0.0 : seconds(p.back_at - played));
         lua_setfield(lua, -2, "back_in");
         lua_rawseti(lua, -2, p.number + 1);
+    });
+    return 1;
+}
+
+int verb_fogs(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto played = play.match->match().played;
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    world_of(play).view<const Fog, const Motion>().each([&](const Fog& fog, const Motion& motion) {
+        lua_createtable(lua, 0, 4);
+        arg::push_place(lua, motion.position);
+        lua_setfield(lua, -2, "place");
+        lua_pushnumber(lua, fog.radius);
+        lua_setfield(lua, -2, "radius");
+        lua_pushnumber(lua, fog.until > played ? seconds(fog.until - played) : 0.0);
+        lua_setfield(lua, -2, "left");
+        set_player(lua, "player", fog.player);
+        lua_rawseti(lua, -2, ++count);
     });
     return 1;
 }
@@ -379,6 +399,7 @@ constexpr VerbName report_list[] = {
     {"events", verb_events},
     {"raw_next_event", verb_next_event},
     {"power_ups", verb_power_ups},
+    {"fogs", verb_fogs},
     {"missiles", verb_missiles},
     {"deeds", verb_deeds},
     {"state", verb_state},

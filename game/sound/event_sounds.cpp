@@ -26,6 +26,9 @@ SoundNumber sound_of(const SoundWriting& writing, const Event& event) {
     }
     if (event.kind == EventKind::power_up && event.detail < sounds.power_ups.size())
         return sounds.power_ups.at(event.detail);
+    const auto& rows = writing.match.data().presentation->events;
+    if (row_of(rows, event.kind).sound == of_spell)
+        return event.detail < sounds.spells.size() ? sounds.spells[event.detail] : std::nullopt;
     const auto kind = static_cast<std::size_t>(event.kind);
     return kind < sounds.events.size() ? sounds.events[kind] : std::nullopt;
 }
@@ -72,14 +75,15 @@ void add_sound_of(SoundWriting& writing, const Event& event) {
     const bool takes_health = !info_of(event.kind).cause.empty();
     if (takes_health || event.kind == EventKind::shot) writing.memory.fought_at = event.tick;
     Heard heard{.place = place_of(writing, event)};
-    if (takes_health) heard.gain = 0.4 + 0.6 * std::min(1.0, event.amount / loud_harm);
+    if (takes_health || event.kind == EventKind::held_off)
+        heard.gain = 0.4 + 0.6 * std::min(1.0, event.amount / loud_harm);
     if (own_affair) {
         heard.heard_by = event.subject < players ? writing.ears_of(event.subject) : 0;
         heard.at_ear = true;
     }
     if (event.subject >= players && !info_of(event.kind).placed) heard.at_ear = true;
     const auto sound = sound_of(writing, event);
-    if (takes_health && event.subject < players) {
+    if (strikes_body(event.kind) && event.subject < players) {
         // A fall may end at another place than the wizard is put back to, so the own body is at the ear.
         begin_own_hurt(writing, event, sound, heard.gain);
         heard.heard_by &= ~writing.ears_of(event.subject);

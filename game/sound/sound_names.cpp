@@ -37,6 +37,7 @@ void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
     out.events.resize(rows.size());
     for (std::size_t kind = 0; kind < rows.size(); ++kind) {
         const auto& name = rows[kind].sound;
+        if (name == of_spell) continue;
         const auto whose = text("event '", name_of(static_cast<EventKind>(kind)), "'");
         const auto at = name.find(kind_of_power_up);
         if (at == std::string::npos) {
@@ -58,6 +59,8 @@ MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown
     Finder finder(bank);
     for (std::size_t i = 0; i < cues; ++i) out.cues.at(i) = finder.find(cue_names.at(i), "the match");
     find_events(shown.events, finder, out);
+    for (const auto& spell : shown.spells)
+        out.spells.push_back(finder.find(spell.sound, text("assets/spells/", spell.name, ".toml")));
     for (const auto& wand : shown.wands) {
         const auto whose = text("assets/wands/", wand.name, ".toml");
         const auto& names = wand.sounds;

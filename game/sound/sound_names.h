@@ -18,8 +18,9 @@ struct WandSoundNumbers {
 /// Numbers of all sounds of a match.
 struct MatchSounds {
     CueSounds cues{};
-    std::vector<SoundNumber> events;  ///< by EventKind; without those of power-ups
+    std::vector<SoundNumber> events;  ///< by EventKind; without those of power-ups and spells
     std::array<SoundNumber, power_up_names.size()> power_ups{};
+    std::vector<SoundNumber> spells;      ///< by number of the spell
     std::vector<WandSoundNumbers> wands;  ///< in the order of Presentation::wands
     /// A line on each sound that the bank lacks, and on who names it. Faulty sounds are not among them: the bank says
     /// why.

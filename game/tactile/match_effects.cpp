@@ -6,17 +6,37 @@
 
 namespace thaum::game {
 
+namespace {
+
+/// Finds the effects that spells name. The error names the effect that is missing.
+Expected<std::vector<EffectNumber>> spell_effects(const tactile::EffectBank& bank,
+                                                  const std::vector<SpellPresentation>& spells) {
+    std::vector<EffectNumber> found;
+    for (const auto& spell : spells) {
+        found.push_back(spell.tactile.empty() ? std::nullopt : bank.find(spell.tactile));
+        if (!spell.tactile.empty() && !found.back())
+            return fail(text("assets/spells/", spell.name, ".toml names the effect '", spell.tactile,
+                             "', but there is no assets/tactile/effects/", spell.tactile, ".toml"));
+    }
+    return found;
+}
+
+}  // namespace
+
 Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Presentation& shown) {
     MatchEffects out;
     out.events.resize(shown.events.size());
     for (std::size_t kind = 0; kind < shown.events.size(); ++kind) {
         const auto& name = shown.events[kind].tactile;
-        if (name.empty()) continue;
+        if (name.empty() || name == of_spell) continue;
         out.events[kind] = bank.find(name);
         if (!out.events[kind])
             return fail(text("event '", name_of(static_cast<EventKind>(kind)), "' names the effect '", name,
                              "', but there is no assets/tactile/effects/", name, ".toml"));
     }
+    auto spells = spell_effects(bank, shown.spells);
+    if (!spells) return tl::unexpected(spells.error());
+    out.spells = std::move(*spells);
     const std::pair<std::string_view, std::uint32_t*> needed[] = {
         {"recoil", &out.recoil},          {"stir", &out.stir},
         {"heartbeat", &out.heartbeat},    {"walk_left", &out.walk_left},

@@ -97,13 +97,15 @@ void TactileScene::feel(const BodyCue& cue, Tick now) {
 }
 
 void TactileScene::feel_event(const Simulation& match, const Event& event) {
-    const auto kind = static_cast<std::size_t>(event.kind);
-    if (event.subject != player_ || kind >= effects_.events.size() || !effects_.events[kind]) return;
+    const bool about_spell = row_of(match.data().presentation->events, event.kind).tactile == of_spell;
+    const auto& effects = about_spell ? effects_.spells : effects_.events;
+    const auto number = about_spell ? event.detail : static_cast<std::size_t>(event.kind);
+    if (event.subject != player_ || number >= effects.size() || !effects[number]) return;
     quiet_until_ = match.now() + quiet_after_event;
-    const bool takes_health = !info_of(event.kind).cause.empty();
-    feel({.effect = *effects_.events[kind],
-          .where = takes_health ? where_of(match, event, player_) : tactile::Where::own(),
-          .strength = takes_health ? std::clamp(event.amount / full_harm, 0.0, 1.0) : 1,
+    const bool strikes = strikes_body(event.kind);
+    feel({.effect = *effects[number],
+          .where = strikes ? where_of(match, event, player_) : tactile::Where::own(),
+          .strength = strikes ? std::clamp(event.amount / full_harm, 0.0, 1.0) : 1,
           .event = event.kind},
          match.now());
 }

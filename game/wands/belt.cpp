@@ -4,6 +4,7 @@
 
 #include "game/components/arm.h"
 #include "game/components/cauldron.h"
+#include "game/components/fog.h"
 
 namespace thaum::game {
 namespace {
@@ -91,7 +92,8 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "wands",
          .period = gameplay_period,
-         .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, Arm, resource::Physics>(),
+         .reads =
+             world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, Arm, Fog, resource::Physics>(),
          .writes = writes,
          .needs = world.mask<WandBelt>(),
          .run = [&context](ecs::World& w, Tick tick) {

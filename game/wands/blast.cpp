@@ -216,7 +216,7 @@ void add_missile_systems(const WandSystems& to, const BlastData& data) {
         {.name = "blasts",
          .period = physics_period,
          .reads = world.mask<Body, Motion, Wizard, Dead>(),
-         .writes = world.mask<Blast, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
+         .writes = world.mask<Blast, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Blast>(),
          .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/components/casting.h"
 #include "game/context/hand_forces.h"
 #include "game/data/wand.h"
 #include "game/wands/shot.h"
@@ -61,6 +62,8 @@ struct LiftHand {
     double metres_per_metre{};
     double impulse{};  ///< impulse of the spring that is not yet paid for by energy (N s)
     Tick next_blow{};
+    std::uint32_t caught{};  ///< 1: the thing came to the hand; it is held without fire until fire is pressed
+    std::uint32_t spare{};
     static constexpr std::string_view name = "LiftHand";
     static constexpr auto fields() {
         using H = LiftHand;
@@ -70,7 +73,8 @@ struct LiftHand {
                           field("taken_device", &H::taken_device), field("hip", &H::hip),
                           field("base", &H::base), field("base_velocity", &H::base_velocity),
                           field("coupling", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
-                          field("impulse", &H::impulse), field("next_blow", &H::next_blow));
+                          field("impulse", &H::impulse), field("next_blow", &H::next_blow),
+                          field("caught", &H::caught), field("spare", &H::spare));
     }
 };
 
@@ -250,6 +254,18 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
     take(use.context, data, use.wizard, thing, hand);
     world.get<Health>(use.wizard).shielded_until = use.tick;  // an attack ends the wizard's protection
+    if (auto* last = world.find<LastProp>(use.wizard)) last->thing = thing;
+}
+
+/// Takes a thing that has come near. It is held until fire is pressed and let go, or the thing is thrown.
+bool catch_loose(const WandUse& use, const LiftData& data, ecs::Entity thing) {
+    auto& world = use.context.world;
+    auto& hand = world.get<LiftHand>(use.wizard);
+    const bool light = use.context.physics.read().desc(thing.index).mass <= data.mass_max;
+    if (hand.held || !light || !spend(world.get<WandBelt>(use.wizard), use.stats)) return false;
+    take(use.context, data, use.wizard, thing, hand);
+    hand.caught = 1;
+    return true;
 }
 
 /// Pays for holding the thing, credits its hits to the holder, and moves it nearer or farther by the wheel.
@@ -278,7 +294,9 @@ void fire(const WandUse& use, const LiftData& data) {
     go_on(use, data, controls, hand);
     if (!hand.held) return;
     if ((controls.pressed & input::bit(Button::throw_)) != 0) return throw_thing(use, data, hand);
-    if ((controls.held & input::bit(Button::fire)) == 0) let_thing_go(use.context, use.wizard, hand);
+    if ((controls.pressed & input::bit(Button::fire)) != 0) hand.caught = 0;
+    const bool keeps = hand.caught != 0 || (controls.held & input::bit(Button::fire)) != 0;
+    if (!keeps) let_thing_go(use.context, use.wizard, hand);
 }
 
 // ---- every tick -------------------------------------------------------------------------------------------
@@ -479,14 +497,20 @@ public:
         if (hand.held) let_thing_go(use.context, use.wizard, hand);
     }
     ecs::Mask writes(const ecs::World& world) const override {
-        return world
-            .mask<LiftHand, EventLog, Health, HandState, Prop, resource::Journal, resource::Physics>();
+        return world.mask<LiftHand, EventLog, Health, HandState, Prop, LastProp, resource::Journal,
+                          resource::Physics>();
     }
     void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
     std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {
         const auto held = world.get<LiftHand>(wizard).held;
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
+    }
+    ecs::Entity held_thing(const ecs::World& world, ecs::Entity wizard) const override {
+        return world.get<LiftHand>(wizard).held;
+    }
+    bool catch_thing(const WandUse& use, ecs::Entity thing) const override {
+        return catch_loose(use, data_, thing);
     }
     double holding_force(const ecs::World& world, ecs::Entity wizard) const override {
         constexpr double gravity = 9.81;

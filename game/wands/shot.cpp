@@ -8,6 +8,7 @@
 #include "game/components/hand_state.h"
 #include "game/context/aim_assist.h"
 #include "game/context/hand_forces.h"
+#include "game/context/shove.h"
 
 namespace thaum::game {
 namespace {
@@ -54,8 +55,7 @@ std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst
 void push(MatchContext& context, const Burst& burst, ecs::Entity e, double mass, const Reached& reached,
           Tick tick) {
     const double impulse = std::min(burst.impulse * reached.share, burst.fastest * mass);
-    context.physics.write().apply_impulse(e.index, reached.away * impulse, reached.point);
-    if (context.world.has<Prop>(e)) context.world.get<Prop>(e) = {.moved_at = tick, .moved_by = burst.player};
+    shove(context, e, reached.away * impulse, reached.point, burst.player, tick);
 }
 
 void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, double points, Tick tick) {

@@ -61,8 +61,8 @@ struct Burst {
     std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
     double struck_damage{};                  ///< harm to the struck body (HP)
 };
-/// Applies and records a burst. Reads Body, Motion, Wizard and Dead. Writes Health, EventLog, Prop,
-/// resource::Journal and resource::Physics.
+/// Applies and records a burst. Reads Body, Motion, Wizard and Dead. Writes Health, Stance, EventLog,
+/// Prop, resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 
 }  // namespace thaum::game

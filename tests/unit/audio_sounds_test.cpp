@@ -41,7 +41,8 @@ TEST(GameSounds, AllAreThere) {
     for (const auto& sound : bank().sounds) names += sound.name + " ";
     EXPECT_EQ(
         names,
-        "blast_burst blast_charge blast_shot boil bolt_shot boon count_go count_tick death fall_hit "
+        "blast_burst blast_charge blast_shot boil bolt_shot boon cast_fog cast_push cast_recall cast_shield "
+        "count_go count_tick death fall_hit "
         "heartbeat "
         "hit_metal hit_soft hit_stone hit_wizard hit_wizard_hard hit_wood ingredient_dropped "
         "ingredient_taken "
@@ -49,8 +50,10 @@ TEST(GameSounds, AllAreThere) {
         "menu_choose "
         "menu_move "
         "menu_refused music_calm music_final music_pulse music_tension power_heart power_spark power_vial "
+        "pushed "
         "respawn "
-        "round_drawn round_lost round_won splash spoilt step_metal step_stone step_wood stir "
+        "round_drawn round_lost round_won shield_hit splash spoilt step_metal step_stone step_wood stir "
+        "stroke_fails "
         "swing_latch swing_rope wand_change wand_dry wrested ");
     std::string loops;
     for (const auto& sound : bank().sounds)

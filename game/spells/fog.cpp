@@ -1,0 +1,66 @@
+// Fog: a cloud round a place ahead of its wizard. Nobody sees through it. What it hides from bots and from the help with
+// aiming: game/context/fog.h.
+#include <algorithm>
+#include <cmath>
+
+#include "game/components/fog.h"
+#include "game/context/match_context.h"
+#include "game/data/spell.h"
+
+namespace thaum::game {
+namespace {
+
+class FogSpell final : public SpellRules {
+public:
+    explicit FogSpell(const ConfigTable& root)
+        : radius_(root.number("radius_m", {0.1, 100})),
+          ahead_(root.number("ahead_m", {0, 100})),
+          sight_(root.number("sight_m", {0.1, 100})),
+          lasts_(root.number("lasts_s", {0, 3600})) {}
+
+    /// The cloud covers more ground, and stays longer, in proportion to the strength.
+    void cast(const SpellCast& cast) const override {
+        auto& world = cast.context.world;
+        const auto& now = std::as_const(world);
+        Motion motion;
+        motion.position = now.get<Motion>(cast.wizard).position +
+                          rotation({0, 1, 0}, now.get<Gaze>(cast.wizard).yaw) * vec3(0, 0, -ahead_);
+        world.commands().create(Fog{.radius = radius_ * std::sqrt(cast.strength),
+                                    .sight = sight_,
+                                    .began = cast.tick,
+                                    .until = cast.tick + std::max<Tick>(1, ticks(lasts_ * cast.strength)),
+                                    .player = now.get<Wizard>(cast.wizard).player},
+                                motion);
+    }
+    ecs::Mask reads(const ecs::World& world) const override { return world.mask<Wizard, Motion, Gaze>(); }
+    ecs::Mask writes(const ecs::World&) const override { return {}; }
+    void add_systems(const SpellSystems& to) const override {
+        auto& world = to.context.world;
+        to.schedule.add({.name = "fog",
+                         .period = gameplay_period,
+                         .reads = world.mask<Fog>(),
+                         .needs = world.mask<Fog>(),
+                         .run = [](ecs::World& w, Tick tick) {
+                             w.view<const Fog>().each([&](ecs::Entity e, const Fog& fog) {
+                                 if (tick >= fog.until) w.commands().destroy(e);
+                             });
+                         }});
+    }
+
+private:
+    double radius_{};  ///< radius of the cloud of a gentle stroke (m)
+    double ahead_{};   ///< distance of its middle from the wizard (m)
+    double sight_{};   ///< see Fog
+    double lasts_{};   ///< time for which the cloud of a gentle stroke stays (s)
+};
+
+const SpellRegistration registration({
+    .name = "fog",
+    .declare = [](ecs::World&) {},
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
+        return std::make_shared<FogSpell>(root);
+    },
+});
+
+}  // namespace
+}  // namespace thaum::game

@@ -1,0 +1,126 @@
+// Push: throws back the wizard and the loose things in a cone ahead. A wizard gets a speed, a thing an impulse, so that
+// a crate flies and a table slides. Who falls soon afterwards has been felled by the caster.
+#include <algorithm>
+#include <cmath>
+
+#include "game/context/shove.h"
+#include "game/data/spell.h"
+#include "game/wands/belt.h"
+#include "game/wands/shot.h"
+
+namespace thaum::game {
+namespace {
+
+struct PushData {
+    double reach{};          ///< length of the cone (m)
+    double narrowest_cos{};  ///< cosine of half its angle
+    double speed{};          ///< speed of a wizard (m/s)
+    double impulse{};        ///< impulse of a thing (N s)
+    double fastest{};        ///< largest speed that a thing gains (m/s)
+    double lift{};           ///< least upward part of a thing's direction
+};
+
+/// A body in the cone.
+struct Reached {
+    vec3 way{};    ///< direction from the eye to the body's middle (unit)
+    vec3 point{};  ///< nearest point of its surface on that way (m, world)
+};
+
+/// Finds out whether the cone reaches a body: its middle is within the angle, its surface within reach, and nothing
+/// stands before it.
+std::optional<Reached> reach(const MatchContext& context, const PushData& data, ecs::Entity caster,
+                             physics::Key key, vec3 middle) {
+    const auto& physics = context.physics.read();
+    const auto [eye, ahead] = sight_of(context, caster);
+    const vec3 to = middle - eye;
+    const double whole = glm::length(to);
+    if (!(whole > 0) || glm::dot(to, ahead) < whole * data.narrowest_cos) return {};
+    const vec3 way = to / whole;
+    const auto hit =
+        physics.ray(eye, eye + way * std::min(whole, data.reach), physics::all_layers, caster.index);
+    if (!hit || hit->key != key) return {};
+    return Reached{way, hit->point};
+}
+
+/// The direction along the ground; straight ahead for a body right above or below.
+vec3 level(vec3 way, double yaw) {
+    const vec3 flat(way.x, 0, way.z);
+    const double length = glm::length(flat);
+    return length > 1e-6 ? flat / length : rotation({0, 1, 0}, yaw) * vec3(0, 0, -1);
+}
+
+void push_wizard(const SpellCast& cast, const PushData& data, ecs::Entity foe, const Reached& reached) {
+    auto& world = cast.context.world;
+    const auto& now = std::as_const(world);
+    const auto by = now.get<Wizard>(cast.wizard).player;
+    const double speed = data.speed * cast.strength;
+    const vec3 way = level(reached.way, now.get<Gaze>(cast.wizard).yaw);
+    shove(cast.context, foe, way * (speed * now.get<Body>(foe).mass), now.get<Motion>(foe).position, by,
+          cast.tick);
+    world.get<Health>(foe).foe_did_at = cast.tick;
+    record(cast.context, {.tick = cast.tick,
+                          .kind = EventKind::pushed,
+                          .subject = now.get<Wizard>(foe).player,
+                          .by = by,
+                          .amount = speed,
+                          .place = reached.point});
+}
+
+void push_thing(const SpellCast& cast, const PushData& data, ecs::Entity thing, const Reached& reached) {
+    const auto& now = std::as_const(cast.context.world);
+    const double impulse = std::min(data.impulse, data.fastest * now.get<Body>(thing).mass) * cast.strength;
+    const vec3 way = glm::normalize(vec3(reached.way.x, std::max(reached.way.y, data.lift), reached.way.z));
+    shove(cast.context, thing, way * impulse, reached.point, now.get<Wizard>(cast.wizard).player, cast.tick);
+}
+
+/// The thing that the wizard holds by the wand in hand; no entity if there is none.
+ecs::Entity thing_in_hand(const MatchContext& context, ecs::Entity wizard) {
+    const auto* wand = wand_in_hand(context.data, std::as_const(context.world).get<WandBelt>(wizard));
+    return wand != nullptr ? wand->rules->held_thing(context.world, wizard) : ecs::Entity{};
+}
+
+class PushSpell final : public SpellRules {
+public:
+    explicit PushSpell(const ConfigTable& root) {
+        data_.reach = root.number("reach_m", {0, 100});
+        data_.narrowest_cos = det::cos(root.number("angle_deg", {1, 180}) / 2 * radians_per_degree);
+        data_.speed = root.number("speed_m_s", {0, 100});
+        const auto things = root.table("things");
+        data_.impulse = things.number("impulse_n_s", {0, 1e5});
+        data_.fastest = things.number("fastest_m_s", {0, 100});
+        data_.lift = things.number("lift", {0, 1});
+    }
+
+    void cast(const SpellCast& cast) const override {
+        auto& world = cast.context.world;
+        const auto held = thing_in_hand(cast.context, cast.wizard);
+        world.view<const Body, const Motion>().each(
+            [&](ecs::Entity e, const Body& body, const Motion& motion) {
+                if (body.mass <= 0 || e == cast.wizard || e == held) return;
+                const auto reached = reach(cast.context, data_, cast.wizard, e.index, motion.position);
+                if (!reached) return;
+                world.has<Wizard>(e) ? push_wizard(cast, data_, e, *reached)
+                                     : push_thing(cast, data_, e, *reached);
+            });
+    }
+    ecs::Mask reads(const ecs::World& world) const override {
+        return world.mask<Wizard, Gaze, Motion, Body, WandBelt>();
+    }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<Health, Stance, Prop, EventLog, resource::Journal, resource::Physics>();
+    }
+
+private:
+    PushData data_;
+};
+
+const SpellRegistration registration({
+    .name = "push",
+    .declare = [](ecs::World&) {},
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
+        return std::make_shared<PushSpell>(root);
+    },
+});
+
+}  // namespace
+}  // namespace thaum::game

@@ -1,0 +1,220 @@
+// Recall: the loose thing that its wizard took up or threw last flies back. It brakes before the wizard. A wand that can
+// hold it catches it; else it lands at the wizard's feet. If the ground is in its way, it rises first. A harsh recall is
+// faster and shoves aside what the thing meets.
+#include <algorithm>
+#include <cmath>
+
+#include "game/components/casting.h"
+#include "game/context/shove.h"
+#include "game/data/spell.h"
+#include "game/wands/belt.h"
+#include "game/wands/shot.h"
+
+namespace thaum::game {
+namespace {
+
+struct RecallData {
+    double reach{};         ///< largest distance of the thing from the eye (m)
+    double speed{};         ///< largest speed of its flight (m/s)
+    double acceleration{};  ///< largest change of its velocity (m/s^2)
+    double before{};        ///< distance from the eye to the nearest point of a thing that has arrived (m)
+    double aside{};         ///< speed that a harsh recall gives to what is in the way (m/s)
+    Tick gives_up{};        ///< ticks after which a thing that has not arrived falls
+};
+
+/// The thing that flies back to a wizard. The component is there during the flight.
+struct Recalled {
+    ecs::Entity thing{};
+    Tick until{};       ///< tick at which the thing falls
+    double strength{};  ///< see SpellCast
+    static constexpr std::string_view name = "Recalled";
+    static constexpr auto fields() {
+        return std::tuple(field("thing", &Recalled::thing), field("until", &Recalled::until),
+                          field("strength", &Recalled::strength));
+    }
+};
+
+constexpr double arrived = 0.35;    ///< distance from its place at which a thing has arrived (m)
+constexpr double way_upwards = 3;   ///< upward part of the way over an obstacle, relative to the part ahead
+constexpr double noticed_push = 1;  ///< gain of speed from which a wizard counts as pushed (m/s)
+constexpr double below_eye = 0.35;  ///< height of the hand below the eye (m)
+
+bool holds(const MatchContext& context, ecs::Entity wizard, ecs::Entity thing) {
+    const auto& world = context.world;
+    const auto& wands = context.data.wands;
+    return std::any_of(wands.begin(), wands.end(), [&](const LoadedWand& wand) {
+        return wand.rules->held_thing(world, wizard) == thing;
+    });
+}
+
+/// Whether no wizard holds the thing, and it is still there.
+bool is_loose(const MatchContext& context, ecs::Entity thing) {
+    const auto& world = context.world;
+    if (!thing || !world.alive(thing) || !world.has<Body>(thing) || !world.has<Prop>(thing)) return false;
+    return !holds(context, wizard_of(world, 0), thing) && !holds(context, wizard_of(world, 1), thing);
+}
+
+/// Half of the largest extent of a body (m).
+double half_extent(const physics::BodyDesc& body) {
+    switch (body.shape) {
+        case physics::Shape::box: return std::max({body.size.x, body.size.y, body.size.z});
+        case physics::Shape::sphere: return body.size.x;
+        default: return std::max(body.size.x, body.size.y);
+    }
+}
+
+/// Place of the thing's middle when it has arrived (m, world).
+vec3 place_before(const MatchContext& context, const RecallData& data, ecs::Entity wizard,
+                  physics::Key thing) {
+    const vec3 eye = sight_of(context, wizard).eye;
+    const double yaw = std::as_const(context.world).get<Gaze>(wizard).yaw;
+    const double far = data.before + half_extent(context.physics.read().desc(thing));
+    return eye + rotation({0, 1, 0}, yaw) * vec3(0, 0, -far) - vec3(0, below_eye, 0);
+}
+
+/// Wanted velocity of the thing: towards its place, slower the nearer it is, and upwards over what is in the way.
+vec3 wanted_velocity(const physics::Physics& physics, const RecallData& data, const Recalled& recalled,
+                     vec3 from, vec3 to) {
+    const vec3 way = to - from;
+    const double distance = glm::length(way);
+    const double braking = std::sqrt(data.acceleration * distance);
+    const vec3 ahead = way / distance;
+    const bool blocked = physics.ray(from, to, layer::ground).has_value();
+    const vec3 turned = blocked ? glm::normalize(ahead + vec3(0, way_upwards, 0)) : ahead;
+    return turned * std::min(data.speed * recalled.strength, braking);
+}
+
+/// Shoves a body that the thing touches, so that the body moves on at least as fast as `data.aside`.
+void shove_aside(MatchContext& context, const RecallData& data, ecs::Entity body, vec3 way,
+                 std::uint32_t player, Tick tick) {
+    auto& world = context.world;
+    const auto& state = context.physics.read().state(body.index);
+    const double gain = data.aside - glm::dot(state.velocity, way);
+    const double mass = context.physics.read().desc(body.index).mass;
+    if (gain <= 0 || mass <= 0) return;
+    shove(context, body, way * (gain * mass), state.position, player, tick);
+    if (!world.has<Wizard>(body)) return;
+    world.get<Health>(body).foe_did_at = tick;
+    if (gain < noticed_push) return;
+    record(context, {.tick = tick,
+                     .kind = EventKind::pushed,
+                     .subject = std::as_const(world).get<Wizard>(body).player,
+                     .by = player,
+                     .amount = gain,
+                     .place = state.position - way});
+}
+
+/// Shoves aside all that the thing touches, except its wizard and what is fixed.
+void clear_way(MatchContext& context, const RecallData& data, ecs::Entity wizard, physics::Key thing,
+               vec3 way, Tick tick) {
+    const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
+    for (const auto& contact : context.physics.read().contacts()) {
+        if (contact.a != thing && contact.b != thing) continue;
+        const auto other = context.world.entity(contact.a == thing ? contact.b : contact.a);
+        if (other && other != wizard) shove_aside(context, data, other, way, player, tick);
+    }
+}
+
+/// Lets the wand in hand catch the thing, or else the thing fall to the ground.
+void arrive(MatchContext& context, ecs::Entity wizard, ecs::Entity thing, Tick tick) {
+    const auto* wand = wand_in_hand(context.data, std::as_const(context.world).get<WandBelt>(wizard));
+    context.physics.write().set_velocity(thing.index, vec3(0));
+    if (wand != nullptr) wand->rules->catch_thing({context, wizard, tick, wand->stats}, thing);
+}
+
+/// One step of the flight. Returns false when it has ended.
+bool fly(MatchContext& context, const RecallData& data, ecs::Entity wizard, const Recalled& recalled,
+         Tick tick) {
+    auto& world = context.world;
+    const auto thing = recalled.thing;
+    if (tick >= recalled.until || world.has<Dead>(wizard) || !is_loose(context, thing)) return false;
+    auto& physics = context.physics.write();
+    const auto key = thing.index;
+    const auto state = physics.state(key);
+    const vec3 place = place_before(context, data, wizard, key);
+    if (glm::distance(state.position, place) <= arrived) return arrive(context, wizard, thing, tick), false;
+    const vec3 wanted = wanted_velocity(physics, data, recalled, state.position, place);
+    const vec3 change = limited(wanted - state.velocity, data.acceleration * recalled.strength * physics_dt);
+    const double mass = physics.desc(key).mass;
+    physics.apply_central_impulse(key, mass * (change - physics.settings().gravity * physics_dt));
+    world.get<Prop>(thing) = {.moved_at = tick, .moved_by = std::as_const(world).get<Wizard>(wizard).player};
+    if (recalled.strength > 1) clear_way(context, data, wizard, key, glm::normalize(wanted), tick);
+    return true;
+}
+
+/// What the flight writes, and what a wand that catches the thing writes.
+ecs::Mask writes_of_flight(const MatchContext& context) {
+    const auto& world = context.world;
+    auto all =
+        world
+            .mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal, resource::Physics>();
+    for (const auto& wand : context.data.wands) {
+        const auto its = wand.rules->writes(world);
+        for (std::size_t i = 0; i < all.words.size(); ++i) all.words[i] |= its.words[i];
+    }
+    return all;
+}
+
+class RecallSpell final : public SpellRules {
+public:
+    explicit RecallSpell(const ConfigTable& root) {
+        data_.reach = root.number("reach_m", {0, 1000});
+        data_.speed = root.number("speed_m_s", {0.1, 100});
+        data_.acceleration = root.number("acceleration_m_s2", {0.1, 1e4});
+        data_.before = root.number("before_m", {0.5, 10});
+        data_.aside = root.number("aside_m_s", {0, 100});
+        data_.gives_up = ticks(root.number("gives_up_s", {0, 60}));
+    }
+
+    std::string_view refusal(const MatchContext& context, ecs::Entity wizard) const override {
+        const auto thing = context.world.get<LastProp>(wizard).thing;
+        const bool there =
+            is_loose(context, thing) && glm::distance(context.world.get<Motion>(thing).position,
+                                                      sight_of(context, wizard).eye) <= data_.reach;
+        return there ? "" : "nothing in reach";
+    }
+    void cast(const SpellCast& cast) const override {
+        auto& world = cast.context.world;
+        const Recalled recalled{.thing = std::as_const(world).get<LastProp>(cast.wizard).thing,
+                                .until = cast.tick + data_.gives_up,
+                                .strength = cast.strength};
+        if (auto* flying = world.find<Recalled>(cast.wizard))
+            *flying = recalled;
+        else
+            world.commands().add(cast.wizard, recalled);
+    }
+    ecs::Mask reads(const ecs::World& world) const override {
+        return world.mask<Wizard, Gaze, Motion, Body, Prop, LastProp, WandBelt, resource::Physics>();
+    }
+    ecs::Mask writes(const ecs::World& world) const override { return world.mask<Recalled>(); }
+    void add_systems(const SpellSystems& to) const override;
+
+private:
+    RecallData data_;
+};
+
+void RecallSpell::add_systems(const SpellSystems& to) const {
+    auto& world = to.context.world;
+    to.schedule.add({.name = "recall",
+                     .period = physics_period,
+                     .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, WandBelt, Controls>(),
+                     .writes = writes_of_flight(to.context),
+                     .needs = world.mask<Recalled>(),
+                     .run = [&context = to.context, &data = data_](ecs::World& w, Tick tick) {
+                         w.view<const Recalled>().each([&](ecs::Entity wizard, const Recalled& recalled) {
+                             if (!fly(context, data, wizard, recalled, tick))
+                                 w.commands().remove<Recalled>(wizard);
+                         });
+                     }});
+}
+
+const SpellRegistration registration({
+    .name = "recall",
+    .declare = [](ecs::World& world) { world.declare<Recalled>(); },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
+        return std::make_shared<RecallSpell>(root);
+    },
+});
+
+}  // namespace
+}  // namespace thaum::game
