@@ -76,7 +76,8 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
 
 /// `look` has the ingredient's shape under its name. It is a table of its own, since a log hashes the ingredients.
 Ingredient read_ingredient(const ConfigTable& table, const ConfigTable& look) {
-    const std::vector<std::string_view> shapes{"heap", "crystals", "ingots", "drops", "feathers", "cloud"};
+    const std::vector<std::string_view> shapes{"heap",     "crystals", "ingots", "drops",
+                                               "feathers", "cloud",    "cushion"};
     const auto name = table.string("name");
     return {.name = name,
             .colour = table.vector("colour", share),

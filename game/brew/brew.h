@@ -20,8 +20,8 @@
 namespace thaum::game {
 
 /// How an ingredient lies in its niche and in a hand, so that nobody needs its colour.
-enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud };
-inline constexpr std::size_t ingredient_shapes = 6;
+enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud, cushion };
+inline constexpr std::size_t ingredient_shapes = 7;
 
 /// A kind of stuff that a player can drop into the brew. The colour is linear light, 0 to 1.
 struct Ingredient {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "game/casting/reading.h"
+#include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 
@@ -98,7 +99,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
                                                      .turns = stroke.turns,
                                                      .gesture = stroke.gesture,
                                                      .nearest = reading.nearest};
-    if (std::as_const(context.world).has<Ladle>(caster.wizard)) return;
+    if (std::as_const(context.world).has<Ladle>(caster.wizard))
+        return brew_by_stroke(context, caster.wizard, stroke, caster.tick);
     const auto* spell = stroke.gesture == no_gesture
                             ? nullptr
                             : spell_of(context.data, gestures.gestures()[stroke.gesture].name);
@@ -116,7 +118,7 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
         reading.nearest = reading.stroke.gesture = *gesture;
         reading.stroke.probability = 1;
         reading.stroke.force = controls.harsh != 0 ? rules.harsh_from : rules.gentle_below / 2;
-        reading.stroke.turns = gestures.gestures()[*gesture].options.closed ? 1 : 0;
+        // A key has no sense of turning, so its circle fits recipes of both senses.
     }
     return reading;
 }
@@ -193,6 +195,10 @@ void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
     auto writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog, resource::Journal>();
     // A spell may ask the wand in hand what it holds.
     for (const auto& wand : context.data.wands) join(reads, wand.rules->writes(world));
+    if (context.data.cauldron) {
+        join(reads, brew_by_stroke_reads(world));
+        join(writes, brew_by_stroke_writes(world));
+    }
     for (const auto& spell : context.data.spells) {
         join(reads, spell.rules->reads(world));
         join(writes, spell.rules->writes(world));

@@ -5,13 +5,15 @@
 #include <numeric>
 
 #include "game/cauldron/ladle.h"
+#include "game/cauldron/potions.h"
 #include "game/context/hand_forces.h"
 
 namespace thaum::game {
 namespace {
 
 bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
-    return off_axis(place - cauldron.middle) < data.cauldron->aura.radius;
+    const double radius = data.cauldron->aura.radius * changes_of(data, cauldron).aura;
+    return off_axis(place - cauldron.middle) < radius;
 }
 
 // ---- ingredients ------------------------------------------------------------------------------------------
@@ -46,31 +48,23 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
                      .place = place});
 }
 
-/// Contents after the next fluid step.
-Contents contents_to_come(const Cauldron& cauldron) {
-    Contents contents = cauldron.contents;
-    for (std::uint32_t i = 0; i < cauldron.next.count; ++i) {
-        const auto ingredient = cauldron.next.list[i].ingredient;
-        if (ingredient == no_ingredient) continue;
-        if (const auto substance = substance_for(contents, ingredient)) contents[*substance] = ingredient;
-    }
-    return contents;
-}
-
 /// Drops the carried ingredient. Does nothing if all substances hold other ingredients.
 void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint32_t player,
              const Ladle& ladle, const Pouch& pouch, Tick tick) {
     const auto& rules = *context.data.cauldron;
-    if (!substance_for(contents_to_come(cauldron), pouch.ingredient)) return;
+    if (!substance_for(contents_to_come(cauldron), pouch.ingredient))
+        return refuse_fourth(context, cauldron, player, tick);
     const auto& touch = context.output.models.read()[player].fluid;
     const vec3 place = haptics::nearest_in_bowl(
         touch.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
-    const bool taken = add_stroke(cauldron, {.place = place,
-                                             .radius = rules.drop_radius,
-                                             .amount = rules.drop_amount,
-                                             .ingredient = pouch.ingredient});
-    if (!taken) return;
+    const bool full = cauldron.next.count == cauldron.next.list.size();
+    if (full) return;
+    drop_for_recipe(context, cauldron, player, pouch.ingredient, tick);
+    add_stroke(cauldron, {.place = place,
+                          .radius = rules.drop_radius,
+                          .amount = rules.drop_amount,
+                          .ingredient = pouch.ingredient});
     context.world.commands().remove<Pouch>(e);
     if (cauldron.begun == 0) {
         cauldron.begun = std::max<Tick>(tick, 1);
@@ -172,7 +166,7 @@ void heal_by_boon(MatchContext& context, const Cauldron& cauldron, Tick tick) {
 /// pure brew.
 void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
     const auto& rules = *context.data.cauldron;
-    if (cauldron.begun == 0 || tick < cauldron.begun + rules.spoils_after) return;
+    if (cauldron.begun == 0 || tick < spoils_at(context.data, cauldron)) return;
     const auto owner = cauldron.owner;
     auto& world = context.world;
     world.view<const Wizard, const Motion, const Body, ecs::Without<Dead>>().each([&](ecs::Entity e,
@@ -192,24 +186,26 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
                      .subject = owner,
                      .by = owner,
                      .place = cauldron.middle});
-    cauldron.begun = 0;
-    cauldron.owner = no_player;
-    cauldron.boon_given = 0;
+    forget_filling(cauldron);
     cauldron.spoilt = 1;
 }
 
 // ---- aura -------------------------------------------------------------------------------------------------
 
-void lift_all(MatchContext& context, const Cauldron& cauldron) {
-    if (!is_light(context.data.cauldron->aura, cauldron)) return;
-    const double share = 1 - context.data.cauldron->aura.light_gravity;
-    auto& physics = context.physics.write();
+/// Lifts wizards near a light brew and those whom a potion makes light.
+void lift_all(MatchContext& context, const Cauldron& cauldron, Tick tick) {
+    const auto& aura = context.data.cauldron->aura;
+    const bool light = is_light(aura, cauldron);
     std::as_const(context.world)
-        .view<const Wizard, const Motion, const Body, ecs::Without<Dead>>()
-        .each([&](ecs::Entity e, const Wizard&, const Motion& motion, const Body& body) {
-            if (!near(context.data, cauldron, motion.position)) return;
+        .view<const Wizard, const Motion, const Body, const Potions, ecs::Without<Dead>>()
+        .each([&](ecs::Entity e, const Wizard&, const Motion& motion, const Body& body,
+                  const Potions& potions) {
+            const bool lifted = light && near(context.data, cauldron, motion.position);
+            const double left = weight_of(context.data, &potions, tick) * (lifted ? aura.light_gravity : 1);
+            if (left == 1) return;
+            auto& physics = context.physics.write();
             physics.apply_central_impulse(e.index,
-                                          -share * body.mass * physics_dt * physics.settings().gravity);
+                                          -(1 - left) * body.mass * physics_dt * physics.settings().gravity);
         });
 }
 
@@ -263,7 +259,7 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                   }});
     schedule.add({.name = "brewing",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle,
+                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle, DrawnOrders,
                                       resource::Brew, resource::Models>(),
                   .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState,
                                        resource::Journal, resource::Physics>(),
@@ -276,13 +272,15 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                       grant_boon(context, cauldron, tick);
                       heal_by_boon(context, cauldron, tick);
                       spoil(context, cauldron, tick);
+                      change_brew(context.data, cauldron, tick);
                   }});
-    schedule.add(
-        {.name = "light brew",
-         .reads = world.mask<Cauldron, Wizard, Motion, Body, Dead>(),
-         .writes = world.mask<resource::Physics>(),
-         .needs = world.mask<BrewSamples>(),
-         .run = [&context](ecs::World& w, Tick) { lift_all(context, std::as_const(w).single<Cauldron>()); }});
+    schedule.add({.name = "light brew",
+                  .reads = world.mask<Cauldron, Wizard, Motion, Body, Potions, Dead>(),
+                  .writes = world.mask<resource::Physics>(),
+                  .needs = world.mask<BrewSamples>(),
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      lift_all(context, std::as_const(w).single<Cauldron>(), tick);
+                  }});
 }
 
 }  // namespace thaum::game

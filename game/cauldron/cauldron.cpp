@@ -35,10 +35,21 @@ double mean_speed(const BrewWork& work) {
     return sum / static_cast<double>(work.wet.size());
 }
 
-BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
+/// Share of the wet cells in which a substance has at least a quarter of its mean density.
+double reached_share(const BrewWork& work, const fluid::Samples& samples) {
+    constexpr double quarter = 0.25;
+    const double least = quarter * mean_of(work, samples);
+    if (!(least > 0)) return 0;
+    const auto count = std::count_if(work.wet.begin(), work.wet.end(), [&](std::uint32_t cell) {
+        return static_cast<double>(samples[cell]) >= least;
+    });
+    return static_cast<double>(count) / static_cast<double>(work.wet.size());
+}
+
+BrewFigures figures_of(const BrewWork& work, double base_viscosity, double base_density) {
     BrewFigures figures;
     const auto& fluid = work.brew.fluid;
-    double viscosity = base_viscosity;
+    double viscosity = fluid.settings.viscosity;
     std::optional<std::size_t> newest;
     for (std::size_t s = 0; s < work.brew.contents.size(); ++s) {
         if (work.brew.contents[s] == no_ingredient) continue;
@@ -47,8 +58,12 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
         figures.density += fluid.settings.substances[s].weight * mean;
         newest = s;
     }
-    if (newest) figures.mixing = fluid::mixing(fluid, *newest);
+    if (newest) {
+        figures.mixing = fluid::mixing(fluid, *newest);
+        figures.reached = reached_share(work, fluid.now.substances[*newest]);
+    }
     figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
+    figures.density *= base_density;
     figures.speed = mean_speed(work);
     return figures;
 }
@@ -58,27 +73,36 @@ bool does_something(const Strokes& strokes) {
                        [](const Stroke& s) { return s.ingredient != no_ingredient || s.impulse != vec3(0); });
 }
 
-void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
+void apply(const CauldronRules& rules, const ChangedBrew& changes, const Strokes& strokes, Brew& brew) {
     for (std::uint32_t i = 0; i < strokes.count; ++i) {
         const auto& stroke = strokes.list[i];
         if (stroke.ingredient != no_ingredient) {
             drop(brew, rules, stroke.ingredient, stroke.place, stroke.radius, stroke.amount);
         } else if (stroke.impulse != vec3(0)) {
-            fluid::push(brew.fluid,
-                        {stroke.place - brew.corner, stroke.radius, stroke.impulse / rules.density});
+            fluid::push(brew.fluid, {stroke.place - brew.corner, stroke.radius,
+                                     stroke.impulse / (rules.density * changes.density)});
         }
     }
 }
 
+/// Gives the solver the numbers of the changed brew.
+void apply_changes(const CauldronRules& rules, const ChangedBrew& changes, Brew& brew) {
+    brew.fluid.settings.viscosity = rules.viscosity * changes.viscosity;
+    brew.surface.settings.tension = rules.surface.tension * changes.elasticity;
+}
+
 /// Starts the fluid step that takes the strokes in `current`.
-void begin_step(const CauldronRules& rules, BrewSolver& solver, Cauldron& cauldron) {
+void begin_step(const MatchData& data, BrewSolver& solver, Cauldron& cauldron) {
     auto& work = *solver.work;
-    apply(rules, cauldron.current, work.brew);
+    const auto& rules = *data.cauldron;
+    const auto& changes = changes_of(data, cauldron);
+    apply_changes(rules, changes, work.brew);
+    apply(rules, changes, cauldron.current, work.brew);
     cauldron.contents = work.brew.contents;
     cauldron.step_running = 1;
-    work.step = solver.jobs.run([&work, viscosity = rules.viscosity] {
+    work.step = solver.jobs.run([&work, viscosity = rules.viscosity, density = changes.density] {
         work.report = fluid::advance(work.brew.fluid, fluid_dt);
-        work.figures = figures_of(work, viscosity);
+        work.figures = figures_of(work, viscosity, density);
     });
 }
 
@@ -88,6 +112,7 @@ void end_step(ecs::World& world, BrewWork& work, Cauldron& cauldron, Tick tick) 
     cauldron.newest ^= 1U;
     cauldron.stepped = tick;
     cauldron.mixing = work.figures.mixing;
+    cauldron.reached = work.figures.reached;
     cauldron.viscosity = work.figures.viscosity;
     cauldron.density = work.figures.density;
     cauldron.speed = work.figures.speed;
@@ -105,13 +130,15 @@ void pour_away(Brew& brew) {
 void step_fluid(MatchContext& context, BrewSolver& solver, Cauldron& cauldron, Tick tick) {
     auto& work = *solver.work;
     if (cauldron.step_running != 0) end_step(context.world, work, cauldron, tick);
-    const bool stroked = does_something(cauldron.next) || cauldron.spoilt != 0;
+    const bool stroked =
+        does_something(cauldron.next) || cauldron.spoilt != 0 || cauldron.potion != cauldron.fluid_potion;
     if (cauldron.spoilt != 0) pour_away(work.brew);
     cauldron.spoilt = 0;
     if (!stroked && work.brew.fluid.now.asleep) return;
     cauldron.current = cauldron.next;
     cauldron.next = {};
-    begin_step(*context.data.cauldron, solver, cauldron);
+    cauldron.fluid_potion = cauldron.potion;
+    begin_step(context.data, solver, cauldron);
 }
 
 /// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
@@ -179,7 +206,8 @@ void rebuild_brew(MatchContext& context, BrewSolver& solver) {
     read_surface(context.world, cauldron, brew.surface);
     // Haptic data is read again from the restored state.
     for (auto& model : context.output.models.write()) model.fluid = {};
-    if (cauldron.step_running != 0) begin_step(*context.data.cauldron, solver, cauldron);
+    apply_changes(*context.data.cauldron, changes_of(context.data, cauldron), brew);
+    if (cauldron.step_running != 0) begin_step(context.data, solver, cauldron);
 }
 
 void touch_brew(MatchContext& context, BrewSolver& solver) {
@@ -222,6 +250,11 @@ double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place) {
 double share_of_step(const Cauldron& cauldron, Tick tick) {
     const auto since = static_cast<double>(tick - cauldron.stepped);
     return std::min(1.0, since / static_cast<double>(fluid_period));
+}
+
+const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron) {
+    static const ChangedBrew none;
+    return cauldron.fluid_potion < data.recipes.size() ? data.recipes[cauldron.fluid_potion].fluid : none;
 }
 
 vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick tick) {

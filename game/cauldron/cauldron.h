@@ -24,7 +24,7 @@ inline constexpr double surface_dt = seconds(surface_period);
 
 /// Averages over the whole brew.
 struct BrewFigures {
-    double mixing{}, viscosity{1}, density{1}, speed{};  ///< the figures of the component Cauldron
+    double mixing{}, reached{}, viscosity{1}, density{1}, speed{};  ///< the figures of the component Cauldron
 };
 
 /// Solver memory of a match's brew.
@@ -81,6 +81,9 @@ double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place);
 /// Blend between the newest two fluid states: 0 at the older, 1 at the newer one step after it was taken.
 /// Readers interpolate with it during a step.
 double share_of_step(const Cauldron& cauldron, Tick tick);
+
+/// What the present fluid step makes of the pure brew's numbers.
+const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron);
 
 /// Velocity of the brew at a place and tick (m/s, world). Zero outside the brew.
 vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick tick);

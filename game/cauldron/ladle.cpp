@@ -52,20 +52,23 @@ vec3 velocity_of(const HandFrame& frame, const HandState& hand_state) {
 
 haptics::FlowSource source_of(const MatchContext& context, const Brew& brew, std::size_t which) {
     const auto& rules = *context.data.cauldron;
+    const auto& changes = changes_of(context.data, context.world.single<Cauldron>());
+    const double density = rules.density * changes.density;
     const auto fields = fields_of(context.world, which, brew.fluid, field::Kernel::linear);
     const auto in_brew = [&](field::Grid grid) {
         grid.origin += brew.corner;
         return grid;
     };
-    haptics::FlowSource source{.viscosity = rules.density * rules.viscosity, .density = rules.density};
+    haptics::FlowSource source{.viscosity = density * rules.viscosity * changes.viscosity,
+                               .density = density};
     for (std::size_t axis = 0; axis < 3; ++axis)
         source.velocity.component[axis] = in_brew(fields.velocity.component[axis]);
     for (std::size_t s = 0; s < brew.contents.size(); ++s) {
         if (brew.contents[s] == no_ingredient) continue;
         const auto& substance = rules.ingredients[brew.contents[s]].substance;
         source.substances[s] = {.amount = in_brew(fields.substances[s]),
-                                .viscosity = rules.density * substance.viscosity,
-                                .density = rules.density * substance.weight};
+                                .viscosity = density * substance.viscosity,
+                                .density = density * substance.weight};
     }
     return source;
 }
@@ -93,6 +96,11 @@ haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
     return wall;
 }
 
+double stirred_mass(const MatchData& data, const Cauldron& cauldron) {
+    return data.cauldron->density * changes_of(data, cauldron).density *
+           fluid::pushed_volume(data.cauldron->ladle.radius);
+}
+
 /// Sets the part of the fluid model that stays constant while a player stirs.
 void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron,
                  const Ladle& ladle, std::uint32_t player, haptics::FluidTouch& touch) {
@@ -107,7 +115,7 @@ void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron
                        .newtons_per_newton = rules.newtons_per_newton},
              .drag = {.viscous = rules.viscous,
                       .form = rules.form,
-                      .stirred_mass = data.density * fluid::pushed_volume(rules.radius),
+                      .stirred_mass = stirred_mass(context.data, cauldron),
                       .height = rules.height},
              .wall = wall_of(rules, basin),
              .ladle = {.mass = rules.mass, .stiffness = rules.stiffness, .damping = rules.damping}};
@@ -153,6 +161,7 @@ void feel_brew(const MatchContext& context, const BrewWork& work, const HandStat
     const auto& surface = work.brew.surface;
     const bool begins = touch.number == 0;
     if (begins) begin_touch(context, work.basin, cauldron, ladle, player, touch);
+    touch.drag.stirred_mass = stirred_mass(context.data, cauldron);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
     const vec3 place =
         haptics::nearest_in_bowl(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));

@@ -7,6 +7,7 @@
 #include "ecs/component.h"
 #include "game/components/ingredient.h"
 #include "game/components/match.h"
+#include "game/components/potions.h"
 #include "game/components/wizard.h"
 
 namespace thaum::game {
@@ -57,6 +58,23 @@ struct BrewBursts {
     }
 };
 
+/// Why a step of a recipe does not fit. The first four spoil the recipe: nothing comes of the brew any more.
+enum class BrewFault : std::uint32_t {
+    none,
+    order,       ///< no recipe has this ingredient here
+    early,       ///< the next ingredient came before its moment
+    late,        ///< the next step came after its moment
+    off,         ///< a stroke for a brew from which nothing can come
+    full,        ///< a fourth ingredient: the brew holds three
+    soon,        ///< the first stroke came before its moment
+    unfinished,  ///< a stroke for a brew that lacks an ingredient, or holds none
+    foreign,     ///< a stroke for the foe's brew
+    gesture,     ///< another gesture comes next
+    sense,       ///< a circle in the wrong sense
+    gentle,      ///< a stroke that was too gentle
+    hard         ///< a stroke that was too hard
+};
+
 /// State of the cauldron. The brew frame has its origin at `middle` and the axes of the world
 /// (game/brew/brew.h).
 struct Cauldron {
@@ -80,6 +98,9 @@ struct Cauldron {
     Tick begun{};
     /// How evenly the newest ingredient is spread: 1 - coefficient of variation, at least 0.
     double mixing{};
+    /// Share of the brew that the newest ingredient has reached, 0 to 1: where it has at least a quarter of its mean
+    /// density. The windows of recipes are ranges of it.
+    double reached{};
     double viscosity{1};  ///< mean over the brew, relative to pure brew
     double density{1};    ///< mean over the brew, relative to pure brew
     double speed{};       ///< mean over the brew (m/s)
@@ -88,6 +109,12 @@ struct Cauldron {
     Tick boon_until{};                  ///< tick before which the boon heals
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals
     std::uint32_t boon_given{};         ///< 1: this brew has already given its boon
+    Tick more_time{};                   ///< time that right ingredients have added until the brew spoils
+    std::uint32_t strokes_done{};       ///< number of right strokes so far
+    BrewFault fault{};                  ///< what has spoilt the recipe; none: a potion can still come of it
+    std::uint32_t potion{no_potion};    ///< potion that has changed the brew; no_potion: the brew is as usual
+    std::uint32_t fluid_potion{no_potion};  ///< value of `potion` that the present fluid step goes by
+    Tick potion_until{};                    ///< tick before which the brew stays changed
     static constexpr std::string_view name = "Cauldron";
     static constexpr auto fields() {
         using C = Cauldron;
@@ -97,10 +124,13 @@ struct Cauldron {
             field("rise", &C::surface_speed), field("surface_asleep", &C::surface_asleep),
             field("newest", &C::newest), field("under_way", &C::step_running), field("owner", &C::owner),
             field("spoilt", &C::spoilt), field("stepped", &C::stepped), field("bursts", &C::bursts),
-            field("begun", &C::begun), field("mixing", &C::mixing), field("viscosity", &C::viscosity),
-            field("density", &C::density), field("speed", &C::speed), field("mixed_since", &C::mixed_since),
-            field("boon_until", &C::boon_until), field("boon_for", &C::boon_for),
-            field("boon_given", &C::boon_given));
+            field("begun", &C::begun), field("mixing", &C::mixing), field("reached", &C::reached),
+            field("viscosity", &C::viscosity), field("density", &C::density), field("speed", &C::speed),
+            field("mixed_since", &C::mixed_since), field("boon_until", &C::boon_until),
+            field("boon_for", &C::boon_for), field("boon_given", &C::boon_given),
+            field("more_time", &C::more_time), field("strokes_done", &C::strokes_done),
+            field("fault", &C::fault), field("potion", &C::potion), field("fluid_potion", &C::fluid_potion),
+            field("potion_until", &C::potion_until));
     }
 };
 

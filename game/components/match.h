@@ -76,7 +76,16 @@ enum class EventKind : std::uint32_t {
     unfocused = 22,  ///< a spell failed for lack of focus; detail: its number; amount: the focus that lacked
     fizzled = 23,    ///< a spell had nothing to act on; detail: its number
     held_off = 24,   ///< a shield took harm; detail: EventKind of the harm; amount: that harm (HP)
-    pushed = 25      ///< a spell pushed a wizard; amount: the speed that it gave (m/s)
+    pushed = 25,     ///< a spell pushed a wizard; amount: the speed that it gave (m/s)
+    // Numbers from 32 on are those of potions.
+    potion = 32,       ///< a wizard has brewed and drunk a potion; detail: its number; amount: time (s)
+    potion_over = 33,  ///< a potion ends to act on a wizard; detail: its number
+    brew_step = 34,    ///< a step of a recipe was right; detail: number of right strokes, 0: an ingredient
+    brew_fault = 35,   ///< a step of a recipe was wrong; detail: BrewFault
+    poison = 36,       ///< poison hurts a wizard
+    recipe_told = 37,  ///< a player learns a drawn recipe; detail: potion, then its ingredients, 8 bits each
+    work_half = 38,    ///< a wizard holds half of the Great Work
+    work_lost = 39     ///< a wizard has lost it by death
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

@@ -81,12 +81,22 @@ struct Health {
     Tick foe_did_at{};         ///< tick at which the other player last hurt this wizard; 0: never
     double ward{};             ///< harm that a shield still takes in the wizard's place (HP)
     Tick ward_until{};         ///< tick at which that shield ends
+    double harm_share{1};      ///< share of every harm that a potion leaves, before `hardened_until`
+    Tick hardened_until{};
+    double poison{};  ///< harm by a poison before `poisoned_until` (HP/s)
+    Tick poisoned_until{};
+    std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Health";
     static constexpr auto fields() {
         return std::tuple(field("points", &Health::points), field("shielded_until", &Health::shielded_until),
                           field("hurt_at", &Health::hurt_at), field("hurt_by", &Health::hurt_by),
                           field("hurt_how", &Health::hurt_how), field("foe_did_at", &Health::foe_did_at),
-                          field("ward", &Health::ward), field("ward_until", &Health::ward_until));
+                          field("ward", &Health::ward), field("ward_until", &Health::ward_until),
+                          field("harm_share", &Health::harm_share),
+                          field("hardened_until", &Health::hardened_until), field("poison", &Health::poison),
+                          field("poisoned_until", &Health::poisoned_until),
+                          field("poisoned_by", &Health::poisoned_by), field("spare", &Health::spare));
     }
 };
 
@@ -121,10 +131,15 @@ struct WandBelt {
     std::uint32_t selected{};
     std::uint32_t fired{};                    ///< number of shots so far, over all wands
     std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
+    double venom{};      ///< harm that the next lob adds to those whom it hits (HP/s); 0: none
+    Tick venom_until{};  ///< tick before which that lob must be thrown
+    Tick venom_lasts{};  ///< time for which that harm goes on
     static constexpr std::string_view name = "WandBelt";
     static constexpr auto fields() {
         return std::tuple(field("selected", &WandBelt::selected), field("fired", &WandBelt::fired),
-                          field("energy", &WandBelt::energy));
+                          field("energy", &WandBelt::energy), field("venom", &WandBelt::venom),
+                          field("venom_until", &WandBelt::venom_until),
+                          field("venom_lasts", &WandBelt::venom_lasts));
     }
 };
 

@@ -8,6 +8,7 @@
 #include "game/components/cauldron.h"
 #include "game/components/fog.h"
 #include "game/components/moved_faders.h"
+#include "game/components/potions.h"
 #include "game/data/event_kinds.h"
 
 namespace thaum::game {
@@ -76,6 +77,8 @@ void declare_components(ecs::World& world) {
     world.declare<LastProp>();
     world.declare<Fog>();
     for (const auto& kind : spell_kinds()) kind.declare(world);
+    world.declare<Potions>();
+    world.declare<DrawnOrders>();
     // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();
@@ -116,7 +119,8 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
     auto& health = world.get<Health>(wizard);
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
-    const double held = tick < health.ward_until ? std::min(health.ward, hurt.points) : 0;
+    const double left = hurt.points * (tick < health.hardened_until ? health.harm_share : 1);
+    const double held = tick < health.ward_until ? std::min(health.ward, left) : 0;
     health.ward -= held;
     if (held > 0) {
         record(context, {.tick = tick,
@@ -127,7 +131,7 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
                          .amount = held,
                          .place = hurt.place});
     }
-    const double points = hurt.points - held;
+    const double points = left - held;
     if (points <= 0) return;
     health.points -= points;
     health.hurt_at = tick;

@@ -62,6 +62,22 @@ const RuleKind rule_kinds[] = {
       .placed = true,
       .has_subject = true}},
     {EventKind::pushed, {.name = "pushed", .cause = {}, .unit = "m/s", .placed = true, .has_subject = true}},
+    {EventKind::potion,
+     {.name = "potion",
+      .cause = {},
+      .with = EventWith::potion,
+      .unit = "s",
+      .placed = true,
+      .has_subject = true}},
+    {EventKind::potion_over,
+     {.name = "potion_over", .cause = {}, .with = EventWith::potion, .placed = true, .has_subject = true}},
+    {EventKind::brew_step, {.name = "brew_step", .cause = {}, .placed = true}},
+    {EventKind::brew_fault, {.name = "brew_fault", .cause = {}, .with = EventWith::fault, .placed = true}},
+    {EventKind::poison, hit_info("poison", "venom", 6)},
+    {EventKind::recipe_told,
+     {.name = "recipe_told", .cause = {}, .with = EventWith::recipe, .has_subject = true}},
+    {EventKind::work_half, {.name = "work_half", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::work_lost, {.name = "work_lost", .cause = {}, .placed = true, .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

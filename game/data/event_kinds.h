@@ -26,8 +26,11 @@ enum class EventWith : std::uint8_t {
     power_up,
     round,
     ingredient,
-    spell,   ///< Event::detail is the number of a spell
-    gesture  ///< Event::detail is the number of a gesture
+    spell,    ///< Event::detail is the number of a spell
+    gesture,  ///< Event::detail is the number of a gesture
+    potion,
+    fault,  ///< Event::detail is a BrewFault
+    recipe  ///< Event::detail is a drawn recipe, as EventKind::recipe_told has it
 };
 
 /// Meaning of the fields of one kind of event.

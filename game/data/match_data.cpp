@@ -6,6 +6,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/components/potions.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::game {
@@ -55,6 +56,9 @@ public:
     }
 
     const std::filesystem::path& assets() const { return assets_; }
+
+    /// Keeps an error that is in no single file.
+    void refuse(std::string message) { keep(Error{std::move(message)}); }
 
     std::optional<Error> error;
 
@@ -209,23 +213,27 @@ void load_wands(MatchData& data, Loader& loader) {
                                 .energy_cap = wand.stats.energy_cap,
                                 .energy_cost = wand.stats.energy_cost});
     }
+    shown->brew = brew_words_of(data);
     data.presentation = std::move(shown);
 }
 
-/// Names of the files in assets/gestures, sorted.
-std::vector<std::string> gesture_files(const std::filesystem::path& assets) {
+/// Names of all files of a folder that end with .toml, without that ending, sorted.
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
     std::vector<std::string> names;
     std::error_code ignored;
-    for (std::filesystem::directory_iterator it(assets / "gestures", ignored), end; it != end && !ignored;
-         it.increment(ignored))
-        if (it->path().extension() == ".toml") names.push_back("gestures/" + it->path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const auto& path = entry.path();
+        if (path.extension() == ".toml" && plain_name(path.stem().string()))
+            names.push_back(path.stem().string());
+    }
     std::sort(names.begin(), names.end());
     return names;
 }
 
 void load_gestures(MatchData& data, Loader& loader) {
     std::vector<gesture::Gesture> gestures;
-    for (const auto& file : gesture_files(loader.assets())) {
+    for (const auto& name : files_in(loader.assets() / "gestures")) {
+        const auto file = text("gestures/", name, ".toml");
         auto read = loader.load(file, [](const Config& config) {
             return std::optional<Expected<gesture::Gesture>>(gesture::read_gesture(config));
         });
@@ -278,6 +286,40 @@ void load_spells(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
+/// Reports recipes that ask for the same ingredients: nobody could tell which one a brew follows.
+void check_different(const std::vector<Recipe>& recipes, const std::optional<Config>& file, Loader& loader) {
+    const auto& last = recipes.back();
+    const auto like_last = [&](const Recipe& other) {
+        return std::equal(other.ingredients.begin(), other.ingredients.end(), last.ingredients.begin(),
+                          last.ingredients.end(), [](const RecipeIngredient& a, const RecipeIngredient& b) {
+                              return a.ingredient == b.ingredient;
+                          });
+    };
+    const auto same = std::find_if(recipes.begin(), recipes.end() - 1, like_last);
+    if (same == recipes.end() - 1) return;
+    loader.check_across(file, [&](const ConfigTable& root) {
+        root.report("ingredient", text("the ingredients are those of ", same->name));
+    });
+}
+
+/// Loads all recipes of assets/potions.
+void load_recipes(MatchData& data, Loader& loader) {
+    const auto names = files_in(loader.assets() / "potions");
+    if (names.size() > most_potions)
+        return loader.refuse(text("assets/potions: more than ", most_potions, " potions"));
+    std::vector<std::string> gestures;
+    for (const auto& one : data.gestures->gestures()) gestures.push_back(one.name);
+    for (const auto& name : names) {
+        std::optional<Config> kept;
+        const auto read = [&](const Config& file) {
+            kept = file;
+            return read_recipe(file, name, {data.cauldron->ingredients, gestures});
+        };
+        data.recipes.push_back(loader.load(text("potions/", name, ".toml"), read));
+        if (!loader.error) check_different(data.recipes, kept, loader);
+    }
+}
+
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -322,8 +364,9 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
             check_bowl(root, data);
         });
     }
-    load_wands(data, loader);
     load_spells(data, loader);
+    if (data.cauldron && data.gestures) load_recipes(data, loader);
+    load_wands(data, loader);
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);
     apply_rule_set(data);

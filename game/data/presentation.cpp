@@ -15,8 +15,8 @@ struct Known {
     std::string_view whose;
 };
 
-constexpr std::array<std::string_view, 7> word_names{"by",     "whom", "cause", "power_up",
-                                                     "amount", "gain", "spell"};
+constexpr std::array<std::string_view, 11> word_names{
+    "by", "whom", "cause", "power_up", "amount", "gain", "spell", "potion", "effect", "fault", "recipe"};
 
 /// Reads words, and reports braces without a known name.
 std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback) {
@@ -25,7 +25,9 @@ std::string read_words(const ConfigTable& table, std::string_view key, std::stri
         if (piece.plain.find_first_of("{}") != std::string::npos)
             table.report(
                 key,
-                text("'", key, "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}"));
+                text("'", key,
+                     "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, "
+                     "{effect}, {fault}, {recipe}"));
     }
     return words;
 }

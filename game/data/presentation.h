@@ -13,8 +13,8 @@
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
-// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain} and {spell}. A sound or an effect "{spell}" is that
-// of the spell's own file (game/data/spell.h).
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect}, {fault} and
+// {recipe}. A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
 #pragma once
 #include <memory>
 #include <optional>
@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "game/data/brew_words.h"
 #include "game/data/event_kinds.h"
 #include "game/data/wand_look.h"
 
@@ -37,7 +38,19 @@ enum class HudMark : std::uint8_t {
 };
 
 /// Names in braces that the words of a row may contain.
-enum class EventWord : std::uint8_t { by, whom, cause, power_up, amount, gain, spell };
+enum class EventWord : std::uint8_t {
+    by,
+    whom,
+    cause,
+    power_up,
+    amount,
+    gain,
+    spell,
+    potion,
+    effect,
+    fault,
+    recipe
+};
 
 /// Plain words, and the name in braces that follows them.
 struct WordsPiece {
@@ -94,6 +107,7 @@ struct Presentation {
     std::vector<SpellPresentation>
         spells;                           ///< indexed by the spell's number; empty if the match has no spells
     std::vector<WandPresentation> wands;  ///< in the order of MatchData::wands
+    BrewWords brew;
 };
 
 /// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.

@@ -22,7 +22,18 @@ std::string power_up_words(const Event& event) {
     return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
 }
 
-std::string word_of(EventWord word, const Event& event, const PlayerNames& names, std::string_view thing) {
+/// Name of a potion with a capital letter. A told recipe has the number in its lowest 8 bits.
+std::string potion_words(const Event& event, const BrewWords& brew) {
+    const bool told = event.kind == EventKind::recipe_told;
+    return capitalised(brew.potion(told ? event.detail & 0xFFU : event.detail));
+}
+
+std::string effect_words(const Event& event, const BrewWords& brew) {
+    return event.detail < brew.potions.size() ? brew.potions[event.detail].effect : std::string();
+}
+
+std::string word_of(EventWord word, const Event& event, const PlayerNames& names, const BrewWords& brew,
+                    std::string_view thing) {
     const auto named = [&](std::uint32_t player) {
         return player < players ? std::string(name_of(names, player)) : std::string();
     };
@@ -35,6 +46,10 @@ std::string word_of(EventWord word, const Event& event, const PlayerNames& names
         case EventWord::spell: return capitalised(name_of_spell(event.detail));
         case EventWord::gain:
             return event.detail == static_cast<std::uint32_t>(PowerUpKind::spark) ? "energy" : "health";
+        case EventWord::potion: return potion_words(event, brew);
+        case EventWord::effect: return effect_words(event, brew);
+        case EventWord::fault: return std::string(words_of_fault(static_cast<BrewFault>(event.detail)));
+        case EventWord::recipe: return words_of_order(brew, event.detail);
     }
     return {};
 }
@@ -51,11 +66,11 @@ const std::string& feed_pattern(const EventRow& row, const Event& event) {
 }
 
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
-                        std::string_view thing) {
+                        std::string_view thing, const BrewWords& brew) {
     std::string out;
     for (const auto& piece : pieces_of(pattern)) {
         out += piece.plain;
-        if (piece.word) out += word_of(*piece.word, event, names, thing);
+        if (piece.word) out += word_of(*piece.word, event, names, brew, thing);
     }
     return out;
 }

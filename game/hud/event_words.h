@@ -10,9 +10,9 @@
 namespace thaum::game {
 
 /// Fills the names in braces of a row's words (game/data/presentation.h), such as {by} and {cause}.
-/// `thing` is the thing that caused the event, such as "barrel"; empty: no thing.
+/// `thing` is the thing that caused the event, such as "barrel"; empty: no thing. `brew` names potions and ingredients.
 std::string event_words(const std::string& pattern, const Event& event, const PlayerNames& names,
-                        std::string_view thing = {});
+                        std::string_view thing = {}, const BrewWords& brew = {});
 
 /// Whether nobody but the player concerned caused the event.
 bool is_alone(const Event& event);

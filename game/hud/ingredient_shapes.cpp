@@ -1,5 +1,6 @@
 #include "game/hud/ingredient_shapes.h"
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "game/hud/arena_parts.h"
@@ -106,6 +107,20 @@ MeshData cloud() {
     return mesh;
 }
 
+/// A low cushion with stalks that end in buds.
+MeshData cushion() {
+    auto mesh = render::transformed(render::sphere(0.3F, 10, dull),
+                                    translated({0, -0.26F, 0}) * scaled({1, 0.28F, 1}));
+    for (int i = 0; i < 9; ++i) {
+        const float turn = 2.4F * static_cast<float>(i), out = 0.075F * std::sqrt(static_cast<float>(i));
+        const auto foot =
+            rotated(upright, turn) * translated({out, -0.22F, 0}) * rotated(along_z, -1.6F * out);
+        append(mesh, render::cylinder(0.012F, 0.3F, 5, dull), foot * translated({0, 0.15F, 0}));
+        append(mesh, render::sphere(0.035F, 6, pale), foot * translated({0, 0.31F, 0}));
+    }
+    return mesh;
+}
+
 }  // namespace
 
 MeshData ingredient_mesh(IngredientShape shape) {
@@ -116,6 +131,7 @@ MeshData ingredient_mesh(IngredientShape shape) {
         case IngredientShape::drops: return drops();
         case IngredientShape::feathers: return feathers();
         case IngredientShape::cloud: return cloud();
+        case IngredientShape::cushion: return cushion();
     }
     return heap();
 }
@@ -127,6 +143,7 @@ float ingredient_glow(IngredientShape shape) {
         case IngredientShape::feathers: return 0.12F;
         case IngredientShape::ingots: return 0.08F;
         case IngredientShape::drops: return 0.25F;
+        case IngredientShape::cushion: return 0.2F;
         case IngredientShape::cloud: return 0.4F;
     }
     return 0.4F;

@@ -110,7 +110,8 @@ void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, co
         const auto& fed = picture.feed[i];
         const auto& row = row_of(picture.shown->events, fed.event.kind);
         const bool alone = is_alone(fed.event);
-        const auto words = event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing);
+        const auto words =
+            event_words(feed_pattern(row, fed.event), fed.event, names, fed.thing, picture.shown->brew);
         const auto who = alone ? fed.event.subject : fed.event.by;
         add_text_on_plate(out, {{l.feed.low.x, top}, {l.feed.high.x, top + line}}, words, 14 * u,
                           opaque(team_colours(who).light), left ? Align::left : Align::right);
@@ -365,7 +366,8 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
     }
     if (captions && p.since_gift_s <= gift_seconds)
-        add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift, settings.names),
+        add(event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift, settings.names, {},
+                        picture.shown->brew),
             paints.white);
     return all;
 }

@@ -6,6 +6,7 @@
 #include "ecs/snapshot.h"
 #include "game/components/casting.h"
 #include "game/components/hand_state.h"
+#include "game/components/potions.h"
 #include "game/context/hand_forces.h"
 #include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
@@ -85,6 +86,8 @@ void move_match(const MatchContext& from, MatchContext& to) {
     to.world.single<Dice>() = from.world.single<Dice>();
     to.world.single<EventLog>() = from.world.single<EventLog>();
     if (const auto moved = moved_faders_in(from.world)) to.world.create(*moved);
+    if (from.world.count<DrawnOrders>() > 0 && to.world.count<DrawnOrders>() > 0)
+        to.world.single<DrawnOrders>() = from.world.single<DrawnOrders>();
 }
 
 void copy_world(const MatchContext& from, MatchContext& to) {

@@ -37,8 +37,8 @@ std::string kind_in_words(const KindTable* table, std::uint16_t number) {
 }  // namespace
 
 std::vector<KindTable> kind_tables(const MatchData& data) {
-    KindTable cause{"cause", {}}, event{"event", {}}, ingredient{"ingredient", {}}, power_up{"power_up", {}},
-        spell{"spell", {}}, wand{"wand", {}};
+    KindTable cause{"cause", {}}, event{"event", {}}, ingredient{"ingredient", {}}, potion{"potion", {}},
+        power_up{"power_up", {}}, spell{"spell", {}}, wand{"wand", {}};
     const auto& all = event_kinds();
     for (std::size_t i = 0; i < all.causes.size(); ++i) add(i, all.causes[i], cause);
     for (std::size_t i = 0; i < all.kinds.size(); ++i) add(i, all.kinds[i].name, event);
@@ -46,13 +46,16 @@ std::vector<KindTable> kind_tables(const MatchData& data) {
         const auto& ingredients = data.cauldron->ingredients;
         for (std::size_t i = 0; i < ingredients.size(); ++i) add(i, ingredients[i].name, ingredient);
     }
+    for (std::size_t i = 0; i < data.recipes.size(); ++i) add(i, data.recipes[i].name, potion);
     for (std::size_t i = 0; i < power_up_names.size(); ++i) add(i, power_up_names[i], power_up);
     if (data.gestures)
         for (std::size_t i = 0; i < spell_kinds().size(); ++i) add(i, spell_kinds()[i].name, spell);
     for (const auto& loaded : data.wands) add(loaded.stats.slot + 1, loaded.kind->name, wand);
     std::sort(wand.kinds.begin(), wand.kinds.end(),
               [](const Kind& a, const Kind& b) { return a.number < b.number; });
-    std::vector<KindTable> tables{cause, event, ingredient, power_up};
+    std::vector<KindTable> tables{cause, event, ingredient};
+    if (!potion.kinds.empty()) tables.push_back(potion);
+    tables.push_back(power_up);
     if (!spell.kinds.empty()) tables.push_back(spell);
     tables.push_back(wand);
     return tables;

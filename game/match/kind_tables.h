@@ -7,7 +7,7 @@
 
 namespace thaum::game {
 
-/// Tables "cause", "event", "ingredient", "power_up" and "wand". A wand's number is that of its key, as in input::DeviceSample::wand.
+/// Tables "cause", "event", "ingredient", "potion", "power_up" and "wand". A wand's number is that of its key, as in input::DeviceSample::wand.
 std::vector<input::KindTable> kind_tables(const MatchData& data);
 
 /// First difference between the tables of a log and those of this program, in one line; empty if there is none.

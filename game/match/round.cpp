@@ -39,6 +39,7 @@ void spawn_wizards(MatchContext& context) {
                                     Health{.points = rules.health, .hurt_by = no_player}, Blows{},
                                     full_belt(context.data), empty_hand_state(), Score{},
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
+        if (context.data.cauldron) world.add(e, Potions{});
         for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
         if (context.data.casting) world.add(e, LastProp{});
@@ -75,6 +76,8 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 void open_round(MatchContext& context, BrewSolver& solver) {
     const auto arms = arms_in(context.world);
     const auto faders = moved_faders_in(context.world);
+    std::optional<DrawnOrders> orders;
+    if (context.world.count<DrawnOrders>() > 0) orders = std::as_const(context.world).single<DrawnOrders>();
     clear_scene(context.world);
     spawn_arena(context.world, context.data.arena);
     spawn_cauldron(context, solver);
@@ -82,6 +85,7 @@ void open_round(MatchContext& context, BrewSolver& solver) {
     spawn_wizards(context);
     add_arms(context, arms);
     if (faders) context.world.create(*faders);
+    if (orders) context.world.create(*orders);
 }
 
 void add_round_system(MatchContext& context, ecs::Schedule& schedule) {

@@ -4,6 +4,7 @@
 #include "game/casting/casting.h"
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
+#include "game/cauldron/potions.h"
 #include "game/cauldron/splash.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
@@ -29,6 +30,7 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     add_splash_system(context, brew, schedule);
     add_brewing_systems(context, brew, schedule);
+    add_potion_systems(context, schedule);
     add_brew_systems(context, brew, schedule);
 }
 
@@ -50,6 +52,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_body_hooks(context);
     spawn_match(context.world, setup_.seed);
     open_round(context, brew_.write());
+    draw_orders(context, setup_.seed);
 
     add_arm_system(context, always_);
     add_controls_system(context, always_);

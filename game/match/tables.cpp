@@ -5,6 +5,7 @@
 #include "game/components/hand_state.h"
 #include "game/components/power_up.h"
 #include "game/context/arms.h"
+#include "game/data/brew_words.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -22,6 +23,12 @@ std::string name_of_gesture(const MatchContext& context, std::uint32_t player, s
     const auto* gestures = player < players ? gestures_of(context, player) : nullptr;
     const bool known = gestures != nullptr && number < gestures->gestures().size();
     return known ? gestures->gestures()[number].name : "";
+}
+
+/// A told recipe: "azoth: moss, salt, mist".
+std::string words_of_recipe(const MatchData& data, std::uint32_t detail) {
+    const auto words = brew_words_of(data);
+    return text(words.potion(detail & 0xFFU), ": ", words_of_order(words, detail));
 }
 
 struct Row {
@@ -83,6 +90,9 @@ std::string with_what(EventWith with, const Event& event, const Simulation& matc
         case EventWith::ingredient: return name_of_ingredient(match.data(), event.detail);
         case EventWith::spell: return std::string(name_of_spell(event.detail));
         case EventWith::gesture: return name_of_gesture(match.context(), event.by, event.detail);
+        case EventWith::potion: return std::string(brew_words_of(match.data()).potion(event.detail));
+        case EventWith::fault: return std::string(name_of_fault(static_cast<BrewFault>(event.detail)));
+        case EventWith::recipe: return words_of_recipe(match.data(), event.detail);
         case EventWith::round: return text("round ", event.detail);
     }
     return {};

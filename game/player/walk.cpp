@@ -1,6 +1,9 @@
 #include "game/player/walk.h"
 
+#include <algorithm>
+
 #include "game/cauldron/brewing.h"
+#include "game/cauldron/potions.h"
 
 namespace thaum::game {
 namespace {
@@ -33,22 +36,25 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "walk",
          .period = physics_period,
-         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron>(),
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron, Potions>(),
          .writes = world.mask<Controls, Stance, Health, EventLog, resource::Journal, resource::Physics>(),
          .needs = world.mask<Wizard>(),
          .run = [&context](ecs::World& w, Tick tick) {
              const auto& rules = context.data.wizard;
-             w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Without<Dead>>().each(
-                 [&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
-                     const Motion& motion, const Body&) {
+             w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Maybe<const Potions>,
+                    ecs::Without<Dead>>()
+                 .each([&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
+                           const Motion& motion, const Body&, const Potions* potions) {
                      const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
                          controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
                      // The body rests undisturbed, so the mover has nothing to do.
                      if (motion.asleep != 0 && !wishes) return;
+                     const double pace = pace_at(context.data, std::as_const(w), motion.position) *
+                                         pace_of(context.data, potions, tick);
                      auto abilities = rules.walk;
                      if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
-                     const double pace = pace_at(context.data, std::as_const(w), motion.position);
+                     abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the wish to this speed
                      const auto result = physics::move(
                          context.physics.write(), e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),

@@ -29,9 +29,10 @@ void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
 int verb_brew(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& cauldron = cauldron_of(play);
-    lua_createtable(lua, 0, 10);
+    lua_createtable(lua, 0, 11);
     arg::set_number(lua, "speed", cauldron.speed);
     arg::set_number(lua, "mixing", cauldron.mixing);
+    arg::set_number(lua, "reached", cauldron.reached);
     arg::set_number(lua, "viscosity", cauldron.viscosity);
     arg::set_number(lua, "density", cauldron.density);
     arg::push_place(lua, cauldron.middle);

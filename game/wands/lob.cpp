@@ -48,11 +48,14 @@ struct Lob {
     Tick bursts_at{};
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< key of the shooter's body
+    double venom{};           ///< harm that a potion adds to those whom the stone hits (HP/s)
+    Tick venom_lasts{};       ///< time for which that harm goes on
     static constexpr std::string_view name = "Lob";
     static constexpr auto fields() {
         return std::tuple(field("position", &Lob::position), field("velocity", &Lob::velocity),
                           field("bursts_at", &Lob::bursts_at), field("player", &Lob::player),
-                          field("shooter", &Lob::shooter));
+                          field("shooter", &Lob::shooter), field("venom", &Lob::venom),
+                          field("venom_lasts", &Lob::venom_lasts));
     }
 };
 
@@ -129,11 +132,15 @@ void begin(const WandUse& use, const LobData& data, LobHand& hand) {
 void shoot(const WandUse& use, const LobData& data, double share) {
     auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, data.radius);
+    auto& belt = world.get<WandBelt>(use.wizard);
+    const double venom = use.tick < belt.venom_until ? std::exchange(belt.venom, 0) : 0;
     world.commands().create(Lob{.position = muzzle.tip,
                                 .velocity = muzzle.ahead * data.speed.at(share),
                                 .bursts_at = use.tick + data.fuse,
                                 .player = std::as_const(world).get<Wizard>(use.wizard).player,
-                                .shooter = use.wizard.index});
+                                .shooter = use.wizard.index,
+                                .venom = venom,
+                                .venom_lasts = venom > 0 ? belt.venom_lasts : 0});
     note_shot(use, data.hit, muzzle.tip);
 }
 
@@ -206,7 +213,9 @@ void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 pla
            .fastest = data.fastest,
            .player = lob.player,
            .shooter = lob.shooter,
-           .how = data.hit},
+           .how = data.hit,
+           .venom = lob.venom,
+           .venom_lasts = lob.venom_lasts},
           tick);
 }
 

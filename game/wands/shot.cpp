@@ -60,6 +60,14 @@ void push(MatchContext& context, const Burst& burst, ecs::Entity e, double mass,
 
 void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, double points, Tick tick) {
     if (!context.world.has<Wizard>(e)) return;
+    if (burst.venom > 0 && points > 0 && !context.world.has<Dead>(e)) {
+        auto& health = context.world.get<Health>(e);
+        if (tick >= health.shielded_until) {
+            health.poison = burst.venom;
+            health.poisoned_until = tick + burst.venom_lasts;
+            health.poisoned_by = burst.player;
+        }
+    }
     hurt(context, e, tick, {.points = points, .by = burst.player, .how = burst.how, .place = burst.place});
 }
 

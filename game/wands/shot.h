@@ -60,6 +60,8 @@ struct Burst {
     EventKind how{};
     std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
     double struck_damage{};                  ///< harm to the struck body (HP)
+    double venom{};      ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
+    Tick venom_lasts{};  ///< time for which the poison hurts
 };
 /// Applies and records a burst. Reads Body, Motion, Wizard and Dead. Writes Health, Stance, EventLog,
 /// Prop, resource::Journal and resource::Physics.

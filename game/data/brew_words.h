@@ -1,0 +1,39 @@
+// game/data/brew_words.h: potions, ingredients and faults of brewing in words, for people.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/components/cauldron.h"
+
+namespace thaum::game {
+
+struct MatchData;
+
+/// Short name of a fault for tables and scenarios, such as "early"; empty for a number without a fault.
+std::string_view name_of_fault(BrewFault fault);
+/// What a player did wrong, and what to do: "Too early: stir on before the next ingredient".
+std::string_view words_of_fault(BrewFault fault);
+
+struct PotionWords {
+    std::string name, effect;
+};
+
+/// Names of a match's ingredients and potions, by their numbers.
+struct BrewWords {
+    std::vector<std::string> ingredients;
+    std::vector<PotionWords> potions;
+
+    std::string_view ingredient(std::uint32_t number) const {
+        return number < ingredients.size() ? std::string_view(ingredients[number]) : std::string_view();
+    }
+    std::string_view potion(std::uint32_t number) const {
+        return number < potions.size() ? std::string_view(potions[number].name) : std::string_view();
+    }
+};
+BrewWords brew_words_of(const MatchData& data);
+
+/// Ingredients of a told recipe in their order: "moss, salt, mist" (EventKind::recipe_told).
+std::string words_of_order(const BrewWords& words, std::uint32_t detail);
+
+}  // namespace thaum::game

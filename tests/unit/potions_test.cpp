@@ -1,0 +1,462 @@
+// Tests of potions: recipes step by step, what comes of right and wrong steps, and what a potion does to its wizard.
+#include "game/cauldron/potions.h"
+
+#include <fstream>
+#include <set>
+
+#include "game/cauldron/brewing.h"
+#include "game/match/kind_tables.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+constexpr std::uint32_t circle = 0, s = 1, star = 2, v = 3;
+
+StrokeReading drawn(std::uint32_t gesture, double force, double turns = 0) {
+    return {.gesture = gesture, .probability = 1, .force = force, .turns = turns};
+}
+
+/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse, and the share that an ingredient has
+/// reached is what the test says.
+class Kitchen {
+public:
+    explicit Kitchen(std::vector<std::string> overrides = {}, std::uint64_t seed = 1) {
+        overrides.emplace_back("cauldron.brew.cells_across=8");
+        auto setup = two_hands();
+        setup.seed = seed;
+        match_ = std::make_unique<Simulation>(duel_data(std::move(overrides)), setup);
+        place(0, {-2.2, 0, 0});
+        place(1, {15, 0, 15});
+        run(ticks(0.2));
+    }
+
+    Simulation& match() { return *match_; }
+    ecs::World& world() { return match_->world_to_change(); }
+    Cauldron& cauldron() { return world().single<Cauldron>(); }
+    ecs::Entity wizard(std::uint32_t player) { return wizard_of(world(), player); }
+    const Potions& potions(std::uint32_t player) { return world().get<Potions>(wizard(player)); }
+    Tick now() { return match_->match().played; }
+
+    void place(std::uint32_t player, vec3 feet) {
+        auto& motion = world().get<Motion>(wizard(player));
+        motion = standing_on(feet);
+        match_->physics().set_state(wizard(player).index, motion);
+    }
+
+    void run(Tick length, bool fire = false) {
+        for (Tick t = 0; t < length; ++t) {
+            input::InputFrame frame;
+            if (stirs_) frame.devices[0].press(input::Button::stir);
+            if (fire) frame.devices[0].press(input::Button::fire);
+            match_->tick(frame);
+        }
+    }
+
+    /// Drops an ingredient into a brew whose newest ingredient has reached this share.
+    void drop(std::string_view name, double reached = 0.4) {
+        const auto& all = match_->data().cauldron->ingredients;
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == name; });
+        ASSERT_NE(found, all.end());
+        world().add(wizard(0), Pouch{static_cast<std::uint32_t>(found - all.begin())});
+        for (Tick t = 0; t < 2 * gameplay_period && world().has<Pouch>(wizard(0)); ++t) {
+            cauldron().reached = reached;
+            run(1, true);
+        }
+        run(2 * fluid_period + gameplay_period);
+    }
+
+    void draw(const StrokeReading& reading, double reached = 0.4, std::uint32_t player = 0) {
+        cauldron().reached = reached;
+        brew_by_stroke(match_->context_to_change(), wizard(player), reading, now());
+    }
+
+    /// Number of events of a kind so far.
+    std::size_t count(EventKind kind) const {
+        std::size_t sum = 0;
+        const auto& events = match_->events();
+        for (auto i = events.first(); i < events.count(); ++i) sum += events[i].kind == kind ? 1 : 0;
+        return sum;
+    }
+    /// Detail of the newest event of a kind.
+    std::uint32_t newest(EventKind kind) const {
+        const auto& events = match_->events();
+        for (auto i = events.count(); i > events.first(); --i)
+            if (events[i - 1].kind == kind) return events[i - 1].detail;
+        return 0xFFFF'FFFF;
+    }
+    BrewFault fault() const {
+        return count(EventKind::brew_fault) == 0 ? BrewFault::none
+                                                 : static_cast<BrewFault>(newest(EventKind::brew_fault));
+    }
+    /// Name of the potion that was brewed last; empty: none.
+    std::string brewed() const {
+        const auto number = newest(EventKind::potion);
+        return number < match_->data().recipes.size() ? match_->data().recipes[number].name : std::string();
+    }
+    std::uint32_t number_of(std::string_view name) const {
+        const auto& all = match_->data().recipes;
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == name; });
+        return static_cast<std::uint32_t>(found - all.begin());
+    }
+    void stop_stirring() { stirs_ = false; }
+
+private:
+    Motion standing_on(vec3 feet) const {
+        Motion motion;
+        motion.position = feet + vec3(0, match_->data().wizard.height / 2, 0);
+        return motion;
+    }
+
+    std::unique_ptr<Simulation> match_;
+    bool stirs_ = true;
+};
+
+void brew_haste(Kitchen& kitchen) {
+    kitchen.drop("ember");
+    kitchen.drop("salt");
+    for (int i = 0; i < 3; ++i) kitchen.draw(drawn(circle, 0.6, 1));
+}
+
+TEST(Potions, EachRecipeGivesItsPotion) {
+    struct Brewing {
+        const char* name;
+        std::vector<const char*> ingredients;
+        std::vector<StrokeReading> strokes;
+    };
+    const Brewing all[] = {
+        {"haste", {"ember", "salt"}, {drawn(circle, 0.5, 1), drawn(circle, 0.5, 2)}},
+        {"ironhide", {"iron", "resin"}, {drawn(v, 1.6), drawn(v, 4)}},
+        {"feather", {"down", "mist"}, {drawn(s, 0.4)}},
+        {"venom", {"moss", "ember"}, {drawn(star, 1.2)}},
+    };
+    for (const auto& brewing : all) {
+        Kitchen kitchen;
+        for (const auto* one : brewing.ingredients) kitchen.drop(one);
+        for (const auto& stroke : brewing.strokes) {
+            EXPECT_EQ(kitchen.brewed(), "") << brewing.name;
+            kitchen.draw(stroke);
+        }
+        EXPECT_EQ(kitchen.brewed(), brewing.name);
+        EXPECT_EQ(kitchen.fault(), BrewFault::none) << brewing.name;
+        EXPECT_GT(kitchen.potions(0).until[kitchen.number_of(brewing.name)], kitchen.now()) << brewing.name;
+        EXPECT_EQ(kitchen.potions(1), Potions{}) << "the other wizard has drunk nothing";
+    }
+}
+
+TEST(Potions, AzothNeedsItsOwnOrderOfEachPlayer) {
+    Kitchen kitchen;
+    const auto& recipe = kitchen.match().data().recipes[kitchen.number_of("azoth")];
+    const auto mine = order_of(recipe, kitchen.world(), 0), foes = order_of(recipe, kitchen.world(), 1);
+    ASSERT_EQ(mine.count, 3U);
+    const auto name = [&](const RecipeOrder& order, std::size_t i) {
+        return kitchen.match().data().cauldron->ingredients[order.steps[i].ingredient].name;
+    };
+    EXPECT_FALSE(name(mine, 0) == name(foes, 0) && name(mine, 1) == name(foes, 1)) << "both have one order";
+    for (std::size_t i = 0; i < 3; ++i) kitchen.drop(name(mine, i));
+    EXPECT_EQ(kitchen.fault(), BrewFault::none);
+    for (const auto& stroke : {drawn(circle, 0.5, -3), drawn(v, 2), drawn(star, 1)}) kitchen.draw(stroke);
+    EXPECT_EQ(kitchen.brewed(), "azoth");
+    EXPECT_EQ(kitchen.potions(0).work_half, 1U);
+    EXPECT_EQ(kitchen.count(EventKind::work_half), 1U);
+
+    Kitchen other;
+    for (std::size_t i = 0; i < 3; ++i) other.drop(name(foes, i));
+    EXPECT_EQ(other.fault(), BrewFault::order) << "the foe's order is not mine";
+}
+
+TEST(Potions, OrdersFollowFromTheSeedAndDiffer) {
+    std::set<std::uint32_t> first;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Kitchen kitchen({}, seed), again({}, seed);
+        const auto& order = kitchen.world().single<DrawnOrders>().order;
+        EXPECT_EQ(order, again.world().single<DrawnOrders>().order);
+        EXPECT_NE(order[0], order[1]);
+        first.insert(order[0][0] * 9 + order[0][1] * 3 + order[0][2]);
+    }
+    EXPECT_GE(first.size(), 3U) << "of six possible orders";
+}
+
+TEST(Potions, BothPlayersAreToldTheirOrder) {
+    Kitchen kitchen;
+    kitchen.run(ticks(1.2));
+    std::vector<std::uint32_t> told;
+    const auto& events = kitchen.match().events();
+    for (auto i = events.first(); i < events.count(); ++i)
+        if (events[i].kind == EventKind::recipe_told) told.push_back(events[i].detail);
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_NE(told[0], told[1]);
+    const auto& recipe = kitchen.match().data().recipes[kitchen.number_of("azoth")];
+    const auto order = order_of(recipe, kitchen.world(), 0);
+    EXPECT_EQ((told[0] >> 8U) & 0xFFU, order.steps[0].ingredient);
+    EXPECT_EQ((told[0] >> 24U) & 0xFFU, order.steps[2].ingredient);
+}
+
+TEST(Potions, AWrongOrderSpoilsTheRecipe) {
+    Kitchen kitchen;
+    kitchen.drop("salt");
+    kitchen.drop("ember");
+    EXPECT_EQ(kitchen.fault(), BrewFault::order);
+    const auto health = kitchen.world().get<Health>(kitchen.wizard(0)).points;
+    for (int i = 0; i < 3; ++i) kitchen.draw(drawn(circle, 0.5, 1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::off);
+    EXPECT_EQ(kitchen.brewed(), "");
+    EXPECT_EQ(kitchen.world().get<Health>(kitchen.wizard(0)).points, health) << "it costs nothing but time";
+}
+
+TEST(Potions, TheMomentOfTheNextIngredientCounts) {
+    for (const auto& [reached, fault] : {std::pair(0.1, BrewFault::early), std::pair(0.9, BrewFault::late),
+                                         std::pair(0.3, BrewFault::none)}) {
+        Kitchen kitchen;
+        kitchen.drop("ember");
+        kitchen.drop("salt", reached);
+        EXPECT_EQ(kitchen.fault(), fault) << reached;
+        EXPECT_EQ(kitchen.cauldron().fault, fault) << reached;
+    }
+}
+
+TEST(Potions, TheMomentOfTheFirstStrokeCounts) {
+    Kitchen kitchen;
+    kitchen.drop("ember");
+    kitchen.drop("salt");
+    kitchen.draw(drawn(circle, 0.5, 1), 0.1);
+    EXPECT_EQ(kitchen.fault(), BrewFault::soon);
+    EXPECT_EQ(kitchen.cauldron().fault, BrewFault::none) << "an early stroke may be drawn again";
+    kitchen.draw(drawn(circle, 0.5, 1), 0.3);
+    EXPECT_EQ(kitchen.cauldron().strokes_done, 1U);
+    kitchen.draw(drawn(circle, 0.5, 2), 0.9);
+    EXPECT_EQ(kitchen.brewed(), "haste") << "later strokes may come whenever the wizard likes";
+
+    Kitchen late;
+    late.drop("ember");
+    late.drop("salt");
+    late.draw(drawn(circle, 0.5, 1), 0.9);
+    EXPECT_EQ(late.fault(), BrewFault::late);
+    late.draw(drawn(circle, 0.5, 3), 0.3);
+    EXPECT_EQ(late.fault(), BrewFault::off);
+}
+
+TEST(Potions, AStrokeThatDoesNotFitCostsOnlyItself) {
+    Kitchen kitchen;
+    kitchen.draw(drawn(circle, 0.5, 1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::unfinished) << "a pure brew";
+    kitchen.drop("ember");
+    kitchen.draw(drawn(circle, 0.5, 1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::unfinished) << "ember alone";
+    kitchen.drop("salt");
+    kitchen.draw({});
+    kitchen.draw(drawn(v, 0.5));
+    EXPECT_EQ(kitchen.fault(), BrewFault::gesture);
+    kitchen.draw(drawn(circle, 0.5, -1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::sense);
+    kitchen.draw(drawn(circle, 0.2, 1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::gentle);
+    kitchen.draw(drawn(circle, 1.2, 1));
+    EXPECT_EQ(kitchen.fault(), BrewFault::hard);
+    EXPECT_EQ(kitchen.cauldron().strokes_done, 0U);
+    EXPECT_EQ(kitchen.count(EventKind::brew_fault), 6U) << "a stroke without a gesture is nothing";
+    kitchen.draw(drawn(circle, 0.5, 3));
+    EXPECT_EQ(kitchen.brewed(), "haste");
+}
+
+TEST(Potions, TheFoesBrewTakesNoStrokes) {
+    Kitchen kitchen;
+    kitchen.drop("ember");
+    kitchen.drop("salt");
+    kitchen.draw(drawn(circle, 0.5, 3), 0.4, 1);
+    EXPECT_EQ(kitchen.fault(), BrewFault::foreign);
+    EXPECT_EQ(kitchen.brewed(), "");
+}
+
+TEST(Potions, AFourthIngredientIsKeptInTheHand) {
+    Kitchen kitchen;
+    for (const auto* one : {"ember", "salt", "iron"}) kitchen.drop(one);
+    kitchen.drop("moss");
+    EXPECT_EQ(kitchen.fault(), BrewFault::full);
+    EXPECT_TRUE(kitchen.world().has<Pouch>(kitchen.wizard(0)));
+    EXPECT_EQ(ingredients_in(kitchen.cauldron()), 3U);
+}
+
+TEST(Potions, ThePotionEmptiesTheBrewAndChangesItForAWhile) {
+    Kitchen kitchen;
+    kitchen.drop("down");
+    kitchen.drop("mist");
+    kitchen.draw(drawn(s, 0.5));
+    EXPECT_EQ(kitchen.cauldron().begun, 0U);
+    kitchen.run(4 * fluid_period);
+    EXPECT_EQ(ingredients_in(kitchen.cauldron()), 0U);
+    EXPECT_NEAR(kitchen.cauldron().density, 0.6, 1e-9);
+    EXPECT_TRUE(is_light(kitchen.match().data().cauldron->aura, kitchen.cauldron()));
+    EXPECT_GT(kitchen.cauldron().speed, 0.01) << "the light brew rises";
+    kitchen.stop_stirring();
+    kitchen.run(ticks(21));
+    EXPECT_NEAR(kitchen.cauldron().density, 1, 1e-9) << "pure again";
+    EXPECT_EQ(kitchen.count(EventKind::boiled_over), 0U) << "there is nothing left that could spoil";
+    EXPECT_EQ(kitchen.count(EventKind::potion_over), 1U);
+    EXPECT_EQ(kitchen.potions(0), Potions{});
+}
+
+TEST(Potions, ThicknessTensionAndSwirlFollow) {
+    Kitchen kitchen;
+    kitchen.drop("iron");
+    kitchen.drop("resin");
+    for (int i = 0; i < 2; ++i) kitchen.draw(drawn(v, 2));
+    kitchen.run(4 * fluid_period);
+    const auto& rules = *kitchen.match().data().cauldron;
+    EXPECT_NEAR(kitchen.cauldron().viscosity, 4, 1e-9);
+    EXPECT_NEAR(kitchen.match().brew()->brew.surface.settings.tension, 4 * rules.surface.tension, 1e-9);
+    EXPECT_TRUE(is_thick(rules.aura, kitchen.cauldron()));
+    EXPECT_LT(pace_at(kitchen.match().data(), kitchen.world(), {-2.2, 1, 0}), 1);
+
+    Kitchen haste;
+    brew_haste(haste);
+    haste.run(ticks(2));
+    const auto* work = haste.match().brew();
+    const auto& middle = haste.cauldron().middle;
+    // Clockwise from above: north of the middle it flows to the east.
+    EXPECT_GT(current_at(haste.world(), work, middle + vec3(0, -0.3, -0.7), haste.now()).x, 0.1);
+    EXPECT_GT(haste.cauldron().speed, 0.2);
+}
+
+TEST(Potions, HasteAndIronhideChangeTheWalk) {
+    const auto walked = [](auto brew) {
+        Kitchen kitchen;
+        brew(kitchen);
+        kitchen.stop_stirring();
+        kitchen.place(0, {-5, 0, -5});
+        const auto from = kitchen.world().get<Motion>(kitchen.wizard(0)).position;
+        for (Tick t = 0; t < 1000; ++t) {
+            input::InputFrame frame;
+            frame.devices[0].counts[input::hand::forward] = 127;
+            kitchen.match().tick(frame);
+        }
+        return glm::distance(from, kitchen.world().get<Motion>(kitchen.wizard(0)).position);
+    };
+    const double usual = walked([](Kitchen& kitchen) { kitchen.run(100); });
+    EXPECT_NEAR(usual, 4.5, 0.3);
+    EXPECT_NEAR(walked(brew_haste) / usual, 1.3, 0.03);
+    EXPECT_NEAR(walked([](Kitchen& kitchen) {
+                    kitchen.drop("iron");
+                    kitchen.drop("resin");
+                    for (int i = 0; i < 2; ++i) kitchen.draw(drawn(v, 2));
+                }) / usual,
+                0.9, 0.03);
+}
+
+TEST(Potions, IronhideTakesFourTenthsOfAHarm) {
+    Kitchen kitchen;
+    kitchen.drop("iron");
+    kitchen.drop("resin");
+    for (int i = 0; i < 2; ++i) kitchen.draw(drawn(v, 2));
+    const auto& health = kitchen.world().get<Health>(kitchen.wizard(0));
+    const double before = health.points;
+    const auto hit = [&] {
+        hurt(kitchen.match().context_to_change(), kitchen.wizard(0), kitchen.now(),
+             {.points = 10, .by = 1, .how = hit_kind("bolt_hit")});
+    };
+    hit();
+    EXPECT_NEAR(before - health.points, 6, 1e-9);
+    kitchen.run(ticks(12.1));
+    const double later = health.points;
+    hit();
+    EXPECT_NEAR(later - health.points, 10, 1e-9) << "the potion has worn off";
+}
+
+TEST(Potions, PoisonHurtsOnceASecond) {
+    Kitchen kitchen;
+    auto& health = kitchen.world().get<Health>(kitchen.wizard(1));
+    health.poison = 4;
+    health.poisoned_until = kitchen.now() + ticks(8);
+    health.poisoned_by = 0;
+    health.shielded_until = 0;
+    kitchen.run(ticks(9));
+    EXPECT_EQ(kitchen.count(EventKind::poison), 8U);
+    EXPECT_NEAR(kitchen.world().get<Health>(kitchen.wizard(1)).points, 100 - 32, 1e-9);
+}
+
+TEST(Potions, DeathTakesAllPotions) {
+    Kitchen kitchen;
+    brew_haste(kitchen);
+    kitchen.world().get<Potions>(kitchen.wizard(0)).work_half = 1;
+    kitchen.world().get<Health>(kitchen.wizard(0)).points = 0;
+    kitchen.run(3 * gameplay_period);
+    EXPECT_EQ(kitchen.potions(0), Potions{});
+    EXPECT_EQ(kitchen.count(EventKind::work_lost), 1U);
+    EXPECT_EQ(kitchen.count(EventKind::potion_over), 0U);
+}
+
+TEST(Potions, ARestoredBrewGoesOnToTheSameBits) {
+    Kitchen kitchen;
+    brew_haste(kitchen);
+    while (kitchen.match().now() % keyframe_interval != 0) kitchen.run(1);
+    Bytes saved;
+    kitchen.match().save(saved);
+    const auto at = kitchen.match().now();
+    kitchen.run(400);
+    const auto expected = kitchen.match().state_hash();
+    Kitchen again;
+    ASSERT_TRUE(again.match().restore(saved, at));
+    again.run(400);
+    EXPECT_EQ(again.match().state_hash(), expected);
+}
+
+TEST(Potions, SpoilingForgetsHowLongTheBrewWasMixed) {
+    Kitchen kitchen({"cauldron.brewing.spoils_after_s=1", "cauldron.boon.mixed=0"});
+    kitchen.drop("ember");
+    kitchen.run(ticks(0.5));
+    EXPECT_NE(kitchen.cauldron().mixed_since, 0U);
+    kitchen.stop_stirring();
+    while (kitchen.count(EventKind::boiled_over) == 0) kitchen.run(1);
+    EXPECT_EQ(kitchen.cauldron().mixed_since, 0U);
+}
+
+TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
+    namespace fs = std::filesystem;
+    auto folder = (fs::temp_directory_path() / "thaum-potions-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+    const auto copy = fs::path(folder) / "assets";
+    fs::copy(assets(), copy, fs::copy_options::recursive);
+    const auto refused = [&](const std::string& more) {
+        std::ofstream(copy / "potions" / "brine.toml")
+            << "version = 1\n[[ingredient]]\nname = \"salt\"\nleast = 0.1\nmost = 1\n[[stroke]]\ngesture = "
+               "\"s\"\n"
+               "[fluid]\nlasts_s = 1\n[wizard]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \"x\"\n"
+            << more;
+        const auto data = load_match_data(copy, {});
+        return data ? std::string("accepted") : data.error().message;
+    };
+    EXPECT_EQ(refused(""), "accepted");
+    EXPECT_NE(refused("[[ingredient]]\nname = \"sand\"\nleast = 0\nmost = 1\n").find("no ingredient 'sand'"),
+              std::string::npos);
+    EXPECT_NE(refused("[[stroke]]\ngesture = \"loop\"\n").find("no gesture 'loop'"), std::string::npos);
+    EXPECT_NE(refused("colour_of_foam = 1\n").find("colour_of_foam"), std::string::npos);
+    EXPECT_NE(refused("[[ingredient]]\nname = \"salt\"\nleast = 0\nmost = 1\n").find("may come once"),
+              std::string::npos);
+    EXPECT_NE(refused("[[stroke]]\ngesture = \"v\"\nleast_n = 2\nmost_n = 1\n").find("less than"),
+              std::string::npos);
+    fs::copy_file(copy / "potions" / "haste.toml", copy / "potions" / "brine.toml",
+                  fs::copy_options::overwrite_existing);
+    const auto twin = load_match_data(copy, {});
+    ASSERT_FALSE(twin);
+    EXPECT_NE(twin.error().message.find("those of brine"), std::string::npos) << twin.error().message;
+    fs::remove_all(folder);
+}
+
+TEST(Potions, ALogNamesThem) {
+    const auto data = duel_data();
+    const auto tables = kind_tables(*data);
+    const auto found =
+        std::find_if(tables.begin(), tables.end(), [](const auto& table) { return table.group == "potion"; });
+    ASSERT_NE(found, tables.end());
+    EXPECT_EQ(found->kinds.size(), data->recipes.size());
+    const auto file = std::find_if(data->files.begin(), data->files.end(),
+                                   [](const auto& one) { return one.name == "potions/haste.toml"; });
+    EXPECT_NE(file, data->files.end()) << "a changed recipe must be noticed by a replay";
+    const auto changed = duel_data({"haste.wizard.pace=2"});
+    EXPECT_EQ(changed->recipes[2].gift.pace, 2);
+}
+
+}  // namespace
+}  // namespace thaum::game::test
