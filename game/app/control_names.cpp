@@ -46,7 +46,8 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
     game::ControlNames names{.fire = first_label(bindings, Action::fire),
                              .stir = first_label(bindings, Action::stir),
                              .throw_ = first_label(bindings, Action::throw_),
-                             .next_wand = first_label(bindings, Action::next_wand)};
+                             .next_wand = first_label(bindings, Action::next_wand),
+                             .trace = first_label(bindings, Action::trace)};
     names.move = directions(bindings,
                             {Action::move_forward, Action::move_left, Action::move_back, Action::move_right});
     names.look = bindings.mouse_look ? std::string("Mouse")

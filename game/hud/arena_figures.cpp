@@ -124,8 +124,6 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
                        p.carried_colour, out);
 }
 
-namespace {
-
 void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
               std::vector<Instance>& out) {
     const vec3 way = to - from;
@@ -138,6 +136,8 @@ void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, f
                    .tint = tint,
                    .glow = 0.7F});
 }
+
+namespace {
 
 /// Colour of the present force, by its share of the limit (linear light).
 fvec3 tint_of(const ForcePicture& force) {

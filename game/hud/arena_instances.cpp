@@ -215,6 +215,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         if (player == viewer && !wizard.dead) {
             add_own_arm(arena_scene, player, wizard, out);
             add_drawn_shot(arena_scene, player, wizard, out);
+            add_ghost_stroke(arena_scene, picture, player, out);
             continue;
         }
         add_figure(arena_scene, player, wizard, out);

@@ -34,6 +34,9 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
 /// Adds the way of the shot that the player is drawing, and the spring of the drawn wand.
 void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                     std::vector<render::Instance>& out);
+/// Adds a straight beam of light of this thickness (m). `tint` is its colour (linear light).
+void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
+              std::vector<render::Instance>& out);
 /// Adds the spring from the wand to a held object. In a player's own view it also adds the force on the hand, at the
 /// wand's tip.
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
@@ -53,6 +56,9 @@ void add_ingredient(const ArenaScene& arena_scene, const fmat4& place, float sca
 inline constexpr float niche_height = 0.5F;
 /// Adds the ingredients that wait at their niches.
 void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
+/// Adds the shape of the next stroke on the brew, for a wizard who stirs (ghost_stroke.cpp).
+void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t player,
+                      std::vector<render::Instance>& out);
 /// Adds the brew with ladles, embers and bubbles.
 void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<render::Instance>& out);

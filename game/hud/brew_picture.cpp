@@ -6,6 +6,7 @@
 #include "game/brew/brew_state.h"
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/cauldron.h"
+#include "game/cauldron/potions.h"
 #include "game/components/hand_state.h"
 #include "game/match/simulation.h"
 
@@ -30,7 +31,8 @@ void take_state(const Simulation& match, const BrewWork& work, const Cauldron& c
         out.velocity_places[axis] = fluid.place(axis);
     }
     const auto& rules = *match.data().cauldron;
-    out.colours.base = fvec3(rules.colour);
+    const bool changed = cauldron.fluid_potion < match.data().recipes.size();
+    out.colours.base = fvec3(changed ? changes_of(match.data(), cauldron).colour : rules.colour);
     for (std::size_t s = 0; s < out.densities.size(); ++s) {
         out.densities[s].clear();
         if (cauldron.contents[s] >= rules.ingredients.size()) continue;
@@ -113,9 +115,12 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     out.owner = cauldron.owner;
     take_mixed(match, cauldron, out);
     out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
-    const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
+    const auto played = match.match().played, end = spoils_at(match.data(), cauldron);
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
-    out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after), 1e-3);
+    out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after + cauldron.more_time), 1e-3);
+    out.potion = cauldron.fluid_potion < match.data().recipes.size()
+                     ? std::string_view(match.data().recipes[cauldron.fluid_potion].name)
+                     : std::string_view();
     take_boon(rules.boon, cauldron, played, out);
     out.slows = is_thick(rules.aura, cauldron);
     out.lifts = is_light(rules.aura, cauldron);

@@ -48,6 +48,7 @@ struct CauldronPicture {
     std::array<std::optional<LadlePicture>, players> ladles{};
     /// Names of the ingredients; empty: free substance.
     std::array<std::string_view, fluid::substances_most> contents{};
+    std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
     std::uint32_t owner{no_player};
     double mixed{};  ///< share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share)
     double heat{};   ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards

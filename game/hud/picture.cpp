@@ -7,6 +7,7 @@
 #include "game/cauldron/ladle.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
+#include "game/hud/event_words.h"
 #include "game/tactile/felt_source.h"
 #include "game/wands/belt.h"
 #include "game/wands/shot.h"
@@ -164,11 +165,28 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
                      glm::length(motion.position - cauldron.middle) <
                          match.data().arena.bowl->size.radius + rules->ladle.reach + missed_rim_m;
     const auto* pouch = match.world().find<Pouch>(wizard);
+    if (out.stirs || out.at_rim)
+        take_recipe(match, match.world().get<Wizard>(wizard).player, wizard,
+                    pouch != nullptr ? pouch->ingredient : no_ingredient, out.recipe);
     if (pouch == nullptr) return;
     const auto& ingredient = rules->ingredients[pouch->ingredient];
     out.carries = ingredient.name;
     out.carried_colour = fvec3(ingredient.colour);
     out.carried_shape = ingredient.shape;
+}
+
+void take_potions(const Simulation& match, ecs::Entity wizard, const Health& health, PlayerPicture& out) {
+    const auto played = match.match().played;
+    out.poisoned_s = played < health.poisoned_until ? seconds(health.poisoned_until - played) : 0;
+    const auto* potions = match.world().find<Potions>(wizard);
+    if (potions == nullptr || out.dead) return;
+    out.work_half = potions->work_half != 0;
+    const auto& recipes = match.data().recipes;
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+        if (played >= potions->until.at(i)) continue;
+        out.potion_names.at(out.potions) = recipes[i].name;
+        out.potion_left_s.at(out.potions++) = seconds(potions->until.at(i) - played);
+    }
 }
 
 void take_niches(const Simulation& match, Picture& out) {
@@ -217,6 +235,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             if (!p.dead) take_draw(match, e, wand, hand_state, p);
             take_force(match, wizard.player, wand, hand_state, p.force);
             take_brewing(match, e, motion, p);
+            take_potions(match, e, health, p);
             if (!p.dead) take_target(match, e, wand, p);
         });
 }
@@ -288,7 +307,7 @@ void note(const EventJournal& events, std::uint64_t number, double age_s, Pictur
     note_mark(event, row.mark, age_s, out);
     if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
         out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
-    if (!row.feed.empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
+    if (!feed_pattern(row, event).empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
         out.feed[out.feed_lines++] = {age_s, event, thing_that_killed(events, number)};
 }
 

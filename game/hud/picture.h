@@ -9,9 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "game/components/potions.h"
 #include "game/context/arms.h"
 #include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
+#include "game/hud/recipe_picture.h"
 #include "game/match/result.h"
 #include "game/sound/heard.h"
 #include "haptics/safety.h"
@@ -124,10 +126,17 @@ struct PlayerPicture {
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
     fvec3 carried_colour{};      ///< its colour, linear light
     IngredientShape carried_shape{};
-    bool refilled{};    ///< true while stirring refills the wands
-    bool stirs{};       ///< true if the player holds a ladle
-    bool at_rim{};      ///< true if the player can start to stir
-    bool misses_rim{};  ///< true if the player presses Stir a few steps away from the rim
+    /// Potions that act on the wizard, and the time that is left (s); the first `potions`.
+    std::array<std::string_view, most_potions> potion_names{};
+    std::array<double, most_potions> potion_left_s{};
+    std::uint32_t potions{};
+    bool work_half{};      ///< true if the wizard holds half of the Great Work
+    double poisoned_s{};   ///< time for which poison will hurt the wizard; 0: none does
+    RecipePicture recipe;  ///< next step at the cauldron; for a player who stirs or can start to
+    bool refilled{};       ///< true while stirring refills the wands
+    bool stirs{};          ///< true if the player holds a ladle
+    bool at_rim{};         ///< true if the player can start to stir
+    bool misses_rim{};     ///< true if the player presses Stir a few steps away from the rim
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
     vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)

@@ -18,7 +18,8 @@ struct Offer {
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
     if (p.stirs) {
-        if (p.carries.empty()) return std::nullopt;
+        const bool too_soon = p.recipe.step == RecipeStep::ingredient && p.recipe.reached < p.recipe.least;
+        if (p.carries.empty() || too_soon) return std::nullopt;
         return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.carries)};
     }
     if (p.at_rim) return Offer{PromptKind::stir, &controls.stir, "Stir"};

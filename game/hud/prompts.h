@@ -11,7 +11,7 @@ namespace thaum::game {
 
 /// Names of one player's controls for prompts and the strip of wands: "E", "Left mouse", "RT". Empty: no control.
 struct ControlNames {
-    std::string fire{}, stir{}, throw_{}, next_wand{};
+    std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
     std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
     bool fire_toggles{}, stir_toggles{};                 ///< true: one press begins, and the next one ends

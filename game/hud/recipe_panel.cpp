@@ -1,0 +1,152 @@
+#include "game/hud/recipe_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/hud/event_words.h"
+#include "game/hud/overlay.h"
+
+namespace thaum::game {
+namespace {
+
+using render::ArcItem;
+using render::LineItem;
+using render::Overlay;
+using render::RectItem;
+
+constexpr float panel_high = 50, panel_wide = 196;  // units
+constexpr double most_shown_n = 2.5;                ///< force at the end of the band (N)
+
+std::string percent(double share) { return text(std::lround(100 * share), " %"); }
+
+std::string words_of_choices(const RecipePicture& recipe) {
+    std::string words;
+    for (std::uint32_t i = 0; i < recipe.choices; ++i) {
+        words += text(i == 0 ? "" : "   ", capitalised(recipe.choice_names.at(i)), ": ");
+        bool first = true;
+        for (const auto name : recipe.choice_ingredients.at(i)) {
+            if (name.empty()) continue;
+            words += text(first ? "" : ", ", name);
+            first = false;
+        }
+    }
+    return words;
+}
+
+std::string words_of_waiting(const RecipePicture& recipe) {
+    if (recipe.reached > recipe.most) return text(recipe.newest, " is mixed too far: let it boil over");
+    return text("stir until ", recipe.newest, " is mixed ", percent(recipe.least));
+}
+
+std::string_view words_of_sense(CircleSense sense) {
+    switch (sense) {
+        case CircleSense::any: break;
+        case CircleSense::clockwise: return " clockwise";
+        case CircleSense::counterclockwise: return " counterclockwise";
+    }
+    return "";
+}
+
+/// How hard: " gently", " hard", or nothing where any force does.
+std::string_view words_of_force(const RecipePicture& recipe) {
+    constexpr double harsh = 1.2;  // N
+    if (recipe.least_force >= harsh) return " hard";
+    return recipe.most_force < most_shown_n ? " gently" : "";
+}
+
+std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
+    const auto how = text(recipe.gesture, words_of_sense(recipe.sense), words_of_force(recipe));
+    const auto count =
+        recipe.times > 1 ? text(" (", recipe.done + 1, " of ", recipe.times, ")") : std::string();
+    const auto trace = controls.trace.empty() ? std::string("Trace") : text("[", controls.trace, "]");
+    return text(stirs ? "hold " : "stir, then hold ", trace, " and draw: ", how, count);
+}
+
+/// Shape of the next stroke with its start, and a dot that runs along it.
+void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float half, double seconds, float u) {
+    const std::span points(recipe.ghost.data(), recipe.ghost_points);
+    double largest = 1e-6;
+    for (const auto& point : points) largest = std::max({largest, std::abs(point.x), std::abs(point.y)});
+    const auto at = [&](std::size_t i) {
+        return centre + half / static_cast<float>(largest) * fvec2(vec2(points[i].x, -points[i].y));
+    };
+    for (std::size_t i = 1; i < points.size(); ++i)
+        out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
+    out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
+    constexpr double period = 1.6, rest = 0.25;  // s, share of the period at the end
+    const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - rest));
+    const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));
+    out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});
+}
+
+/// One dot for each stroke that is wanted: full ones are done.
+void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
+    for (std::uint32_t i = 0; i < recipe.times; ++i) {
+        const fvec2 centre = low + u * fvec2(6 + 14 * static_cast<float>(i), 6);
+        out.items.emplace_back(ArcItem{centre, 3.5F * u, 5.5F * u, 0, whole_turn, paints.white});
+        if (i < recipe.done)
+            out.items.emplace_back(ArcItem{centre, 0, 3.5F * u, 0, whole_turn, paints.white});
+    }
+}
+
+/// Bar of the force with the wanted band, and a mark at the present force.
+void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar, float u) {
+    const auto x = [&](double force) {
+        const auto share = static_cast<float>(std::clamp(force / most_shown_n, 0.0, 1.0));
+        return bar.low.x + share * (bar.high.x - bar.low.x);
+    };
+    out.items.emplace_back(RectItem{bar.low, bar.high, paints.track, 3 * u});
+    const bool inside = recipe.force >= recipe.least_force && recipe.force <= recipe.most_force;
+    out.items.emplace_back(RectItem{{x(recipe.least_force), bar.low.y},
+                                    {x(recipe.most_force), bar.high.y},
+                                    inside ? paints.white : paints.soft,
+                                    3 * u});
+    const float now = x(recipe.force);
+    out.items.emplace_back(LineItem{{now, bar.low.y - 4 * u}, {now, bar.high.y + 4 * u}, 5 * u, paints.dark});
+    out.items.emplace_back(
+        LineItem{{now, bar.low.y - 3 * u}, {now, bar.high.y + 3 * u}, 2.5F * u, paints.amber});
+}
+
+}  // namespace
+
+std::string words_of_step(const PlayerPicture& player, const ControlNames& controls) {
+    const auto& recipe = player.recipe;
+    const auto potion = capitalised(recipe.potion);
+    switch (recipe.step) {
+        case RecipeStep::none: return {};
+        case RecipeStep::choose: return words_of_choices(recipe);
+        case RecipeStep::spoilt: return "Nothing comes of this brew any more";
+        case RecipeStep::ingredient:
+            if (player.stirs && !recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
+            return text(potion, player.carries == recipe.next ? ": drop " : ": fetch ", recipe.next,
+                        player.carries == recipe.next ? " now" : " next");
+        case RecipeStep::stroke:
+            if (!recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
+            return text(potion, ": ", words_of_stroke(recipe, player.stirs, controls));
+    }
+    return {};
+}
+
+float recipe_panel_high(const RecipePicture& recipe) {
+    return recipe.step == RecipeStep::stroke && recipe.ghost_points > 1 ? panel_high : 0;
+}
+
+void add_recipe_panel(Overlay& out, const RecipePicture& recipe, const Panel& box, float top, double seconds,
+                      float u) {
+    if (recipe_panel_high(recipe) == 0) return;
+    const float wide = std::min(panel_wide * u, box.high.x - box.low.x);
+    const float left = (box.low.x + box.high.x - wide) / 2;
+    const fvec2 low(left, top + 2 * u), high(left + wide, top + (panel_high - 2) * u);
+    out.items.emplace_back(RectItem{low, high, paints.panel, 6 * u});
+    const float half = (high.y - low.y) / 2;
+    add_ghost(out, recipe, low + fvec2(half + 4 * u, half), half - 8 * u, seconds, u);
+    const float right = low.x + 2 * half + 12 * u;
+    add_dots(out, recipe, {right, low.y + 2 * u}, u);
+    const auto words = words_of_force(recipe);
+    add_text_in(out, {{right, low.y + 15 * u}, {high.x - 6 * u, low.y + 30 * u}},
+                words.empty() ? "any force" : words.substr(1), 12 * u, paints.white, render::Align::left);
+    add_force_band(out, recipe, {{right, low.y + 34 * u}, {high.x - 8 * u, low.y + 40 * u}}, u);
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,125 @@
+#include "game/hud/recipe_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/casting/casting.h"
+#include "game/cauldron/potions.h"
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+namespace {
+
+/// Signed area of a closed stroke; positive: counterclockwise, with y up (m^2).
+double area_of(std::span<const gesture::StrokePoint> points) {
+    double sum = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto &a = points[i].at, &b = points[(i + 1) % points.size()].at;
+        sum += a.x * b.y - b.x * a.y;
+    }
+    return sum / 2;
+}
+
+/// Puts the first template of a gesture into the picture, in the sense that the recipe wants.
+void take_ghost(const gesture::Gesture& gesture, CircleSense sense, double scale, RecipePicture& out) {
+    if (gesture.strokes.empty() || gesture.strokes.front().size() < 2) return;
+    const std::span points(gesture.strokes.front());
+    vec2 low(1e9), high(-1e9);
+    for (const auto& point : points) {
+        low = glm::min(low, vec2(point.at));
+        high = glm::max(high, vec2(point.at));
+    }
+    const double turns = area_of(points);
+    const bool mirrored = (sense == CircleSense::clockwise && turns > 0) ||
+                          (sense == CircleSense::counterclockwise && turns < 0);
+    for (std::size_t i = 0; i < most_ghost_points; ++i) {
+        const auto from = i * (points.size() - 1) / (most_ghost_points - 1);
+        const vec2 at = scale * (vec2(points[from].at) - (low + high) / 2.0);
+        out.ghost.at(i) = {mirrored ? -at.x : at.x, at.y};
+    }
+    out.ghost_points = most_ghost_points;
+}
+
+void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe& recipe,
+                 std::uint32_t player, RecipePicture& out) {
+    out.step = RecipeStep::stroke;
+    std::uint32_t done = cauldron.strokes_done;
+    out.begun = done > 0;
+    for (const auto& stroke : recipe.strokes) {
+        if (done >= stroke.times) {
+            done -= stroke.times;
+            continue;
+        }
+        out.gesture = stroke.gesture;
+        out.sense = stroke.sense;
+        out.done = done;
+        out.times = stroke.times;
+        out.least_force = stroke.least_force;
+        out.most_force = stroke.most_force;
+        const auto* gestures = gestures_of(match.context(), player);
+        const auto number = gestures != nullptr ? gestures->number(stroke.gesture) : std::nullopt;
+        if (number)
+            take_ghost(gestures->gestures()[*number], stroke.sense,
+                       match.data().cauldron->ladle.metres_per_metre, out);
+        return;
+    }
+}
+
+void take_choices(const Simulation& match, std::uint32_t player, const RecipeList& open, RecipePicture& out) {
+    out.step = open.count > 0 ? RecipeStep::choose : RecipeStep::none;
+    for (std::size_t i = 0; i < open.count; ++i) {
+        const auto& recipe = match.data().recipes[open.numbers[i]];
+        const auto order = order_of(recipe, match.world(), player);
+        out.choice_names.at(i) = recipe.name;
+        for (std::size_t k = 0; k < order.count; ++k)
+            out.choice_ingredients.at(i).at(k) =
+                match.data().cauldron->ingredients[order.steps[k].ingredient].name;
+    }
+    out.choices = static_cast<std::uint32_t>(open.count);
+}
+
+/// The recipe to show: one that wants what the wizard carries, or else the first.
+const Recipe& shown_recipe(const Simulation& match, std::uint32_t player, const RecipeList& open,
+                           std::size_t before, std::uint32_t carried) {
+    for (std::size_t i = 0; i < open.count; ++i) {
+        const auto& recipe = match.data().recipes[open.numbers[i]];
+        const auto order = order_of(recipe, match.world(), player);
+        if (before < order.count && order.steps[before].ingredient == carried) return recipe;
+    }
+    return match.data().recipes[open.numbers[0]];
+}
+
+}  // namespace
+
+void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wizard, std::uint32_t carried,
+                 RecipePicture& out) {
+    out = {};
+    const auto& data = match.data();
+    if (data.recipes.empty()) return;
+    const auto& cauldron = match.world().single<Cauldron>();
+    const auto open = recipes_open_to(data, match.world(), cauldron, player);
+    const auto before = ingredients_in(cauldron);
+    if (cauldron.begun == 0) return take_choices(match, player, open, out);
+    out.reached = cauldron.reached;
+    if (open.count == 0) {
+        out.step = RecipeStep::spoilt;
+        return;
+    }
+    const auto& recipe = shown_recipe(match, player, open, before, carried);
+    const auto order = order_of(recipe, match.world(), player);
+    const auto& names = data.cauldron->ingredients;
+    const auto& window = order.steps[before - 1];
+    out.potion = recipe.name;
+    out.newest = names[window.ingredient].name;
+    out.least = window.least;
+    out.most = window.most;
+    if (const auto* ladle = match.world().find<Ladle>(wizard)) {
+        out.force = data.cauldron->ladle.newtons_per_newton * glm::length(ladle->force);
+        out.yaw = ladle->yaw;
+    }
+    if (before >= order.count) return take_stroke(match, cauldron, recipe, player, out);
+    out.step = RecipeStep::ingredient;
+    out.next = names[order.steps[before].ingredient].name;
+}
+
+}  // namespace thaum::game
