@@ -6,6 +6,7 @@
 #include "game/components/power_up.h"
 #include "game/context/arms.h"
 #include "game/data/brew_words.h"
+#include "game/match/haptic_setup.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
