@@ -28,20 +28,19 @@ struct EightStrokes {
     Floats8 at(std::size_t place) const { return load8(values + place * lanes); }
 };
 
-template <std::size_t channels, class Strokes>
+template <std::size_t points, std::size_t channels, class Strokes>
 void warp8(Strokes stroke, const float* eight, float* result) {
     const Floats8 infinite = far + Floats8{};
-    std::array<Floats8, shape_points + 2> rows[2];
+    std::array<Floats8, points + 2> rows[2];
     rows[0].fill(infinite);
     rows[1].fill(infinite);
     rows[0][0] = Floats8{};
-    for (std::size_t i = 1; i <= shape_points; ++i) {
+    for (std::size_t i = 1; i <= points; ++i) {
         std::array<Floats8, channels> p;
         for (std::size_t c = 0; c < channels; ++c) p[c] = stroke.at((i - 1) * channels + c);
         auto& row = rows[i % 2];
         const auto& above = rows[(i + 1) % 2];
-        const std::size_t low = i > warp_band ? i - warp_band : 1,
-                          high = std::min(shape_points, i + warp_band);
+        const std::size_t low = i > warp_band ? i - warp_band : 1, high = std::min(points, i + warp_band);
         row[low - 1] = infinite;
         row[high + 1] = infinite;
         for (std::size_t j = low; j <= high; ++j) {
@@ -55,14 +54,24 @@ void warp8(Strokes stroke, const float* eight, float* result) {
         }
         rows[0][0] = infinite;
     }
-    const Floats8 sum = rows[shape_points % 2][shape_points] / static_cast<float>(shape_points);
+    const Floats8 sum = rows[points % 2][points] / static_cast<float>(points);
     std::memcpy(result, &sum, sizeof sum);
 }
 
-}  // namespace
+template <std::size_t points, class Strokes>
+std::array<float, lanes> distances_of(Strokes stroke, const EightOf<points>& eight, std::size_t channels) {
+    std::array<float, lanes> result{};
+    if (channels == planar_channels) {
+        warp8<points, planar_channels>(stroke, eight.values.data(), result.data());
+    } else {
+        warp8<points, solid_channels>(stroke, eight.values.data(), result.data());
+    }
+    return result;
+}
 
-void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
-    for (std::size_t i = 0; i < shape_points * channels; i += lanes) {  // transposes eight by eight
+template <std::size_t points>
+void transpose(EightOf<points>& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
+    for (std::size_t i = 0; i < points * channels; i += lanes) {  // eight by eight
         std::array<Floats8, lanes> r, s;
         for (std::size_t k = 0; k < lanes; ++k) r[k] = load8(values[k] + i);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -80,25 +89,33 @@ void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const 
     }
 }
 
+}  // namespace
+
+void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
+    transpose(eight, channels, values);
+}
+
+void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
+    transpose(eight, channels, values);
+}
+
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight) {
-    std::array<float, lanes> result{};
-    if (stroke.channels == planar_channels) {
-        warp8<planar_channels>(OneStroke{stroke.values.data()}, eight.values.data(), result.data());
-    } else {
-        warp8<solid_channels>(OneStroke{stroke.values.data()}, eight.values.data(), result.data());
-    }
-    return result;
+    return distances_of(OneStroke{stroke.values.data()}, eight, stroke.channels);
+}
+
+std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,
+                                           std::size_t channels) {
+    return distances_of(OneStroke{stroke.data()}, eight, channels);
 }
 
 std::array<float, lanes> elastic_distances(const EightShapes& strokes, const EightShapes& eight,
                                            std::size_t channels) {
-    std::array<float, lanes> result{};
-    if (channels == planar_channels) {
-        warp8<planar_channels>(EightStrokes{strokes.values.data()}, eight.values.data(), result.data());
-    } else {
-        warp8<solid_channels>(EightStrokes{strokes.values.data()}, eight.values.data(), result.data());
-    }
-    return result;
+    return distances_of(EightStrokes{strokes.values.data()}, eight, channels);
+}
+
+std::array<float, lanes> elastic_distances(const EightFineShapes& strokes, const EightFineShapes& eight,
+                                           std::size_t channels) {
+    return distances_of(EightStrokes{strokes.values.data()}, eight, channels);
 }
 
 }  // namespace thaum::gesture

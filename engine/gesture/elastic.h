@@ -18,19 +18,28 @@ inline constexpr std::size_t lanes = 8;
 inline constexpr float robustness = 2;
 
 /// Eight templates side by side: value of channel c of point i of template k at [(i * channels + c) * lanes + k].
-struct alignas(32) EightShapes {
-    std::array<float, shape_points * most_channels * lanes> values{};
+template <std::size_t points>
+struct alignas(32) EightOf {
+    std::array<float, points * most_channels * lanes> values{};
 };
+using EightShapes = EightOf<shape_points>;
+using EightFineShapes = EightOf<fine_points>;
 
 /// Puts the values of eight templates in the lanes. A template may be given several times.
 void set_lanes(EightShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
+void set_lanes(EightFineShapes& eight, std::size_t channels, const std::array<const float*, lanes>& values);
 
 /// Distances of a stroke to eight templates of as many channels, each from 0 to 1/2 for matchings without repeats. A
 /// distance has the same bits in each lane.
 std::array<float, lanes> elastic_distances(const Shape& stroke, const EightShapes& eight);
+/// Distances of a fine shape to eight others.
+std::array<float, lanes> elastic_distances(const FineShape& stroke, const EightFineShapes& eight,
+                                           std::size_t channels);
 
 /// Distances of eight strokes to eight templates, lane by lane, with the same bits.
 std::array<float, lanes> elastic_distances(const EightShapes& strokes, const EightShapes& eight,
+                                           std::size_t channels);
+std::array<float, lanes> elastic_distances(const EightFineShapes& strokes, const EightFineShapes& eight,
                                            std::size_t channels);
 
 }  // namespace thaum::gesture

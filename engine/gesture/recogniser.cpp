@@ -64,6 +64,18 @@ TurnedProduct turned_product(const float* stroke, const float* t, std::size_t ch
     return sum;
 }
 
+/// Turns the values of a template towards a stroke.
+void turn(float* values, std::size_t points, std::size_t channels, float cosine, float sine) {
+    for (const auto pair : turning_pairs(channels)) {
+        for (std::size_t i = 0; i < points; ++i) {
+            float* v = values + i * channels + pair;
+            const float x = v[0], y = v[1];
+            v[0] = cosine * x + sine * y;
+            v[1] = cosine * y - sine * x;
+        }
+    }
+}
+
 }  // namespace
 
 RecogniserSpace::RecogniserSpace() {
@@ -149,15 +161,18 @@ const float* Recogniser::lane_values(const Survivor& survivor, std::size_t lane,
     if (!t.turns) return values;
     auto& turned = space.turned_[lane];
     std::copy(values, values + shape_points * t.channels, turned.begin());
-    for (const auto pair : turning_pairs(t.channels)) {
-        for (std::size_t i = 0; i < shape_points; ++i) {
-            float* v = &turned[i * t.channels + pair];
-            const float x = v[0], y = v[1];
-            v[0] = survivor.cosine * x + survivor.sine * y;
-            v[1] = survivor.cosine * y - survivor.sine * x;
-        }
-    }
+    turn(turned.data(), shape_points, t.channels, survivor.cosine, survivor.sine);
     return turned.data();
+}
+
+FineKind Recogniser::fine_template(const Survivor& survivor, FineShape& shape) const {
+    const auto& t = templates_[survivor.place];
+    shape = fine_[survivor.place];
+    const std::size_t start = (survivor.shift * fine_points + shape_points / 2) / shape_points;
+    std::rotate(shape.begin(), shape.begin() + static_cast<std::ptrdiff_t>(start % fine_points * t.channels),
+                shape.begin() + static_cast<std::ptrdiff_t>(fine_points * t.channels));
+    if (t.turns) turn(shape.data(), fine_points, t.channels, survivor.cosine, survivor.sine);
+    return {{t.channels == solid_channels, settings_.channels.force}, !t.turns};
 }
 
 /// Elastic distances of the survivors; keeps the two nearest templates of each gesture.

@@ -60,6 +60,7 @@ public:
 private:
     friend class Recogniser;
     friend class Spotter;
+    friend class CloseLook;
     struct Survivor {
         float score{};
         std::uint32_t place{};  ///< template
@@ -114,9 +115,12 @@ public:
     /// Least and largest arc length of the templates (unit of the strokes).
     float shortest() const { return shortest_; }
     float longest() const { return longest_; }
+    /// Usual time for which a stroke of the gesture lasts (s); 0 if the templates have no times.
+    float usual_seconds(std::uint32_t gesture) const { return usual_seconds_[gesture]; }
 
 private:
     friend class Spotter;
+    friend class CloseLook;
     struct Template {
         std::uint32_t gesture{};
         std::uint32_t stroke{};  ///< number of the recorded stroke; a copy drawn backwards has the same
@@ -147,6 +151,8 @@ private:
     void verify(const Shape& shape, RecogniserSpace& space) const;
     void note(float distance, const Template& t, RecogniserSpace& space) const;
     const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;
+    /// The fine shape of a template, from its chosen start and turned towards the stroke, and how it was made.
+    FineKind fine_template(const Survivor& survivor, FineShape& shape) const;
     Survivor score(const Shape& shape, const Template& t) const;
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
     std::size_t verified_at_most() const;
@@ -158,6 +164,8 @@ private:
     std::vector<double> template_force_;     ///< mean force of the templates of each gesture
     std::vector<Template> templates_;
     std::vector<float> values_;
+    std::vector<FineShape> fine_;       ///< of each template
+    std::vector<float> usual_seconds_;  ///< of each gesture
     Calibration calibration_;
     bool needs_solid_{}, needs_flat_{};
     float shortest_{}, longest_{};

@@ -36,6 +36,9 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
     const Channels channels{settings_.channels.depth && !options.planar, settings_.channels.force};
     Shape shape;
     if (!make_shape(stroke, channels, space.points_, shape)) return false;
+    fine_.emplace_back();
+    make_fine_shape(space.points_, 0, space.points_.count - 1, {channels, !(options.rotation > 0)},
+                    fine_.back());
     Template t{.gesture = number,
                .stroke = stroke_number,
                .channels = static_cast<std::uint32_t>(shape.channels),
@@ -54,6 +57,7 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
         values_.insert(values_.end(), shape.values.begin(), shape.values.begin() + count);
     shortest_ = templates_.empty() ? t.length : std::min(shortest_, t.length);
     longest_ = std::max(longest_, t.length);
+    usual_seconds_[number] += shape.seconds;
     (shape.channels == solid_channels ? needs_solid_ : needs_flat_) = true;
     template_force_[number] += static_cast<double>(shape.force);
     templates_.push_back(t);
@@ -65,6 +69,7 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
     names_.push_back(gesture.name);
     options_.push_back(gesture.options);
     template_force_.push_back(0);
+    usual_seconds_.push_back(0);
     strokes_of_.push_back(static_cast<std::uint32_t>(gesture.strokes.size()));
     if (gesture.strokes.empty()) return fail(text("gesture '", gesture.name, "' has no stroke; record one"));
     for (std::size_t i = 0; i < gesture.strokes.size(); ++i) {
@@ -82,6 +87,7 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
     }
     const std::size_t copies = gesture.options.direction_sensitive ? 1 : 2;
     template_force_[number] /= static_cast<double>(copies * gesture.strokes.size());
+    usual_seconds_[number] /= static_cast<float>(copies * gesture.strokes.size());
     auto& o = options_[number];
     if (!(o.gentle_below > 0)) o.gentle_below = gentle_share * template_force_[number];
     if (!(o.harsh_above > 0)) o.harsh_above = harsh_share * template_force_[number];

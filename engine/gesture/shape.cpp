@@ -8,15 +8,22 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t few_points = 200;  // up to here it is faster to compute all places first
-constexpr float turn_weight = 0.5F;
+constexpr float turn_weight = 0.5F, fine_turn_weight = 1;
+/// Share of the difference between the sizes of the axes that a fine shape keeps as an exponent, and the least size of
+/// an axis that counts, as a share of the largest.
+constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
 // Length of the direction of a long step, and the step (sizes of the stroke) that halves it. Where the points lie close
 // together, their direction is uncertain.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr std::uint32_t exponent_bits = 0x7f800000;  // all set: infinite or not a number
 constexpr float force_deviation = 0.5F;              // standard deviation of the force channel
 
+template <std::size_t points>
+using Column = std::array<float, points>;
+
+template <std::size_t points>
 struct Sampled {
-    std::array<float, shape_points> x{}, y{}, z{}, force{};
+    Column<points> x{}, y{}, z{}, force{};
 };
 
 /// Whether all numbers of all points are finite, also of points that do not count. Four numbers at a time.
@@ -119,7 +126,8 @@ std::size_t point_before(float wanted, std::size_t first, std::size_t last, Plac
 }
 
 /// Places of the shape along the points, in arc length and time.
-Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
+template <std::size_t points>
+Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
     const float by_time = seconds > 0 ? time_share / seconds : 0;
     const float by_length = (seconds > 0 ? 1 - time_share : 1) / length;
@@ -128,9 +136,9 @@ Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     };
     const bool few = last - first < few_points;
     for (std::size_t i = first; few && i <= last; ++i) s.place[i] = place(i);
-    Sampled out;
-    for (std::size_t i = 0; i < shape_points; ++i) {
-        const float wanted = static_cast<float>(i) / static_cast<float>(shape_points - 1);
+    Sampled<points> out;
+    for (std::size_t i = 0; i < points; ++i) {
+        const float wanted = static_cast<float>(i) / static_cast<float>(points - 1);
         const std::size_t j =
             few ? point_before(wanted, first, last, [&](std::size_t k) { return s.place[k]; })
                 : point_before(wanted, first, last, place);
@@ -144,14 +152,16 @@ Sampled resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     return out;
 }
 
-float mean_of(const std::array<float, shape_points>& values) {
+template <std::size_t points>
+float mean_of(const Column<points>& values) {
     float sum = 0;
     for (const float v : values) sum += v;
-    return sum / static_cast<float>(shape_points);
+    return sum / static_cast<float>(points);
 }
 
 /// Subtracts the mean and returns the sum of squares of the rest.
-float centre(std::array<float, shape_points>& values) {
+template <std::size_t points>
+float centre(Column<points>& values) {
     const float mean = mean_of(values);
     float sum = 0;
     for (float& v : values) {
@@ -161,27 +171,56 @@ float centre(std::array<float, shape_points>& values) {
     return sum;
 }
 
-void multiply(std::array<float, shape_points>& values, float factor) {
+template <std::size_t points>
+void multiply(Column<points>& values, float factor) {
     for (float& v : values) v *= factor;
 }
 
 /// Moves the centroid to the origin, and scales. Returns the size, 0 if it is too small to divide by.
-float normalise(Sampled& q) {
+template <std::size_t points>
+float normalise(Sampled<points>& q) {
     const float squares = centre(q.x) + centre(q.y) + centre(q.z);
-    const float size = std::sqrt(squares / static_cast<float>(shape_points));
+    const float size = std::sqrt(squares / static_cast<float>(points));
     if (!(size > 1e-30F) || !std::isfinite(size)) return 0;
     for (auto* axis : {&q.x, &q.y, &q.z}) multiply(*axis, 1 / size);
-    const float deviation = std::sqrt(centre(q.force) / static_cast<float>(shape_points));
+    const float deviation = std::sqrt(centre(q.force) / static_cast<float>(points));
     multiply(q.force, deviation > 1e-6F ? force_deviation / deviation : 0);
     return size;
 }
 
+template <std::size_t points>
+float squares_of(const Column<points>& values) {
+    float sum = 0;
+    for (const float v : values) sum += v * v;
+    return sum;
+}
+
+/// Makes the axes of a normalised stroke more alike in size, and scales it again to a size of 1.
+template <std::size_t points>
+void even_out(Sampled<points>& q) {
+    static_assert(axis_exponent == 0.5F);
+    Column<points>* const axes[] = {&q.x, &q.y, &q.z};
+    std::array<float, 3> squares{};
+    float largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, squares[k] = squares_of(*axes[k]));
+    float sum = 0;
+    for (auto& s : squares) {
+        const float size = std::sqrt(std::max(s, least_axis * least_axis * largest));
+        sum += s / size;
+        s = std::sqrt(size);
+    }
+    const float whole = std::sqrt(sum / static_cast<float>(points));
+    for (std::size_t k = 0; k < 3; ++k) multiply(*axes[k], 1 / (whole * squares[k]));
+}
+
+template <std::size_t points>
 struct Directions {
-    std::array<float, shape_points> x{}, y{}, z{};
+    Column<points> x{}, y{}, z{};
 };
 
-Directions directions_of(const Sampled& q) {
-    Directions d;
+template <std::size_t points>
+Directions<points> directions_of(const Sampled<points>& q) {
+    Directions<points> d;
     const auto set = [&](std::size_t i, std::size_t a, std::size_t b) {
         const float x = q.x[b] - q.x[a], y = q.y[b] - q.y[a], z = q.z[b] - q.z[a];
         const float by = direction_weight / (std::sqrt(x * x + y * y + z * z) + slow_step);
@@ -190,37 +229,39 @@ Directions directions_of(const Sampled& q) {
         d.z[i] = z * by;
     };
     set(0, 0, 1);
-    for (std::size_t i = 1; i + 1 < shape_points; ++i) set(i, i - 1, i + 1);
-    set(shape_points - 1, shape_points - 2, shape_points - 1);
+    for (std::size_t i = 1; i + 1 < points; ++i) set(i, i - 1, i + 1);
+    set(points - 1, points - 2, points - 1);
     return d;
 }
 
-void write_planar(const Sampled& q, const Directions& d, Shape& shape) {
-    for (std::size_t i = 0; i < shape_points; ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < shape_points ? i + 1 : shape_points - 1;
-        float* v = &shape.values[i * planar_channels];
+template <std::size_t points>
+void write_planar(const Sampled<points>& q, const Directions<points>& d, float turn, float* values) {
+    for (std::size_t i = 0; i < points; ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < points ? i + 1 : points - 1;
+        float* v = values + i * planar_channels;
         v[0] = q.x[i];
         v[1] = q.y[i];
         v[2] = d.x[i];
         v[3] = d.y[i];
-        v[4] = turn_weight * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
+        v[4] = turn * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
         v[5] = q.force[i];
     }
 }
 
-void write_solid(const Sampled& q, const Directions& d, Shape& shape) {
-    for (std::size_t i = 0; i < shape_points; ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < shape_points ? i + 1 : shape_points - 1;
-        float* v = &shape.values[i * solid_channels];
+template <std::size_t points>
+void write_solid(const Sampled<points>& q, const Directions<points>& d, float turn, float* values) {
+    for (std::size_t i = 0; i < points; ++i) {
+        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < points ? i + 1 : points - 1;
+        float* v = values + i * solid_channels;
         v[0] = q.x[i];
         v[1] = q.y[i];
         v[2] = q.z[i];
         v[3] = d.x[i];
         v[4] = d.y[i];
         v[5] = d.z[i];
-        v[6] = turn_weight * (d.y[a] * d.z[b] - d.z[a] * d.y[b]);
-        v[7] = turn_weight * (d.z[a] * d.x[b] - d.x[a] * d.z[b]);
-        v[8] = turn_weight * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
+        v[6] = turn * (d.y[a] * d.z[b] - d.z[a] * d.y[b]);
+        v[7] = turn * (d.z[a] * d.x[b] - d.x[a] * d.z[b]);
+        v[8] = turn * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
         v[9] = q.force[i];
     }
 }
@@ -232,7 +273,7 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     shape.length = s.length[last] - s.length[first];
     shape.seconds = s.t[last] - s.t[first];
     if (!(shape.length > 0)) return false;
-    auto q = resampled(s, first, last);
+    auto q = resampled<shape_points>(s, first, last);
     shape.force = mean_of(q.force);
     if (!channels.force) q.force = {};
     const float dx = q.x[shape_points - 1] - q.x[0], dy = q.y[shape_points - 1] - q.y[0],
@@ -243,12 +284,27 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     const auto d = directions_of(q);
     shape.channels = channels.depth ? solid_channels : planar_channels;
     if (channels.depth) {
-        write_solid(q, d, shape);
+        write_solid(q, d, turn_weight, shape.values.data());
     } else {
-        write_planar(q, d, shape);
+        write_planar(q, d, turn_weight, shape.values.data());
     }
     shape.start_t = s.t[first];
     shape.end_t = s.t[last];
+    return true;
+}
+
+bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKind kind, FineShape& shape) {
+    if (last <= first || !(s.length[last] - s.length[first] > 0)) return false;
+    auto q = resampled<fine_points>(s, first, last);
+    if (!kind.channels.force) q.force = {};
+    if (!(normalise(q) > 0)) return false;
+    if (kind.even) even_out(q);
+    const auto d = directions_of(q);
+    if (kind.channels.depth) {
+        write_solid(q, d, fine_turn_weight, shape.data());
+    } else {
+        write_planar(q, d, fine_turn_weight, shape.data());
+    }
     return true;
 }
 

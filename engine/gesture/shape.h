@@ -39,6 +39,17 @@ struct Shape {
     float end_t{};    ///< time of the last point that counts, after the first point of the stroke (s)
 };
 
+/// A shape for a closer look: more points, corners count more, and half of the difference between the axes' sizes is
+/// taken away (the scale of each axis is divided by the square root of its size), because users differ in how wide and
+/// how high they draw.
+inline constexpr std::size_t fine_points = 32;
+using FineShape = std::array<float, fine_points * most_channels>;  ///< [point * channels + channel]
+
+struct FineKind {
+    Channels channels{};
+    bool even = true;  ///< false to keep the sizes of the axes, for a gesture that may be turned
+};
+
 /// Share of time in the parameter by which a stroke is resampled, 0 to 1; the rest is arc length.
 inline constexpr float time_share = 0.3F;
 
@@ -57,5 +68,9 @@ bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shap
 /// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc length up to
 /// each point. For callers that fill the space themselves.
 bool make_shape(ShapeSpace& space, std::size_t first, std::size_t last, Channels channels, Shape& shape);
+
+/// Makes the fine shape of the points in `space` from `first` to `last`, both included. The first call of `make_shape`
+/// with a stroke fills the space.
+bool make_fine_shape(ShapeSpace& space, std::size_t first, std::size_t last, FineKind kind, FineShape& shape);
 
 }  // namespace thaum::gesture

@@ -13,6 +13,17 @@ constexpr double most_overlap = 0.15;
 constexpr double plain_usual = 0.06;  // usual distance of a gesture whose score is the distance
 constexpr float least_match = 0.5F;   // share of the template's dot product with itself
 constexpr std::size_t kept_points = most_points / 2;
+constexpr float most_looked_at = 0.25F;  // score of a window that is worth a close look
+constexpr std::uint32_t look_every = 4;  // one tick of so many is for close looks, if some are due
+
+// What else tells a gesture from other motion. On strokes of other users, the logarithm of the distance counts about 15
+// times as much as that of the motion before and after, and 10 times as much as the squared one of the duration.
+constexpr float time_before = 0.3F, time_after = 0.2F;  // in which the motion counts (s)
+constexpr double rest_power =
+    0.07;  // power of the motion before and after, each as a share of the stroke's speed
+constexpr double duration_weight = 0.1;
+constexpr float least_motion = 0.1F, most_motion = 3;  // a hand at rest, and one in a hurry
+constexpr float shortest_time = 0.05F;                 // against division by zero (s)
 
 /// Overlap of two spans of time, as a share of the shorter.
 double overlap(double start_a, double end_a, double start_b, double end_b) {
@@ -64,7 +75,10 @@ Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
                                   points_of_shortest)),
       end_step_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
                                    ends_of_shortest)),
-      windows_(most_windows) {
+      windows_(most_windows),
+      held_(recogniser.gestures()),
+      seen_(recogniser.gestures(), Candidate{.start = -1e300, .end = -1e300}),
+      look_(recogniser) {
     candidates_.reserve(most_gestures);
     for (const float usual : recogniser.calibration().usual)
         factors_.push_back(static_cast<float>(det::pow(plain_usual / static_cast<double>(usual), 1.0 / 3)));
@@ -84,7 +98,14 @@ void Spotter::make_room() {
     origin_.t += static_cast<double>(t);
     last_end_ -= length;
     points_.count = kept_points;
+    dropped_ += first;
     scanning_ = verifying_ = false;  // the numbers of its points are no longer right
+    if (look_.is_active() && !held_[looked_at_.what.gesture].waiting) {
+        held_[looked_at_.what.gesture] = looked_at_;  // again, with the new numbers
+        held_[looked_at_.what.gesture].waiting = true;
+    }
+    look_.stop();
+    for (auto& h : held_) h.waiting = h.waiting && h.first >= dropped_;
 }
 
 /// Appends the point if it is a step away from the last one.
@@ -110,6 +131,7 @@ void Spotter::append(const StrokePoint& p) {
     points_.length[k] = length;
     latest_ = p.at;
     if (length - last_end_ >= end_step_) {
+        ++ends_;
         if (scanning_ || verifying_) ++skipped_;
         start_scan();
     }
@@ -148,6 +170,7 @@ void Spotter::look_at_window() {
     auto& window = windows_[window_count_];
     const Channels channels{recogniser_.needs_solid(), recogniser_.settings().channels.force};
     if (!make_shape(points_, first, end_, channels, window.shape)) return;
+    window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
     window.end = origin_.t + static_cast<double>(points_.t[end_]);
     const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range)};
@@ -178,7 +201,7 @@ void Spotter::verify() {
     for (std::size_t k = 0; k < count; ++k) {
         const auto& pair = pairs_[verified_ + k];
         auto& best = best_[recogniser_.templates_[pair.match.place].gesture];
-        if (!best.found || distances[k] < best.distance) best = {distances[k], pair.window, true};
+        if (!best.found || distances[k] < best.distance) best = {distances[k], pair.window, true, pair.match};
     }
     verified_ += count;
     if (verified_ == pair_count_) {
@@ -187,7 +210,7 @@ void Spotter::verify() {
     }
 }
 
-/// Makes a candidate of each gesture that was compared. The runner-up is the nearest other one.
+/// Holds the best window of each gesture that was compared. The runner-up is the nearest other one.
 void Spotter::collect() {
     for (std::uint32_t g = 0; g < recogniser_.gestures(); ++g) {
         if (!best_[g].found) continue;
@@ -204,8 +227,76 @@ void Spotter::collect() {
             c.runner_up = other;
             c.runner_up_distance = best_[other].distance;
         }
-        candidates_.push_back(c);
+        hold(c, window.first, best_[g].match);
     }
+}
+
+/// Keeps the best of the windows of a gesture that overlap.
+void Spotter::hold(const Candidate& c, std::size_t first, const RecogniserSpace::Survivor& match) {
+    if (!(c.score <= most_looked_at)) return;
+    auto& held = held_[c.gesture];
+    const auto beats = [&](const Candidate& other) {
+        return c.score < other.score || overlap(c.start, c.end, other.start, other.end) <= most_overlap;
+    };
+    if (!beats(seen_[c.gesture])) return;
+    if (held.waiting && !beats(held.what)) return;
+    if (held.waiting && now_ >= held.due && c.score >= held.what.score) return;  // its turn comes first
+    held = {true, c, dropped_ + first, dropped_ + end_, match, now_ + settings_.hold};
+}
+
+/// Begins the close look at the best window that is due.
+bool Spotter::begin_look() {
+    Held* best = nullptr;
+    for (auto& h : held_) {
+        if (h.waiting && now_ >= h.due && (best == nullptr || h.what.score < best->what.score)) best = &h;
+    }
+    if (best == nullptr) return false;
+    best->waiting = false;
+    looked_at_ = *best;
+    seen_[best->what.gesture] = best->what;
+    look_.begin(static_cast<std::size_t>(best->first - dropped_),
+                static_cast<std::size_t>(best->last - dropped_), best->match);
+    return true;
+}
+
+/// Does one step of a close look. Returns false if none is due.
+bool Spotter::look_closer() {
+    if (!look_.is_active() && !begin_look()) return false;
+    if (look_.step(points_)) end_look();
+    return true;
+}
+
+/// Factor of the score for the motion before and after a stroke, less than 1 if the hand rested.
+double Spotter::quiet_factor(std::size_t first, std::size_t last) const {
+    const auto &length = points_.length, &t = points_.t;
+    const float speed = (length[last] - length[first]) / std::max(t[last] - t[first], shortest_time);
+    const auto last_until = [&](float time) {  // the last point that was not after the time
+        const auto end = t.begin() + static_cast<std::ptrdiff_t>(points_.count);
+        const auto after = static_cast<std::size_t>(std::upper_bound(t.begin(), end, time) - t.begin());
+        return after > 0 ? after - 1 : 0;
+    };
+    const auto share = [&](float way, float time) {
+        return static_cast<double>(std::clamp(way / (time * speed), least_motion, most_motion));
+    };
+    const float way_before = length[first] - length[last_until(t[first] - time_before)];
+    const float passed = static_cast<float>(now_ - origin_.t) - t[last];
+    const float seconds_after = std::clamp(passed, shortest_time, time_after);
+    const float way_after = length[last_until(t[last] + seconds_after)] - length[last];
+    return det::pow(share(way_before, time_before) * share(way_after, seconds_after), rest_power);
+}
+
+/// Makes the candidate of a close look that has ended.
+void Spotter::end_look() {
+    const std::size_t first = look_.first(), last = look_.last();
+    auto c = looked_at_.what;
+    c.start = origin_.t + static_cast<double>(points_.t[first]);
+    c.end = origin_.t + static_cast<double>(points_.t[last]);
+    const auto usual = static_cast<double>(recogniser_.usual_seconds(c.gesture));
+    const auto shortest = static_cast<double>(shortest_time);
+    const double duration = usual > 0 ? det::log(std::max(c.end - c.start, shortest) / usual) : 0;
+    c.score = static_cast<float>(static_cast<double>(factors_[c.gesture] * look_.distance()) *
+                                 quiet_factor(first, last) * det::exp(duration_weight * duration * duration));
+    candidates_.push_back(c);
 }
 
 std::span<const Candidate> Spotter::scan(const StrokePoint& point) {
@@ -215,7 +306,7 @@ std::span<const Candidate> Spotter::scan(const StrokePoint& point) {
     append(point);
     if (verifying_) {
         verify();
-    } else {
+    } else if ((scanning_ && ++ticks_ % look_every != 0) || !look_closer()) {
         for (std::size_t i = 0; i < settings_.windows_per_tick && scanning_; ++i) look_at_window();
     }
     return candidates_;

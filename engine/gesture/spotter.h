@@ -3,15 +3,21 @@
 //     point each tick -> front end: a point for each step of arc length, with sums of length, time and force
 //                     -> windows of several lengths that end now: shape, dot product with the templates
 //                     -> the 16 best pairs of window and template: elastic distance
+//                     -> the best window of each gesture, once no better one follows: close look (close_look.h)
 //                     -> candidates -> the best of those that overlap is reported after a short wait
 //
-// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs. A fast hand gets
-// ahead of that; then some ends of windows are skipped. All memory is allocated by the constructor.
+// The score of a candidate is the distance of the close look, times factors for what else tells a gesture from other
+// motion: how usual such distances are for the gesture, whether the hand rested before and after it, and whether it
+// lasted as long as the templates.
+//
+// The work of a tick has a hard limit: `windows_per_tick` windows, or one comparison of eight pairs, or one step of a
+// close look. A fast hand gets ahead of that; then some ends of windows are skipped. All memory is allocated by the
+// constructor.
 #pragma once
 #include <memory>
 #include <optional>
 
-#include "gesture/recogniser.h"
+#include "gesture/close_look.h"
 
 namespace thaum::gesture {
 
@@ -19,7 +25,8 @@ struct SpotterSettings {
     double length_range = 3;  ///< largest ratio of the arc lengths of a stroke and its template, either way
     double window_ratio = 1.12;  ///< ratio of the arc lengths of two windows that follow each other
     double longest = 8;          ///< longest stroke (s)
-    double wait = 0.3;           ///< time for which a candidate waits for a better one (s)
+    double hold = 0.2;           ///< time without a better window after which the close look begins (s)
+    double wait = 0.1;           ///< time for which a candidate waits for a better one (s)
     float most_score = 0.14F;    ///< score of the worst stroke that is reported
     std::size_t windows_per_tick = 4;
 };
@@ -30,9 +37,7 @@ struct Candidate {
     std::uint32_t runner_up = Recognition::none;
     float distance{};
     float runner_up_distance{};
-    /// The distance, made smaller for gestures whose strokes usually differ more, by the cube root of their usual
-    /// distance.
-    float score{};
+    float score{};          ///< see above; the less, the surer
     double start{}, end{};  ///< times of the first and the last point (s)
     double mean_force{};
 
@@ -55,6 +60,7 @@ public:
     std::optional<Candidate> add(const Candidate& candidate, double now);
     /// Reports the waiting candidate when its time has come.
     std::optional<Candidate> at(double now);
+    double due() const { return due_; }  ///< time at which the waiting candidate is reported (s)
 
 private:
     std::optional<Candidate> report();
@@ -62,7 +68,7 @@ private:
     double wait_;
     float most_score_;
     std::optional<Candidate> waiting_;
-    double due_ = 0;                        ///< time at which the waiting candidate is reported (s)
+    double due_ = 0;
     double start_ = -1e300, end_ = -1e300;  ///< times of the last reported gesture (s)
 };
 
@@ -78,6 +84,7 @@ public:
     /// Does what `feed` does, but only collects the candidates of ends that were finished in this tick.
     std::span<const Candidate> scan(const StrokePoint& point);
 
+    std::uint64_t ends() const { return ends_; }  ///< ends of windows so far
     std::uint64_t skipped_ends() const { return skipped_; }
 
 private:
@@ -88,7 +95,16 @@ private:
     };
     struct Window {
         Shape shape;
+        std::size_t first{};  ///< its first point
         double start{}, end{};
+    };
+    /// The best window of a gesture, which waits for a close look.
+    struct Held {
+        bool waiting = false;
+        Candidate what;
+        std::uint64_t first{}, last{};  ///< its points, counted from the first one of all
+        RecogniserSpace::Survivor match{};
+        double due{};  ///< time at which the close look may begin (s)
     };
     static constexpr std::size_t most_windows = 48, most_pairs = 16;
 
@@ -99,6 +115,11 @@ private:
     void keep(const Pair& pair);
     void verify();
     void collect();
+    void hold(const Candidate& candidate, std::size_t first, const RecogniserSpace::Survivor& match);
+    bool begin_look();
+    bool look_closer();
+    void end_look();
+    double quiet_factor(std::size_t first, std::size_t last) const;
 
     const Recogniser& recogniser_;
     std::vector<float> factors_;  ///< score of a candidate of each gesture, divided by its distance
@@ -122,10 +143,17 @@ private:
         float distance{};
         std::uint32_t window{};
         bool found = false;
+        RecogniserSpace::Survivor match{};
     };
     std::array<Best, most_gestures> best_{};
+    std::vector<Held> held_;       ///< of each gesture
+    std::vector<Candidate> seen_;  ///< of each gesture, the last one that had a close look, as the window was
+    CloseLook look_;
+    Held looked_at_{};
+    std::uint64_t dropped_ = 0;  ///< points that were dropped
+    std::uint32_t ticks_ = 0;
     std::vector<Candidate> candidates_;
-    std::uint64_t skipped_ = 0;
+    std::uint64_t ends_ = 0, skipped_ = 0;
 };
 
 }  // namespace thaum::gesture

@@ -11,7 +11,7 @@ namespace thaum::gesture {
 namespace {
 
 constexpr double least_overlap = 0.5;
-constexpr float tightest = 0.02F, loosest = 0.4F, threshold_step = 0.005F;
+constexpr float tightest = 0.02F, loosest = 0.4F, threshold_step = 0.0025F;
 constexpr auto thresholds = static_cast<std::size_t>((loosest - tightest) / threshold_step + 1.5F);
 
 float threshold_at(std::size_t number) { return tightest + threshold_step * static_cast<float>(number); }
@@ -47,28 +47,29 @@ std::vector<Found> candidates_in(const Session& session, const Recogniser& recog
                                  const SpotterSettings& settings, double& skipped) {
     const auto spotter = std::make_unique<Spotter>(recogniser, settings);
     std::vector<Found> found;
-    std::size_t ends = 1;
     for (std::size_t i = 0; i < session.points.size(); ++i) {
         auto p = session.points[i];
         const double until = i + 1 < session.points.size() ? session.points[i + 1].t : p.t + 1;
         const double most = std::min(until, p.t + 2);  // a hand at rest needs no more ticks
         for (double t = p.t; t < most; t += tick_seconds) {
             p.t = t;
-            bool any = false;
             for (const auto& c : spotter->scan(p)) {
-                any = true;
                 if (c.score <= loosest) found.push_back({c, t});
             }
-            ends += any;
         }
     }
-    const auto lost = static_cast<double>(spotter->skipped_ends());
-    skipped += lost / (lost + static_cast<double>(ends));
+    const auto ends = static_cast<double>(std::max<std::uint64_t>(spotter->ends(), 1));
+    skipped += static_cast<double>(spotter->skipped_ends()) / ends;
     return found;
 }
 
-void judge(const Candidate& c, double told, std::span<const Label> labels, std::vector<char>& used,
-           Count& count) {
+/// What a session holds.
+struct Truth {
+    std::vector<Label> labels, ignored;
+};
+
+void judge(const Candidate& c, double told, const Truth& truth, std::vector<char>& used, Count& count) {
+    const auto& labels = truth.labels;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const auto& label = labels[i];
         if (used[i] != 0 || label.gesture != c.gesture) continue;
@@ -79,21 +80,25 @@ void judge(const Candidate& c, double told, std::span<const Label> labels, std::
         count.delays.push_back(told - label.end);
         return;
     }
-    ++count.wrong;
+    const bool is_ignored = std::any_of(truth.ignored.begin(), truth.ignored.end(), [&](const Label& l) {
+        return l.gesture == c.gesture && std::min(l.end, c.end) > std::max(l.start, c.start);
+    });
+    count.wrong += !is_ignored;
 }
 
-Count count_at(float threshold, std::span<const Found> found, std::span<const Label> labels, double wait) {
+Count count_at(float threshold, std::span<const Found> found, const Truth& truth, double wait) {
     CandidateChoice choice(wait, threshold);
-    std::vector<char> used(labels.size());
+    std::vector<char> used(truth.labels.size());
     Count count;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const double now = found[i].at;
-        if (const auto r = choice.at(now)) judge(*r, now, labels, used, count);
-        if (const auto r = choice.add(found[i].candidate, now)) judge(*r, now, labels, used, count);
+        const double due = choice.due();
+        if (const auto r = choice.at(now)) judge(*r, due, truth, used, count);
+        if (const auto r = choice.add(found[i].candidate, now)) judge(*r, now, truth, used, count);
     }
-    if (const auto r = choice.at(1e300))
-        judge(*r, found.empty() ? 0 : found.back().at + wait, labels, used, count);
-    count.missed = labels.size() - count.right;
+    const double due = choice.due();
+    if (const auto r = choice.at(1e300)) judge(*r, due, truth, used, count);
+    count.missed = truth.labels.size() - count.right;
     return count;
 }
 
@@ -163,12 +168,13 @@ public:
     SpottingRun(const SessionSet& sessions, std::span<const SessionLabel> labels,
                 std::span<const Stroke> strokes, const SpottingSettings& settings)
         : sessions_(sessions), settings_(settings), strokes_(strokes), index_(index_of(strokes)) {
-        for (const auto& session : sessions.sessions) labels_.push_back(labels_of(session, labels));
+        for (const auto& session : sessions.sessions)
+            truths_.push_back({labels_of(session, labels), labels_of(session, settings.ignored)});
     }
 
     Expected<Spotting> run() {
         std::size_t labels = 0;
-        for (const auto& l : labels_) labels += l.size();
+        for (const auto& t : truths_) labels += t.labels.size();
         if (labels == 0) return fail("no label names a user of the sessions and a gesture of the strokes");
         Spotting result;
         result.sessions = sessions_.sessions.size();
@@ -223,7 +229,7 @@ private:
         if (!recogniser) return tl::unexpected(recogniser.error());
         const auto found = candidates_in(session, *recogniser, settings_.spotter, skipped_);
         for (std::size_t t = 0; t < thresholds; ++t)
-            counts_[s][t].add(count_at(threshold_at(t), found, labels_[s], settings_.spotter.wait));
+            counts_[s][t].add(count_at(threshold_at(t), found, truths_[s], settings_.spotter.wait));
         return {};
     }
 
@@ -231,7 +237,7 @@ private:
     const SpottingSettings& settings_;
     std::span<const Stroke> strokes_;
     GestureIndex index_;
-    std::vector<std::vector<Label>> labels_;
+    std::vector<Truth> truths_;
     Counts counts_;
     double skipped_ = 0;
 };

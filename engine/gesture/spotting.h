@@ -2,7 +2,9 @@
 //
 // Templates come from other users than the session's. The session is fed to the spotter in ticks of 1 ms; between two
 // points of the session the hand rests at the earlier one. A report is right if it names the gesture of a label and
-// overlaps the label by half of the shorter of both, once for each label. All other reports are false.
+// overlaps the label by half of the shorter of both, once for each label. All other reports are false, except those
+// that overlap an ignored stroke of the same gesture, which count neither way. Such strokes are attempts without a label,
+// as in the protocol of Taranta et al. (2020), whose sessions hold many of them.
 //
 // The largest score that is reported is chosen, for each user, on the sessions of the other users.
 #pragma once
@@ -22,6 +24,7 @@ struct SpottingSettings {
     Channels channels{false, false};
     std::uint64_t seed = 1;
     SpotterSettings spotter{};
+    std::vector<SessionLabel> ignored{};  ///< strokes that may be reported and need not be
 };
 
 /// Result at one choice of thresholds, all repeats together.

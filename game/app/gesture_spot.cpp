@@ -20,11 +20,12 @@ false reports an hour (with an interval of 95 %) and delay. Templates come from 
 the session's, and thresholds are chosen on the sessions of the other users.
 
   --labels FILE   user,gesture,t_start,t_end
+  --ignore FILE   strokes without a label that count neither way, in the same columns
   --train FILE    strokes from which the templates are taken
   --templates K   strokes of each gesture that serve as templates (default 1)
   --repeats N     rounds with other random templates (default 3)
   --channels C    xy, xyz, xyf or xyzf; f is the force. Default: all that both files have
-  --wait S        time for which a report waits for a better one (default 0.3 s)
+  --wait S        time for which a report waits for a better one (default 0.1 s)
   --seed S        seed of the random choices (default 1)
   --json FILE     also writes the figures as JSON; - for standard output alone
 
@@ -37,14 +38,14 @@ namespace {
 struct SpotPlan {
     std::filesystem::path sessions, labels, strokes;
     std::string channels;
-    std::optional<std::string> json;
+    std::optional<std::string> ignored, json;
     gesture::SpottingSettings settings;
 };
 
 Expected<SpotPlan> read_spot_plan(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--labels", 1},  {"--train", 1},    {"--templates", 1},
                                          {"--repeats", 1}, {"--channels", 1}, {"--wait", 1},
-                                         {"--seed", 1},    {"--json", 1}};
+                                         {"--seed", 1},    {"--json", 1},     {"--ignore", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return tl::unexpected(arguments.error());
     const auto labels = arguments->value("--labels"), train = arguments->value("--train");
@@ -56,6 +57,7 @@ Expected<SpotPlan> read_spot_plan(const std::vector<std::string>& words) {
     plan.labels = *labels;
     plan.strokes = *train;
     plan.channels = arguments->value("--channels").value_or("");
+    plan.ignored = arguments->value("--ignore");
     plan.json = arguments->value("--json");
     const auto templates = arguments->whole("--templates", 1, 100, 1),
                repeats = arguments->whole("--repeats", 1, 1000, 3),
@@ -123,6 +125,11 @@ Expected<gesture::Spotting> measure_spotting(SpotPlan& plan) {
     if (!sessions) return tl::unexpected(sessions.error());
     const auto labels = load_labels(plan.labels);
     if (!labels) return tl::unexpected(labels.error());
+    if (plan.ignored) {
+        auto ignored = load_labels(*plan.ignored);
+        if (!ignored) return tl::unexpected(ignored.error());
+        plan.settings.ignored = std::move(*ignored);
+    }
     const auto strokes = load_strokes(plan.strokes);
     if (!strokes) return tl::unexpected(strokes.error());
     const auto channels = choose_channels(plan.channels, sessions->has_depth && strokes->has_depth,

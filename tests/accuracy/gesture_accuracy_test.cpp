@@ -78,10 +78,21 @@ TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto sessions = app::load_sessions(data / "machete-mouse-sessions.csv.gz");
     const auto labels = app::load_labels(data / "machete-mouse-sessions.labels.csv");
     ASSERT_TRUE(sessions && labels);
-    const auto result = evaluate_spotting(*sessions, *labels, set.strokes, {.templates = 3, .repeats = 1});
+    const auto ignored =
+        app::load_labels(std::filesystem::path(THAUM_SOURCE_DIR) / "tests/accuracy/unlabelled_strokes.csv");
+    ASSERT_TRUE(ignored);
+    SpottingSettings settings{.templates = 3, .repeats = 1};
+    const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings);
     ASSERT_TRUE(result);
     EXPECT_EQ(result->labels, 300U);
-    EXPECT_GE(result->best.f1, 0.85);
+    EXPECT_GE(result->best.f1, 0.88);
+    // The sessions hold 59 strokes that to the eye are gestures and have no label: attempts that were to be repeated.
+    // The publishers of the set count reports of such attempts neither as right nor as wrong.
+    settings.ignored = *ignored;
+    const auto fair = evaluate_spotting(*sessions, *labels, set.strokes, settings);
+    ASSERT_TRUE(fair);
+    EXPECT_GE(fair->best.f1, 0.96);
+    EXPECT_GE(fair->at_six.recall, 0.95);
 }
 
 }  // namespace

@@ -153,5 +153,54 @@ TEST(GestureElastic, ADistanceToItselfIsZeroAndBothWaysAreEqual) {
     EXPECT_GT(elastic_distance(a, b), 0.2F);
 }
 
+FineShape fine_shape_of(const Course& stroke, FineKind kind = {{false, true}}) {
+    static ShapeSpace space;
+    Shape shape;
+    FineShape fine{};
+    EXPECT_TRUE(make_shape(stroke, kind.channels, space, shape));
+    EXPECT_TRUE(make_fine_shape(space, 0, space.count - 1, kind, fine));
+    return fine;
+}
+
+/// Root mean square of one channel of a planar fine shape.
+double size_of(const FineShape& shape, std::size_t channel) {
+    double sum = 0;
+    for (std::size_t i = 0; i < fine_points; ++i)
+        sum += std::pow(static_cast<double>(shape[i * planar_channels + channel]), 2.0);
+    return std::sqrt(sum / fine_points);
+}
+
+TEST(GestureFineShape, HalfOfTheDifferenceOfTheAxesIsTakenAway) {
+    auto wide = circle();
+    for (auto& p : wide) p.at.x *= 2;
+    const auto even = fine_shape_of(wide), plain = fine_shape_of(wide, {{false, true}, false});
+    EXPECT_NEAR(size_of(even, 0) / size_of(even, 1), std::sqrt(size_of(plain, 0) / size_of(plain, 1)), 1e-3);
+    EXPECT_NEAR(size_of(plain, 0) / size_of(plain, 1), 2, 0.3);
+    for (const auto& shape : {even, plain})
+        EXPECT_NEAR(std::hypot(size_of(shape, 0), size_of(shape, 1)), 1, 1e-4);
+}
+
+TEST(GestureFineShape, AFlatAxisIsNotBlownUp) {
+    const auto line = fine_shape_of(drawn([](double u) { return vec3(u, 1e-4 * u * u, 0); }));
+    EXPECT_LT(size_of(line, 1), 1e-3);
+}
+
+TEST(GestureFineShape, EightDistancesAreThoseOfPlainLoopsInEveryLane) {
+    const auto stroke = fine_shape_of(ess());
+    const std::array shapes{fine_shape_of(circle()), fine_shape_of(vee()), stroke};
+    EightFineShapes eight, strokes;
+    std::array<const float*, lanes> values, same;
+    for (std::size_t k = 0; k < lanes; ++k) values[k] = shapes[k % 3].data();
+    same.fill(stroke.data());
+    set_lanes(eight, planar_channels, values);
+    set_lanes(strokes, planar_channels, same);
+    const auto one = elastic_distances(stroke, eight, planar_channels);
+    EXPECT_EQ(one, elastic_distances(strokes, eight, planar_channels));
+    for (std::size_t k = 0; k < lanes; ++k)
+        EXPECT_EQ(one[k], (elastic_distance<fine_points>(stroke.data(), values[k], planar_channels)));
+    EXPECT_EQ(one[2], 0);
+    EXPECT_GT(one[0], 0.1F);
+}
+
 }  // namespace
 }  // namespace thaum::gesture

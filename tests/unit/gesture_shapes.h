@@ -15,30 +15,34 @@ namespace thaum::gesture {
 using Course = std::vector<StrokePoint>;
 
 /// The distance of elastic.h for one template, in plain loops.
-inline float elastic_distance(const Shape& a, const Shape& b) {
+template <std::size_t points>
+float elastic_distance(const float* a, const float* b, std::size_t channels) {
     constexpr float far = 1e30F;  // more than any sum of costs
-    std::array<float, shape_points + 2> rows[2];
+    std::array<float, points + 2> rows[2];
     rows[0].fill(far);
     rows[1].fill(far);
     rows[0][0] = 0;
-    for (std::size_t i = 1; i <= shape_points; ++i) {
+    for (std::size_t i = 1; i <= points; ++i) {
         auto& row = rows[i % 2];
         const auto& above = rows[(i + 1) % 2];
-        const std::size_t low = i > warp_band ? i - warp_band : 1,
-                          high = std::min(shape_points, i + warp_band);
+        const std::size_t low = i > warp_band ? i - warp_band : 1, high = std::min(points, i + warp_band);
         row[low - 1] = far;
         row[high + 1] = far;
         for (std::size_t j = low; j <= high; ++j) {
             float s = 0;
-            for (std::size_t c = 0; c < a.channels; ++c) {
-                const float d = a.values[(i - 1) * a.channels + c] - b.values[(j - 1) * a.channels + c];
+            for (std::size_t c = 0; c < channels; ++c) {
+                const float d = a[(i - 1) * channels + c] - b[(j - 1) * channels + c];
                 s += d * d;
             }
             row[j] = s / (1 + robustness * s) + std::min(above[j - 1], std::min(above[j], row[j - 1]));
         }
         rows[0][0] = far;
     }
-    return rows[shape_points % 2][shape_points] / static_cast<float>(shape_points);
+    return rows[points % 2][points] / static_cast<float>(points);
+}
+
+inline float elastic_distance(const Shape& a, const Shape& b) {
+    return elastic_distance<shape_points>(a.values.data(), b.values.data(), a.channels);
 }
 
 /// A curve over u from 0 to 1, drawn in a second with a constant force.

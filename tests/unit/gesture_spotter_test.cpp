@@ -80,6 +80,45 @@ TEST(Spotter, FindsEachGestureOnceWithStartAndEnd) {
     }
 }
 
+/// The best score of a gesture in a session.
+float best_score(const Recogniser& recogniser, const Course& session, std::uint32_t gesture) {
+    Spotter spotter(recogniser, {});
+    float best = 9;
+    for (const auto& p : session) {
+        for (const auto& c : spotter.scan(p)) best = c.gesture == gesture ? std::min(best, c.score) : best;
+    }
+    return best;
+}
+
+TEST(Spotter, StartAndEndAreFoundWithinAFewHundredthsOfTheStroke) {
+    const auto recogniser = Recogniser::make(three_gestures(), {.channels = {false, false}});
+    ASSERT_TRUE(recogniser);
+    double start = 0, end = 0;
+    const auto session = session_with(ess(), start, end);
+    Spotter spotter(*recogniser, {});
+    Candidate best{.score = 9};
+    for (const auto& p : session) {
+        for (const auto& c : spotter.scan(p)) best = c.gesture == 2 && c.score < best.score ? c : best;
+    }
+    EXPECT_NEAR(best.start, start, 0.05 * (end - start));
+    EXPECT_NEAR(best.end, end, 0.05 * (end - start));
+}
+
+TEST(Spotter, ARestBeforeAndAfterTheUsualDurationScoresBetter) {
+    const auto recogniser = Recogniser::make(three_gestures(), {.channels = {false, false}});
+    ASSERT_TRUE(recogniser);
+    const auto among = [](const Course& stroke, double rest) {
+        double start = 0, end = 0;
+        auto session = session_with(stroke, start, end);
+        for (auto& p : session) p.t += (p.t >= start ? rest : 0) + (p.t >= end ? rest : 0);
+        return session;
+    };
+    const float hurried = best_score(*recogniser, among(ess(), 0), 2);
+    EXPECT_LT(best_score(*recogniser, among(ess(), 0.4), 2), 0.9F * hurried);
+    const auto slow = moved(ess(), {}, 1, 0.2);  // five times as long
+    EXPECT_GT(best_score(*recogniser, among(slow, 0.4), 2), best_score(*recogniser, among(ess(), 0.4), 2));
+}
+
 TEST(Spotter, AllocatesNothingAndGivesTheSameBitsInEachRun) {
     const auto recogniser = Recogniser::make(three_gestures(), {.channels = {false, false}});
     ASSERT_TRUE(recogniser);
@@ -114,17 +153,22 @@ TEST(Spotter, OutlastsHostileMotion) {
     }
 }
 
-TEST(Spotting, FindsLabelledGesturesOfAnotherUser) {
+/// Three users who draw each gesture once in their sessions.
+struct SpottingData {
+    std::vector<Stroke> strokes{};
+    SessionSet sessions{};
+    std::vector<SessionLabel> labels{};
+};
+
+SpottingData spotting_data() {
     const auto gestures = three_gestures();
-    std::vector<Stroke> strokes;
-    SessionSet sessions;
-    std::vector<SessionLabel> labels;
+    SpottingData data;
     Random random = random_stream(2, 2);
     for (int user = 0; user < 3; ++user) {
         Session session{std::to_string(user), {}};
         for (const auto& g : gestures) {
             for (int i = 0; i < 3; ++i)
-                strokes.push_back(
+                data.strokes.push_back(
                     {session.user, g.name, std::to_string(i), variation_of(g.strokes[0], random, careful)});
             double start = 0, end = 0;
             const double from = session.points.empty() ? 0 : session.points.back().t + 1;
@@ -132,16 +176,37 @@ TEST(Spotting, FindsLabelledGesturesOfAnotherUser) {
                 p.t += from;
                 session.points.push_back(p);
             }
-            labels.push_back({session.user, g.name, from + start, from + end});
+            data.labels.push_back({session.user, g.name, from + start, from + end});
         }
-        sessions.sessions.push_back(std::move(session));
+        data.sessions.sessions.push_back(std::move(session));
     }
-    const auto result = evaluate_spotting(sessions, labels, strokes, {.templates = 2, .repeats = 1});
+    return data;
+}
+
+TEST(Spotting, FindsLabelledGesturesOfAnotherUser) {
+    const auto data = spotting_data();
+    const SpottingSettings settings{.templates = 2, .repeats = 1};
+    const auto result = evaluate_spotting(data.sessions, data.labels, data.strokes, settings);
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(result->labels, 9U);
     EXPECT_GE(result->best.recall, 0.85);
     EXPECT_GE(result->best.precision, 0.85);
-    EXPECT_FALSE(evaluate_spotting(sessions, {}, strokes, {}));
+    EXPECT_FALSE(evaluate_spotting(data.sessions, {}, data.strokes, {}));
+}
+
+TEST(Spotting, AStrokeWithoutItsLabelIsFalseUnlessItIsIgnored) {
+    auto data = spotting_data();
+    SpottingSettings settings{.templates = 2, .repeats = 1};
+    const auto all = evaluate_spotting(data.sessions, data.labels, data.strokes, settings);
+    const auto left_out = data.labels.back();
+    data.labels.pop_back();
+    const auto without = evaluate_spotting(data.sessions, data.labels, data.strokes, settings);
+    settings.ignored = {left_out};
+    const auto ignored = evaluate_spotting(data.sessions, data.labels, data.strokes, settings);
+    ASSERT_TRUE(all && without && ignored);
+    EXPECT_EQ(without->best.wrong, all->best.wrong + 1);
+    EXPECT_EQ(ignored->best.wrong, all->best.wrong);
+    EXPECT_EQ(ignored->best.right, all->best.right - 1);
 }
 
 }  // namespace

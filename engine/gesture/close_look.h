@@ -1,0 +1,49 @@
+// gesture/close_look.h: where exactly a stroke within continuous motion starts and ends, and how near it then is.
+//
+// The windows of the spotter are coarse: their starts are a ninth of their length apart. A close look moves start and
+// end of a window by 8, 4 and at last 2 % of its length, each time to the best of the eight neighbours, by the elastic
+// distance of fine shapes (shape.h). Its work is cut into steps of four shapes or one comparison of eight pairs.
+#pragma once
+#include "gesture/recogniser.h"
+
+namespace thaum::gesture {
+
+class CloseLook {
+public:
+    /// The recogniser must live as long as the look.
+    explicit CloseLook(const Recogniser& recogniser) : recogniser_(recogniser) {}
+
+    /// Begins with the points from `first` to `last` and the template that the windows chose.
+    void begin(std::size_t first, std::size_t last, const RecogniserSpace::Survivor& match);
+    void stop() { active_ = false; }
+    bool is_active() const { return active_; }
+    /// Does one step. Returns true when the look has ended; then the results below hold.
+    bool step(ShapeSpace& points);
+
+    std::size_t first() const { return first_; }
+    std::size_t last() const { return last_; }
+    float distance() const { return distance_; }
+
+private:
+    struct Place {
+        std::size_t first{}, last{};
+        bool is_shape{};
+    };
+    void look_at_centre(ShapeSpace& points);
+    void make_neighbour(ShapeSpace& points);
+    void compare();
+
+    const Recogniser& recogniser_;
+    FineKind kind_{};
+    bool active_ = false;
+    std::size_t round_ = 0,
+                made_ = 0;  ///< made_: places of the round that have a shape; round_ 0: the window itself
+    std::size_t first_{}, last_{};
+    float distance_{};
+    FineShape template_{};
+    std::array<Place, lanes> places_{};
+    std::array<FineShape, lanes> shapes_{};
+    EightFineShapes templates_{}, strokes_{};
+};
+
+}  // namespace thaum::gesture
