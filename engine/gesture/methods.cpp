@@ -90,7 +90,7 @@ public:
     Answer classify(Points stroke) override {
         const auto r = recogniser_.recognise(stroke, space_);
         if (r.gesture == Recognition::none) return {};
-        return {r.gesture, recogniser_.evidence_of(r), r.probability};
+        return {r.gesture, r.evidence, r.probability};
     }
 
 private:

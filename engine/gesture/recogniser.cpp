@@ -76,6 +76,23 @@ void turn(float* values, std::size_t points, std::size_t channels, float cosine,
     }
 }
 
+using Ints8 = std::int32_t __attribute__((vector_size(32)));
+
+/// For each of the eight scores from `first` on, the number of scores that are better: larger, or as large and before it.
+Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
+    Floats8 own;
+    std::memcpy(&own, scores + first, sizeof own);
+    Ints8 better{};  // minus one for each
+    for (std::size_t i = 0; i < first; ++i) better += scores[i] + Floats8{} >= own;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const Floats8 other = scores[first + i] + Floats8{};
+        const Ints8 order{0, 1, 2, 3, 4, 5, 6, 7};
+        better += (other > own) | ((other == own) & (order > static_cast<std::int32_t>(i)));
+    }
+    for (std::size_t i = first + lanes; i < count; ++i) better += scores[i] + Floats8{} > own;
+    return -better;
+}
+
 }  // namespace
 
 RecogniserSpace::RecogniserSpace() {
@@ -84,6 +101,8 @@ RecogniserSpace::RecogniserSpace() {
 }
 
 Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) const {
+    if (!t.closed && !t.turns)
+        return {.score = dot(shape.values.data(), &values_[t.values], shape_points * t.channels)};
     Survivor best{.score = lowest_score};
     const std::size_t shifts = t.closed ? shape_points : 1;
     for (std::size_t s = 0; s < shifts; ++s) {
@@ -139,16 +158,12 @@ void Recogniser::keep_best(std::size_t count, std::size_t most, RecogniserSpace&
     const std::size_t rounded = (count + lanes - 1) / lanes * lanes;
     std::fill(space.scores_.begin() + static_cast<std::ptrdiff_t>(count),
               space.scores_.begin() + static_cast<std::ptrdiff_t>(rounded), lowest_score);
-    for (std::size_t k = 0; k < count; ++k) {
-        const float own = space.scores_[k];
-        std::int32_t rank = 0;
-        for (std::size_t other = 0; other < rounded; ++other) {
-            const float score = space.scores_[other];
-            rank +=
-                static_cast<std::int32_t>(score > own) + static_cast<std::int32_t>(score == own && other < k);
+    for (std::size_t k = 0; k < count; k += lanes) {
+        const Ints8 ranks = ranks_of(k, space.scores_.data(), count);
+        for (std::size_t lane = 0; lane < std::min(lanes, count - k); ++lane) {
+            const auto rank = static_cast<std::size_t>(ranks[lane]);
+            space.survivors_[std::min(rank, most)] = space.compared_[k + lane];  // the last place is a bin
         }
-        const auto place = std::min(static_cast<std::size_t>(rank), most);  // the last place is a bin
-        space.survivors_[place] = space.compared_[k];
     }
     space.survivor_count_ = std::min(count, most);
 }
@@ -229,7 +244,9 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
         }
     }
     if (r.gesture == Recognition::none) return r;
-    r.probability = calibration_.probability(evidence_of(r));
+    const float other = r.runner_up == Recognition::none ? 1e9F : r.runner_up_distance;
+    r.evidence = evidence_of(r.distance, other, calibration_.usual[r.gesture]);
+    r.probability = calibration_.probability(r.evidence);
     r.accepted =
         r.distance <= calibration_.threshold[r.gesture] && r.probability >= settings_.least_probability;
     r.mean_force = static_cast<double>(shape.force);
@@ -239,15 +256,10 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     return r;
 }
 
-Evidence Recogniser::evidence_of(const Recognition& r) const {
-    const float other = r.runner_up == Recognition::none ? 1e9F : r.runner_up_distance;
-    return gesture::evidence_of(r.distance, other, calibration_.usual[r.gesture]);
-}
-
 double Recogniser::probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                                   float runner_up_distance) const {
     const float other = has_runner_up ? runner_up_distance : 1e9F;
-    return calibration_.probability(gesture::evidence_of(distance, other, calibration_.usual[gesture]));
+    return calibration_.probability(evidence_of(distance, other, calibration_.usual[gesture]));
 }
 
 ForceClass Recogniser::force_class(std::uint32_t gesture, double mean_force) const {

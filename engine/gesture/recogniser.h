@@ -34,6 +34,7 @@ struct Recognition {
     std::uint32_t runner_up = none;  ///< nearest other gesture; none if no other was compared
     float distance{};                ///< elastic distance of the nearest gesture
     float runner_up_distance{};
+    Evidence evidence{};   ///< for a calibration with labelled strokes
     double probability{};  ///< probability that the stroke was meant as `gesture`, 0 to 1
     bool accepted{};       ///< false: nothing was meant
     ForceClass force = ForceClass::normal;
@@ -100,9 +101,6 @@ public:
     /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means
     /// nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
-
-    /// Evidence of a recognition of this recogniser, for a calibration with labelled strokes.
-    Evidence evidence_of(const Recognition& recognition) const;
 
     /// Probability of two distances as this recogniser is calibrated.
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,

@@ -114,7 +114,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
     std::vector<LabelledEvidence> samples;
     const auto keep = [&](const Recognition& r, bool is_meant) {
         if (r.gesture == Recognition::none) return;
-        samples.push_back({evidence_of(r), is_meant, 1});
+        samples.push_back({r.evidence, is_meant, 1});
         if (!is_meant) not_meant[r.gesture].push_back(r.distance);
     };
     for (std::uint32_t g = 0; g < names_.size(); ++g) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstring>
 
 namespace thaum::gesture {
@@ -49,26 +50,60 @@ bool all_finite_numbers(Points stroke) {
     return rest && (bad[0] | bad[1] | bad[2] | bad[3]) == 0;
 }
 
+using Doubles4 = double __attribute__((vector_size(32)));
+using Floats4 = float __attribute__((vector_size(16)));
+
+/// Time and place of a point relative to those of another.
+Floats4 relative(const StrokePoint& p, Doubles4 origin) {
+    static_assert(offsetof(StrokePoint, t) == 0 && offsetof(StrokePoint, at) == sizeof(double));
+    Doubles4 v;
+    std::memcpy(&v, &p, sizeof v);
+    return __builtin_convertvector(v - origin, Floats4);
+}
+
+/// Writes four points at place k. `points` are apart by `stride`. Returns their sums, to see whether all are finite.
+Floats4 copy_four(const StrokePoint* points, std::size_t stride, Doubles4 origin, std::size_t k, bool depth,
+                  ShapeSpace& space) {
+    const auto a = relative(points[0], origin), b = relative(points[stride], origin),
+               c = relative(points[2 * stride], origin), d = relative(points[3 * stride], origin);
+    const auto tx = __builtin_shufflevector(a, b, 0, 4, 1, 5), yz = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+    const auto tx2 = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+               yz2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+    const auto t = __builtin_shufflevector(tx, tx2, 0, 1, 4, 5),
+               x = __builtin_shufflevector(tx, tx2, 2, 3, 6, 7);
+    const auto y = __builtin_shufflevector(yz, yz2, 0, 1, 4, 5),
+               z = __builtin_shufflevector(yz, yz2, 2, 3, 6, 7);
+    const Floats4 force{static_cast<float>(points[0].force), static_cast<float>(points[stride].force),
+                        static_cast<float>(points[2 * stride].force),
+                        static_cast<float>(points[3 * stride].force)};
+    const Floats4 used_z = depth ? z : Floats4{};
+    std::memcpy(&space.t[k], &t, sizeof t);
+    std::memcpy(&space.x[k], &x, sizeof x);
+    std::memcpy(&space.y[k], &y, sizeof y);
+    std::memcpy(&space.z[k], &used_z, sizeof used_z);
+    std::memcpy(&space.force[k], &force, sizeof force);
+    return x + y + z + force + t;
+}
+
 /// Copies the points as floats from the first point's place and time. Returns false if a value is not finite.
 bool copy(Points stroke, Channels channels, ShapeSpace& space) {
     const std::size_t stride = (stroke.size() + counted_points - 1) / counted_points;
-    std::size_t k = 0;
-    const auto& o = stroke[(stroke.size() - 1) % stride];
+    const std::size_t first = (stroke.size() - 1) % stride;  // so that the last point counts
+    const std::size_t count = (stroke.size() - 1 - first) / stride + 1;
+    const auto& o = stroke[first];
+    const Doubles4 origin{o.t, o.at.x, o.at.y, o.at.z};
     std::uint32_t bad = 0;
-    for (std::size_t i = (stroke.size() - 1) % stride; i < stroke.size();
-         i += stride, ++k) {  // up to the last
-        const auto& p = stroke[i];
-        space.x[k] = static_cast<float>(p.at.x - o.at.x);
-        space.y[k] = static_cast<float>(p.at.y - o.at.y);
-        const auto z = static_cast<float>(p.at.z - o.at.z);
-        space.z[k] = channels.depth ? z : 0.0F;
-        space.force[k] = static_cast<float>(p.force);
-        space.t[k] = static_cast<float>(p.t - o.t);
-        const float sum = space.x[k] + space.y[k] + z + space.force[k] + space.t[k];
-        bad |=
-            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(sum) & exponent_bits) == exponent_bits);
+    for (std::size_t k = 0; k < count; k += count < 4 ? 1 : 4) {
+        // The last four points overlap those before them. Of fewer than four, each is written four times, the last of
+        // which the next one replaces.
+        const std::size_t from = count < 4 ? k : std::min(k, count - 4), step = count < 4 ? 0 : stride;
+        const auto sums =
+            copy_four(&stroke[first + from * stride], step, origin, from, channels.depth, space);
+        for (std::size_t i = 0; i < 4; ++i)
+            bad |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(sums[i]) & exponent_bits) ==
+                                              exponent_bits);
     }
-    space.count = k;
+    space.count = count;
     return bad == 0;
 }
 
@@ -86,7 +121,14 @@ void drop_rests(ShapeSpace& s) {
     float length = 0, latest = std::max(0.0F, s.t[0]);
     s.length[0] = 0;
     s.t[0] = latest;
-    for (std::size_t i = 1; i < s.count; ++i) {
+    std::size_t i = 1;
+    for (; i < s.count && s.length[i] > 0 && s.t[i] >= latest; ++i) {  // mostly all of them
+        length += s.length[i];
+        s.length[i] = length;
+        latest = s.t[i];
+    }
+    k = i - 1;
+    for (; i < s.count; ++i) {
         const float step = s.length[i];
         latest = std::max(latest, s.t[i]);  // a clock that runs backwards stands still
         if (!(step > 0)) {
@@ -125,9 +167,41 @@ std::size_t point_before(float wanted, std::size_t first, std::size_t last, Plac
     return first;
 }
 
+/// Parameter of each of the equally spaced points, and two more that no place reaches.
+template <std::size_t points>
+constexpr std::array<float, points + 2> wanted_places() {
+    std::array<float, points + 2> wanted{};
+    for (std::size_t i = 0; i < points; ++i)
+        wanted[i] = static_cast<float>(i) / static_cast<float>(points - 1);
+    wanted[points] = wanted[points + 1] = 1e30F;
+    return wanted;
+}
+
+/// For each point of the shape, the last one of the stroke from `first` to before `last` whose place is below it;
+/// `first` if none is. Instead of a search for each, each point of the stroke names the first of the shape beyond it.
+template <std::size_t points>
+std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t first, std::size_t last) {
+    static constexpr auto wanted = wanted_places<points>();
+    std::array<std::uint32_t, points + 2> before{};
+    for (std::size_t j = first; j < last; ++j) {
+        const float place = s.place[j];
+        auto i =
+            static_cast<std::uint32_t>(static_cast<std::int32_t>(place * static_cast<float>(points - 1)));
+        i = std::min(i, static_cast<std::uint32_t>(points - 1));
+        i += wanted[i] <= place ? 1 : 0;
+        i += wanted[i] <= place ? 1 : 0;  // where the product was rounded down
+        before[i] = static_cast<std::uint32_t>(j);
+    }
+    std::array<std::uint32_t, points> result;
+    auto latest = static_cast<std::uint32_t>(first);
+    for (std::size_t i = 0; i < points; ++i) result[i] = latest = std::max(latest, before[i]);
+    return result;
+}
+
 /// Places of the shape along the points, in arc length and time.
 template <std::size_t points>
 Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
+    static constexpr auto wanted = wanted_places<points>();
     const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
     const float by_time = seconds > 0 ? time_share / seconds : 0;
     const float by_length = (seconds > 0 ? 1 - time_share : 1) / length;
@@ -135,15 +209,19 @@ Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
         return by_length * (s.length[i] - s.length[first]) + by_time * (s.t[i] - s.t[first]);
     };
     const bool few = last - first < few_points;
-    for (std::size_t i = first; few && i <= last; ++i) s.place[i] = place(i);
+    std::array<std::uint32_t, points> start;
+    if (few) {
+        for (std::size_t i = first; i <= last; ++i) s.place[i] = place(i);
+        start = points_before<points>(s, first, last);
+    } else {
+        for (std::size_t i = 0; i < points; ++i)
+            start[i] = static_cast<std::uint32_t>(point_before(wanted[i], first, last, place));
+    }
     Sampled<points> out;
     for (std::size_t i = 0; i < points; ++i) {
-        const float wanted = static_cast<float>(i) / static_cast<float>(points - 1);
-        const std::size_t j =
-            few ? point_before(wanted, first, last, [&](std::size_t k) { return s.place[k]; })
-                : point_before(wanted, first, last, place);
+        const std::size_t j = start[i];
         const float before = place(j), step = place(j + 1) - before;
-        const float part = step > 0 ? std::clamp((wanted - before) / step, 0.0F, 1.0F) : 0.0F;
+        const float part = step > 0 ? std::clamp((wanted[i] - before) / step, 0.0F, 1.0F) : 0.0F;
         out.x[i] = s.x[j] + part * (s.x[j + 1] - s.x[j]);
         out.y[i] = s.y[j] + part * (s.y[j + 1] - s.y[j]);
         out.z[i] = s.z[j] + part * (s.z[j + 1] - s.z[j]);
@@ -272,7 +350,7 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     if (last <= first) return false;
     shape.length = s.length[last] - s.length[first];
     shape.seconds = s.t[last] - s.t[first];
-    if (!(shape.length > 0)) return false;
+    if (!(shape.length > 0) || !std::isfinite(shape.length) || !std::isfinite(shape.seconds)) return false;
     auto q = resampled<shape_points>(s, first, last);
     shape.force = mean_of(q.force);
     if (!channels.force) q.force = {};
@@ -294,7 +372,8 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
 }
 
 bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKind kind, FineShape& shape) {
-    if (last <= first || !(s.length[last] - s.length[first] > 0)) return false;
+    const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
+    if (last <= first || !(length > 0) || !std::isfinite(length) || !std::isfinite(seconds)) return false;
     auto q = resampled<fine_points>(s, first, last);
     if (!kind.channels.force) q.force = {};
     if (!(normalise(q) > 0)) return false;
