@@ -33,8 +33,10 @@ void thin(DrawnStroke& trace) {
     trace.every *= 2;
 }
 
-void append(const CastingRules& rules, const HandState& hand_state, const Ladle* ladle, double ladle_to_hand,
-            DrawnStroke& trace) {
+/// Adds the present place of the hand. The force is that of the viscous space also on the brew. With the drag of the brew,
+/// which grows with the square of the speed, half of the slow strokes would not be read, and each brew would have another
+/// measure of what is gentle.
+void append(const CastingRules& rules, const HandState& hand_state, const Ladle* ladle, DrawnStroke& trace) {
     if (trace.waits > 0) {
         --trace.waits;
         return;
@@ -42,9 +44,7 @@ void append(const CastingRules& rules, const HandState& hand_state, const Ladle*
     if (trace.count == trace.points.size()) thin(trace);
     const vec3 at = ladle != nullptr ? point_on_brew(hand_state, trace) : point_in_air(hand_state, trace);
     double force = 0;
-    if (ladle != nullptr) {
-        force = ladle_to_hand * glm::length(ladle->force);
-    } else if (trace.count > 0) {
+    if (trace.count > 0) {
         const auto& last = trace.points[trace.count - 1];
         force =
             rules.viscosity * glm::distance(at, vec3(last.x, last.y, last.z)) / (trace.every * gameplay_dt);
@@ -133,8 +133,7 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     const bool dead = std::as_const(world).has<Dead>(caster.wizard);
     const bool held = (controls.held & bit(Button::trace)) != 0;
     if ((ladle != nullptr) != (trace.on_brew != 0)) trace.over = 1;
-    const double ladle_to_hand = context.data.cauldron ? context.data.cauldron->ladle.newtons_per_newton : 0;
-    if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, ladle_to_hand, trace);
+    if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, trace);
     if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
         const auto chord = chord_reading(context, *gestures, controls);
         trace.over = 1;

@@ -114,7 +114,8 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     out.least = window.least;
     out.most = window.most;
     if (const auto* ladle = match.world().find<Ladle>(wizard)) {
-        out.force = data.cauldron->ladle.newtons_per_newton * glm::length(ladle->force);
+        out.force =
+            data.casting->viscosity * glm::length(ladle->velocity) / data.cauldron->ladle.metres_per_metre;
         out.yaw = ladle->yaw;
     }
     if (before >= order.count) return take_stroke(match, cauldron, recipe, player, out);

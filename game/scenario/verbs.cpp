@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
@@ -304,6 +305,34 @@ struct WizardReader {
 vec3 centre(const Play& play, std::uint32_t player) { return part<Motion>(play, player).position; }
 
 /// Harm that the wizard's shield still takes (HP).
+/// The last reading of the player's strokes: gesture, force (N), turns, probability. Without a gesture, the name is
+/// missing.
+void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
+    const auto& reading = part<LastReading>(play, player);
+    lua_createtable(lua, 0, 4);
+    arg::set_number(lua, "force", reading.force);
+    arg::set_number(lua, "turns", reading.turns);
+    arg::set_number(lua, "probability", reading.probability);
+    const auto* gestures = gestures_of(play.match->context(), player);
+    if (gestures == nullptr || reading.at == 0 || reading.gesture >= gestures->gestures().size()) return;
+    const auto& name = gestures->gestures()[reading.gesture].name;
+    lua_pushlstring(lua, name.data(), name.size());
+    lua_setfield(lua, -2, "gesture");
+}
+
+/// The potions that act on the player, each with its time left (s), and `work_half`: whether the player holds half of the
+/// Great Work.
+void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
+    const auto& potions = part<Potions>(play, player);
+    const auto played = play.match->match().played;
+    lua_newtable(lua);
+    for (std::size_t i = 0; i < play.data->recipes.size(); ++i)
+        if (played < potions.until.at(i))
+            arg::set_number(lua, play.data->recipes[i].name.c_str(), seconds(potions.until.at(i) - played));
+    lua_pushboolean(lua, static_cast<int>(potions.work_half));
+    lua_setfield(lua, -2, "work_half");
+}
+
 double ward(const Play& play, std::uint32_t player) {
     const auto& health = part<Health>(play, player);
     return play.match->match().played < health.ward_until ? health.ward : 0;
@@ -384,6 +413,8 @@ constexpr WizardReader wizard_readers[] = {
     {"focus",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, part<Focus>(p, i).points); }},
     {"ward", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, ward(p, i)); }},
+    {"reading", push_reading},
+    {"potions", push_potions},
     {"shielded",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, is_shielded(p, i)); }},
 };
