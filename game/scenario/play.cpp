@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/components/hand_state.h"
+#include "game/match/own_gestures.h"
 #include "game/match/tables.h"
 #include "game/wands/belt.h"
 
@@ -111,6 +112,7 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
         play.arms[player]->device = static_cast<std::uint32_t>(setup.devices.size());
         setup.devices.push_back({.player = player, .kind = input::DeviceKind::arm, .name = "script"});
     }
+    if (auto used = use_profile(*play.data, wanted.profile, setup); !used) return used;
     play.match = std::make_unique<Simulation>(play.data, setup);
     for (std::uint32_t player = 0; player < players; ++player) {
         const int level = wanted.bot_level[player];

@@ -2,12 +2,14 @@
 #include "game/scenario/verbs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/match/haptic_setup.h"
+#include "game/match/own_gestures.h"
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
@@ -121,12 +123,75 @@ void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
     }
 }
 
+/// Places such as {{0, 0}, {1, 2}}.
+std::vector<vec3> read_places(lua_State* lua, int index, const std::string& name) {
+    constexpr lua_Unsigned most_places = 1000;
+    if (!lua_istable(lua, index)) fault("gestures: '", name, "' must be a list of places {x, y}");
+    index = lua_absindex(lua, index);
+    const auto count = lua_rawlen(lua, index);
+    if (count < 2 || count > most_places)
+        fault("gestures: '", name, "' must have 2 to ", most_places, " places");
+    std::vector<vec3> places(count);
+    for (lua_Unsigned i = 0; i < count; ++i) {
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
+        if (!lua_istable(lua, -1)) fault("gestures: '", name, "' must be a list of places {x, y}");
+        for (int axis = 0; axis < 2; ++axis) {
+            lua_rawgeti(lua, -1, axis + 1);
+            places[i][axis] = arg::number(lua, -1, name, {-1000, 1000});
+            lua_pop(lua, 1);
+        }
+        lua_pop(lua, 1);
+    }
+    return places;
+}
+
+/// A stroke along places, at an even pace in a second.
+std::vector<gesture::StrokePoint> stroke_along(const std::vector<vec3>& places) {
+    constexpr double points = 100;
+    double length = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) length += glm::distance(places[i - 1], places[i]);
+    std::vector<gesture::StrokePoint> stroke;
+    double before = 0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const double way = glm::distance(places[i - 1], places[i]);
+        const double steps = std::max(1.0, std::round(points * way / std::max(length, 1e-9)));
+        for (double k = 0; k < steps; ++k)
+            stroke.push_back({(before + way * k / steps) / std::max(length, 1e-9),
+                              glm::mix(places[i - 1], places[i], k / steps), 1});
+        before += way;
+    }
+    stroke.push_back({1, places.back(), 1});
+    return stroke;
+}
+
+/// Reads own gestures of the players: a list of tables such as {circle = {{0, 0}, {1, 2}}}.
+void read_gestures(lua_State* lua, int index, MatchOptions& wanted) {
+    if (!lua_istable(lua, index)) fault("gestures must be a list of tables, one for each player");
+    index = lua_absindex(lua, index);
+    for (std::uint32_t player = 0; player < players; ++player) {
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(player) + 1);
+        if (lua_isnil(lua, -1)) {
+            lua_pop(lua, 1);
+            continue;
+        }
+        if (!lua_istable(lua, -1)) fault("gestures: player ", player + 1, " has no table");
+        for (lua_pushnil(lua); lua_next(lua, -2) != 0; lua_pop(lua, 1)) {
+            if (lua_type(lua, -2) != LUA_TSTRING) fault("gestures: a name is missing");
+            gesture::Gesture own{.name = arg::string(lua, -2, "a gesture"), .options = {}, .strokes = {}};
+            own.options = {.rotation = 0.3, .planar = true, .gentle_below = 1, .harsh_above = 1.5};
+            own.strokes.push_back(stroke_along(read_places(lua, -1, own.name)));
+            wanted.profile.push_back(profile_of(own, player));
+        }
+        lua_pop(lua, 1);
+    }
+}
+
 int verb_match(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     if (play.match) fault("match{...} stands once in a scenario");
-    const Options options(
-        lua, 1, "match",
-        {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows", "modes", "arms"});
+    const Options options(lua, 1, "match",
+                          {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows",
+                           "modes", "arms", "gestures"});
     MatchOptions wanted;
     if (options.has("arena")) wanted.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wanted.data.rules = arg::string(lua, -1, "rules");
@@ -140,6 +205,7 @@ int verb_match(lua_State* lua, void* context) {
     if (options.has("blows")) read_percents(lua, -1, "blows", wanted.blows);
     if (options.has("modes")) read_modes(lua, -1, wanted);
     if (options.has("arms")) read_arms(lua, -1, wanted);
+    if (options.has("gestures")) read_gestures(lua, -1, wanted);
     if (const auto made = begin_match(play, wanted); !made) {
         play.match.reset();
         fault(made.error().message);
