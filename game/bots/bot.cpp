@@ -252,7 +252,7 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own,
     if (!roped(own.swing_plan))
         plan_to_lift(match, self, seat, own.eyes, surroundings.grid, mind, own.lift_plan, tick);
     if (!roped(own.swing_plan) && own.lift_plan.stage == LiftStage::none)
-        plan_to_stir(match, self, seat, mind, own.stir_plan, tick);
+        plan_to_stir(match, self, seat, surroundings.grid, mind, own.stir_plan, tick);
     choose_step(match, self, seat, mind, tick);
     vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
     if (const vec3 out = way_out(match, self, surroundings.grid, mind, tick); glm::length(out) > 0) way = out;
@@ -305,7 +305,8 @@ StirSkill read_stirring(const ConfigTable& table) {
     return {.share = table.number("share", {0, 1}),
             .seek = table.number("seek_m", distances),
             .hold = ticks(table.number("hold_s", {0.1, 60})),
-            .rest = ticks(table.number("rest_s", {0, 600}))};
+            .rest = ticks(table.number("rest_s", {0, 600})),
+            .brew = table.number("brew", {0, 1}, 0)};
 }
 
 EdgeSkill read_edge(const ConfigTable& table) {
@@ -408,7 +409,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
                       in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];
-            if (stirs(stir_plan)) return stir_hand(match.match().played, sample);
+            if (stirs(stir_plan)) return stir_hand(match, seat, stir_plan, match.match().played, sample);
             sample = {};
             turn_hand(mind, gameplay_period - phase, sample);
             sample.counts[hand::strafe] = mind.move_strafe;

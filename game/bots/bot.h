@@ -43,10 +43,13 @@ struct StirSkill {
     double seek{};   ///< largest walk to the cauldron (m)
     Tick hold{};     ///< largest time of stirring (ticks)
     Tick rest{};     ///< time between two visits (ticks)
+    double
+        brew{};  ///< share of the opportunities without a foe in sight at which it brews a potion; 0: never
     static constexpr auto fields() {
         using S = StirSkill;
         return std::tuple(ecs::field("share", &S::share), ecs::field("seek", &S::seek),
-                          ecs::field("hold", &S::hold), ecs::field("rest", &S::rest));
+                          ecs::field("hold", &S::hold), ecs::field("rest", &S::rest),
+                          ecs::field("brew", &S::brew));
     }
 };
 

@@ -1,6 +1,7 @@
 // game/bots/mind.h: memory, goals and plans of a bot, as components of the bots' own World.
 #pragma once
 #include "game/bots/bot.h"
+#include "game/components/potions.h"
 
 namespace thaum::game {
 
@@ -150,8 +151,8 @@ struct SwingPlan {
     }
 };
 
-/// Stages at the cauldron: walk to the rim, stir.
-enum class StirStage : std::uint32_t { none, approach, stir };
+/// Stages at the cauldron: walk to a niche for an ingredient, walk to the rim, stir.
+enum class StirStage : std::uint32_t { none, approach, stir, fetch };
 
 /// Plan of a bot at the cauldron.
 struct StirPlan {
@@ -159,12 +160,23 @@ struct StirPlan {
     Tick not_before{};  ///< tick before which the bot does not go to the cauldron again
     double health{};    ///< health at the beginning of stirring (HP)
     StirStage stage{};
+    std::uint32_t recipe{no_potion};  ///< recipe that the bot brews; no_potion: it only stirs
+    std::uint32_t dropped{};          ///< number of ingredients that the bot has seen in its brew
+    std::uint32_t stroke{};           ///< number of strokes done when the present one began
+    Tick drawing_from{};              ///< tick at which the present stroke began; 0: the bot draws none
+    Tick drawing_until{};             ///< tick at which Trace is released
+    Tick hands_off_until{};           ///< tick before which the bot begins no stroke and drops nothing
+    std::uint32_t drops{};            ///< 1: the bot presses fire over the brew
     std::uint32_t spare{};
     static constexpr std::string_view name = "Stirrer";
     static constexpr auto fields() {
         using S = StirPlan;
         return std::tuple(ecs::field("until", &S::until), ecs::field("not_before", &S::not_before),
                           ecs::field("health", &S::health), ecs::field("what", &S::stage),
+                          ecs::field("recipe", &S::recipe), ecs::field("dropped", &S::dropped),
+                          ecs::field("stroke", &S::stroke), ecs::field("drawing_from", &S::drawing_from),
+                          ecs::field("drawing_until", &S::drawing_until),
+                          ecs::field("hands_off_until", &S::hands_off_until), ecs::field("drops", &S::drops),
                           ecs::field("spare", &S::spare));
     }
 };

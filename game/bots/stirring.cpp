@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "game/bots/brewing.h"
 #include "game/cauldron/ladle.h"
+#include "game/cauldron/potions.h"
 
 namespace thaum::game {
 namespace {
@@ -13,6 +15,9 @@ constexpr double beside_rim = 0.75;   ///< distance from the rim at which a bot 
 constexpr double needs_energy = 0.6;  ///< share of the wand's energy below which stirring is worth the time
 constexpr double has_enough = 0.97;
 constexpr double unnerved = 8;  ///< loss of health at the rim after which the bot fights back (HP)
+constexpr double well = 50;     ///< health from which the bot goes for a potion (HP)
+constexpr Tick brew_limit = ticks(40.0);
+constexpr Tick between_strokes = ticks(0.2);
 constexpr Tick way_limit = ticks(6.0);
 constexpr Tick unseen = ticks(1.5);
 constexpr Tick period = ticks(1.1);  ///< ticks of one circle
@@ -37,23 +42,92 @@ vec3 place_at_rim(const Simulation& match, const Cauldron& cauldron, vec3 from) 
 }
 
 void end(const Seat& seat, Mind& mind, StirPlan& stir_plan, Tick tick) {
-    stir_plan.stage = StirStage::none;
-    stir_plan.not_before = tick + seat.skill.stir.rest;
+    stir_plan = {.not_before = tick + seat.skill.stir.rest};
     if (mind.errand == Errand::stir) mind.errand = Errand::none;
+}
+
+bool carries(const Simulation& match, const Seat& seat) {
+    return match.world().has<Pouch>(wizard_of(match.world(), seat.player));
+}
+
+// ---- potions ----------------------------------------------------------------------------------------------
+
+/// Whether the bot goes for a potion now: nobody is in sight, it is well, and the brew is nobody's.
+bool begins_to_brew(const Simulation& match, const Self& self, const Seat& seat, const Cauldron& cauldron,
+                    Mind& mind, StirPlan& stir_plan, Tick tick) {
+    const auto& skill = seat.skill.stir;
+    const bool alone = mind.foe_seen_at == 0 || tick - mind.foe_seen_at > unseen;
+    if (!(skill.brew > 0) || !alone || cauldron.begun != 0 || self.health < well) return false;
+    if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.brew)
+        return false;
+    stir_plan.recipe = choose_recipe(match, seat, mind.random);
+    if (stir_plan.recipe == no_potion) return false;
+    stir_plan.stage = StirStage::fetch;
+    stir_plan.until = tick + brew_limit;
+    stir_plan.health = self.health;
+    return true;
+}
+
+/// Begins the next stroke at the rim.
+void begin_drawing(const Simulation& match, const Seat& seat, const Cauldron& cauldron, StirPlan& stir_plan,
+                   Tick tick) {
+    stir_plan.stroke = cauldron.strokes_done;
+    stir_plan.drawing_from = std::max<Tick>(tick, 1);
+    stir_plan.drawing_until = tick + stroke_length(match, seat, stir_plan);
+}
+
+/// Goes on with the brewing of a potion, one gameplay tick.
+void brew(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind,
+          StirPlan& stir_plan, Tick tick) {
+    const auto& cauldron = match.world().single<Cauldron>();
+    if (stir_plan.drawing_from != 0 && tick < stir_plan.drawing_until) return;
+    if (stir_plan.drawing_from != 0) stir_plan.hands_off_until = tick + between_strokes;
+    stir_plan.drawing_from = 0;
+    stir_plan.drops = 0;
+    stir_plan.dropped = static_cast<std::uint32_t>(ingredients_in(cauldron)) > stir_plan.dropped
+                            ? static_cast<std::uint32_t>(ingredients_in(cauldron))
+                            : stir_plan.dropped;
+    if (stir_plan.dropped == 0 && carries(match, seat)) {  // the bot brews what it has picked up
+        stir_plan.recipe = choose_recipe(match, seat, mind.random);
+        if (stir_plan.recipe == no_potion) return end(seat, mind, stir_plan, tick);
+    }
+    const auto step = next_brew_step(match, seat, grid, stir_plan, tick);
+    const bool hurt = self.health < stir_plan.health - unnerved;
+    if (step.task == BrewTask::done || tick >= stir_plan.until || hurt)
+        return end(seat, mind, stir_plan, tick);
+    const bool there = within_reach(match.data(), cauldron, self.centre);
+    if (step.task == BrewTask::fetch || !there) {
+        stir_plan.stage = StirStage::fetch;
+        mind.errand = Errand::stir;
+        mind.goal = step.task == BrewTask::fetch ? step.place : place_at_rim(match, cauldron, self.centre);
+        return;
+    }
+    stir_plan.stage = StirStage::stir;
+    const bool holds_ladle = match.world().has<Ladle>(wizard_of(match.world(), seat.player));
+    if (!holds_ladle || tick < stir_plan.hands_off_until) return;
+    if (step.task == BrewTask::drop) {
+        stir_plan.drops = 1;
+        stir_plan.hands_off_until = tick + between_strokes;
+    } else if (step.task == BrewTask::draw) {
+        begin_drawing(match, seat, cauldron, stir_plan, tick);
+    }
 }
 
 }  // namespace
 
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
-                  StirPlan& stir_plan, Tick tick) {
+void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
+                  Mind& mind, StirPlan& stir_plan, Tick tick) {
     const auto& skill = seat.skill.stir;
     if (!(skill.share > 0) || !match.data().cauldron || match.world().count<Cauldron>() == 0) return;
     const auto& cauldron = match.world().single<Cauldron>();
     const bool wanted = is_worth_it(match, self, seat, mind, tick);
+    if (stir_plan.recipe != no_potion) return brew(match, self, seat, grid, mind, stir_plan, tick);
     switch (stir_plan.stage) {
         case StirStage::none:
-            if (tick < stir_plan.not_before || !wanted || mind.errand != Errand::none) return;
+            if (tick < stir_plan.not_before || mind.errand != Errand::none) return;
+            if (!wanted && !(skill.brew > 0)) return;
             stir_plan.not_before = tick + ticks(0.5);
+            if (begins_to_brew(match, self, seat, cauldron, mind, stir_plan, tick) || !wanted) return;
             if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.share)
                 return;
             stir_plan.stage = StirStage::approach;
@@ -68,17 +142,24 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, M
             stir_plan.until = tick + skill.hold;
             stir_plan.health = self.health;
             return;
+        case StirStage::fetch: return;
         case StirStage::stir:
+            // An ingredient that the bot has picked up by the way goes into the brew, so that its hands are free.
+            stir_plan.drops = carries(match, seat) && tick / gameplay_period % 8 == 0 ? 1 : 0;
             const bool full = self.energy_share > has_enough && !foe_stirs(match, seat, mind, tick);
             if (tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved)
                 end(seat, mind, stir_plan, tick);
     }
 }
 
-void stir_hand(Tick tick, input::DeviceSample& sample) {
+void stir_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
+               input::DeviceSample& sample) {
     sample = {};
     const double angle = 2 * pi * static_cast<double>(tick % period) / static_cast<double>(period);
     sample.press(input::Button::stir);
+    if (stir_plan.drops != 0) sample.press(input::Button::fire);
+    if (stir_plan.drawing_from != 0) return draw_hand(match, seat, stir_plan, tick, sample);
+    if (tick < stir_plan.hands_off_until && stir_plan.stroke > 0) return;
     sample.counts[hand::look_right] = static_cast<std::int32_t>(std::lround(counts * det::cos(angle)));
     sample.counts[hand::look_up] = static_cast<std::int32_t>(std::lround(counts * det::sin(angle)));
 }

@@ -1,18 +1,21 @@
 // game/bots/stirring.h: how a bot stirs the cauldron. It walks to the rim if its wand lacks energy and no foe
-// is in sight, or if the foe stirs. There it moves its hand in circles.
+// is in sight, or if the foe stirs. There it moves its hand in circles. A bot that can brew also goes there for a
+// potion (brewing.h).
 #pragma once
 #include "game/bots/mind.h"
+#include "game/bots/nav.h"
 
 namespace thaum::game {
 
 /// Plans the bot's actions at the cauldron. While the bot walks there, writes mind.errand and mind.goal.
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
-                  StirPlan& stir_plan, Tick tick);
+void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
+                  Mind& mind, StirPlan& stir_plan, Tick tick);
 
 /// Whether the bot stirs at present.
 inline bool stirs(const StirPlan& stir_plan) { return stir_plan.stage == StirStage::stir; }
 
 /// Writes the hand's motion of this tick to the sample.
-void stir_hand(Tick tick, input::DeviceSample& sample);
+void stir_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
+               input::DeviceSample& sample);
 
 }  // namespace thaum::game

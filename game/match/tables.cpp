@@ -143,6 +143,10 @@ void append_player(const Simulation& match, std::uint32_t player, std::string& o
 
 }  // namespace
 
+std::string with_of(const Event& event, const Simulation& match) {
+    return with_what(info_of(event.kind).with, event, match);
+}
+
 void append_csv(std::string& row, std::string_view field) {
     if (field.find_first_of(",\"\r\n") == std::string_view::npos) return append_text(row, field);
     row += '"';

@@ -54,6 +54,9 @@ private:
     std::array<bool, input::max_devices> away_{};  ///< devices that had left at the last step
 };
 
+/// What an event was with, in words: the value of the column `with`. Empty if there is none.
+std::string with_of(const Event& event, const Simulation& match);
+
 /// Header of `append_state`: tick, time_s, played_s, paused, then for player N = 1, 2: pN_x_m ... (body
 /// centre), pN_vx_m_s ..., pN_yaw_rad, pN_pitch_rad, pN_dead, pN_health_hp, pN_wand and the energy of each
 /// wand.

@@ -50,8 +50,11 @@ void set_player(lua_State* lua, const char* key, std::uint32_t player) {
     lua_setfield(lua, -2, key);
 }
 
-void push_event(lua_State* lua, const Event& event) {
-    lua_createtable(lua, 0, 7);
+void push_event(lua_State* lua, const Play& play, const Event& event) {
+    lua_createtable(lua, 0, 8);
+    const auto with = with_of(event, *play.match);
+    lua_pushlstring(lua, with.data(), with.size());
+    lua_setfield(lua, -2, "with");
     lua_pushnumber(lua, seconds(event.tick));
     lua_setfield(lua, -2, "time");
     const auto name = name_of(event.kind);
@@ -74,7 +77,7 @@ int verb_events(lua_State* lua, void* context) {
     lua_Integer count = 0;
     for (const auto& event : play.events) {
         if (!filter.fits(event)) continue;
-        push_event(lua, event);
+        push_event(lua, play, event);
         lua_rawseti(lua, -2, ++count);
     }
     return 1;
@@ -86,7 +89,7 @@ int verb_next_event(lua_State* lua, void* context) {
     for (auto i = play.events_expected; i < play.events.size(); ++i) {
         if (!filter.fits(play.events[i])) continue;
         play.events_expected = i + 1;
-        push_event(lua, play.events[i]);
+        push_event(lua, play, play.events[i]);
         return 1;
     }
     return 0;

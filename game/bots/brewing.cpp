@@ -1,0 +1,185 @@
+#include "game/bots/brewing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/casting/casting.h"
+#include "game/cauldron/potions.h"
+
+namespace thaum::game {
+namespace {
+
+namespace hand = input::hand;
+
+constexpr Tick rest_before = 24, rest_after = 24;         // ticks with Trace held and the hand at rest
+constexpr double gentle = 0.65, plain = 1.2, hard = 1.9;  // mean force of a stroke (N)
+
+const Cauldron& cauldron_of(const Simulation& match) { return match.world().single<Cauldron>(); }
+
+/// Niche of an ingredient that is nearest to the wizard and has some; std::nullopt if all are empty.
+std::optional<vec3> niche_of(const Simulation& match, const Seat& seat, std::uint32_t ingredient, Tick tick) {
+    const auto from = match.world().get<Motion>(wizard_of(match.world(), seat.player)).position;
+    std::optional<vec3> best;
+    match.world().view<const Niche, const Motion>().each([&](const Niche& niche, const Motion& motion) {
+        if (niche.ingredient != ingredient || tick < niche.back_at) return;
+        if (!best || glm::distance(from, motion.position) < glm::distance(from, *best))
+            best = motion.position;
+    });
+    return best;
+}
+
+double distance_to_way(vec3 point, vec3 from, vec3 to) {
+    const vec2 way(to.x - from.x, to.z - from.z), off(point.x - from.x, point.z - from.z);
+    const double length = glm::dot(way, way);
+    const double share = length > 0 ? std::clamp(glm::dot(off, way) / length, 0.0, 1.0) : 0;
+    return glm::length(off - share * way);
+}
+
+/// Whether a straight way passes no niche that has something, except its goal.
+bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) {
+    constexpr double room = 0.6;  // m
+    bool free = true;
+    match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
+        if (tick < other.back_at || motion.position == niche) return;
+        const double clear = match.data().cauldron->niche_radius + room;
+        free &= distance_to_way(motion.position, from, niche) > clear;
+    });
+    return free;
+}
+
+/// Place to walk to for a niche: the niche, or a place beside it if another niche lies on the way. Whoever walks over a
+/// niche takes what lies there.
+vec3 way_to_niche(const Simulation& match, const WalkGrid& grid, vec3 from, vec3 niche, Tick tick) {
+    if (passes_no_niche(match, from, niche, tick)) return niche;
+    const vec3 out = niche - cauldron_of(match).middle;
+    const vec3 side = vec3(-out.z, 0, out.x) / std::max(1e-6, off_axis(out));
+    const double sign = glm::dot(from - niche, side) < 0 ? -1 : 1;
+    for (const double beside : {3.0, 4.5, 2.2, -3.0, -4.5, -2.2}) {
+        const vec3 place = niche + sign * beside * side;
+        if (grid.in_large_region(grid.cell_at(place)) && passes_no_niche(match, place, niche, tick))
+            return place;
+    }
+    return niche;
+}
+
+/// Force at which a bot draws: in the middle of the recipe's band.
+double force_for(const RecipeStroke& stroke) {
+    if (stroke.least_force > plain) return std::max(hard, 1.2 * stroke.least_force);
+    return stroke.most_force < plain ? std::min(gentle, 0.8 * stroke.most_force) : plain;
+}
+
+/// Points of a gesture's first template, and its length (m).
+struct StrokePath {
+    std::span<const gesture::StrokePoint> points;
+    double length{};
+    bool mirrored = false;
+    double force{};
+};
+
+StrokePath path_of(const Simulation& match, const Seat& seat, const StirPlan& plan) {
+    const auto* gestures = gestures_of(match.context(), seat.player);
+    const auto* stroke = next_stroke(match.data().recipes[plan.recipe], plan.stroke);
+    if (gestures == nullptr || stroke == nullptr) return {};
+    const auto number = gestures->number(stroke->gesture);
+    if (!number || gestures->gestures()[*number].strokes.empty()) return {};
+    StrokePath path{.points = gestures->gestures()[*number].strokes.front(), .force = force_for(*stroke)};
+    double area = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const auto &a = path.points[i - 1].at, &b = path.points[i].at;
+        path.length += glm::distance(vec2(a), vec2(b));
+        area += a.x * b.y - b.x * a.y;
+    }
+    path.mirrored = (stroke->sense == CircleSense::clockwise && area > 0) ||
+                    (stroke->sense == CircleSense::counterclockwise && area < 0);
+    return path;
+}
+
+/// Time for drawing the path at its force (ticks).
+Tick time_of(const Simulation& match, const StrokePath& path) {
+    const double speed = path.force / match.data().casting->viscosity;
+    return std::max<Tick>(1, ticks(path.length / speed));
+}
+
+/// Place on the path after a share of its length (m).
+vec2 place_on(const StrokePath& path, double share) {
+    double left = std::clamp(share, 0.0, 1.0) * path.length;
+    vec2 at(path.points.front().at);
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const vec2 from(path.points[i - 1].at), to(path.points[i].at);
+        const double step = glm::distance(from, to);
+        at = step > left ? glm::mix(from, to, left / step) : to;
+        if (step >= left) break;
+        left -= step;
+    }
+    return {path.mirrored ? -at.x : at.x, at.y};
+}
+
+}  // namespace
+
+std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& random) {
+    const auto& data = match.data();
+    const auto wizard = wizard_of(match.world(), seat.player);
+    const auto* pouch = match.world().find<Pouch>(wizard);
+    std::uint32_t chosen = no_potion, count = 0;
+    for (std::uint32_t i = 0; i < data.recipes.size(); ++i) {
+        // A drawn order belongs to the Great Work, for which these bots do not go.
+        const auto& recipe = data.recipes[i];
+        const bool acts = match.world().get<Potions>(wizard).until.at(i) != 0;
+        const bool fits = pouch == nullptr || recipe.ingredients.front().ingredient == pouch->ingredient;
+        if (recipe.drawn || acts || !fits) continue;
+        ++count;
+        if (random.below(count) == 0) chosen = i;
+    }
+    return chosen;
+}
+
+BrewStep next_brew_step(const Simulation& match, const Seat& seat, const WalkGrid& grid, const StirPlan& plan,
+                        Tick tick) {
+    const auto& cauldron = cauldron_of(match);
+    const auto& recipe = match.data().recipes[plan.recipe];
+    const auto order = order_of(recipe, match.world(), seat.player);
+    const auto in = ingredients_in(cauldron);
+    const auto contents = contents_to_come(cauldron);
+    const bool mine = cauldron.begun == 0 || cauldron.owner == seat.player;
+    for (std::size_t i = 0; i < in; ++i)
+        if (i >= order.count || contents[i] != order.steps[i].ingredient) return {.task = BrewTask::done};
+    if (!mine || cauldron.fault != BrewFault::none || in < plan.dropped) return {.task = BrewTask::done};
+    const bool ripe = in == 0 || cauldron.reached >= order.steps[in - 1].least;
+    if (in > 0 && cauldron.strokes_done == 0 && cauldron.reached > order.steps[in - 1].most)
+        return {.task = BrewTask::done};
+    if (in == order.count)
+        return {.task = ripe || cauldron.strokes_done > 0 ? BrewTask::draw : BrewTask::carry};
+    const auto* pouch = match.world().find<Pouch>(wizard_of(match.world(), seat.player));
+    const auto wanted = order.steps[in].ingredient;
+    if (pouch != nullptr && pouch->ingredient != wanted) return {.task = BrewTask::done};
+    if (pouch != nullptr) return {.task = ripe ? BrewTask::drop : BrewTask::carry};
+    if (!ripe) return {.task = BrewTask::carry};
+    const auto niche = niche_of(match, seat, wanted, tick);
+    if (!niche) return {.task = BrewTask::done};
+    const auto from = match.world().get<Motion>(wizard_of(match.world(), seat.player)).position;
+    return {.task = BrewTask::fetch, .place = way_to_niche(match, grid, from, *niche, tick)};
+}
+
+Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& plan) {
+    const auto path = path_of(match, seat, plan);
+    return path.points.empty() ? 0 : rest_before + time_of(match, path) + rest_after;
+}
+
+void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, Tick tick,
+               input::DeviceSample& sample) {
+    sample.press(input::Button::trace);
+    const auto path = path_of(match, seat, plan);
+    const Tick age = tick - plan.drawing_from;
+    if (path.points.size() < 2 || age < rest_before) return;
+    const double micrometres = 1e6 / match.data().haptic_rules.clutch_per_count;
+    const auto time = static_cast<double>(time_of(match, path));
+    const auto counts_at = [&](Tick at) {
+        const vec2 place = micrometres * place_on(path, static_cast<double>(at) / time);
+        return std::pair(std::lround(place.x), std::lround(place.y));
+    };
+    const auto before = counts_at(age - rest_before), now = counts_at(age - rest_before + 1);
+    sample.counts[hand::look_right] = static_cast<std::int32_t>(now.first - before.first);
+    sample.counts[hand::look_up] = static_cast<std::int32_t>(now.second - before.second);
+}
+
+}  // namespace thaum::game

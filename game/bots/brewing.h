@@ -1,0 +1,35 @@
+// game/bots/brewing.h: how a bot brews a potion. It fetches the ingredients one by one, stirs until the moment of the
+// next step has come, drops them in, and then draws the gestures with Trace held, as a person does.
+#pragma once
+#include "game/bots/mind.h"
+#include "game/bots/nav.h"
+
+namespace thaum::game {
+
+/// Chooses a recipe that a bot could brew now, from scratch; no_potion if there is none.
+std::uint32_t choose_recipe(const Simulation& match, const Seat& seat, Random& random);
+
+/// Next step of a bot that brews.
+enum class BrewTask : std::uint32_t {
+    fetch,  ///< walk to the niche of the next ingredient
+    carry,  ///< carry it to the rim, or stir there
+    drop,   ///< let it fall into the brew
+    draw,   ///< draw the next gesture
+    done    ///< the potion is brewed, or nothing can come of it
+};
+
+struct BrewStep {
+    BrewTask task{};
+    vec3 place{};  ///< place to walk to (m, world)
+};
+/// Next step for the recipe of the plan.
+BrewStep next_brew_step(const Simulation& match, const Seat& seat, const WalkGrid& grid, const StirPlan& plan,
+                        Tick tick);
+
+/// Length of the stroke that the recipe of the plan wants next (ticks), with the rests before and after it.
+Tick stroke_length(const Simulation& match, const Seat& seat, const StirPlan& plan);
+/// Writes the hand's motion of this tick of a stroke that began at plan.drawing_from.
+void draw_hand(const Simulation& match, const Seat& seat, const StirPlan& plan, Tick tick,
+               input::DeviceSample& sample);
+
+}  // namespace thaum::game
