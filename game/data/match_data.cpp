@@ -213,7 +213,6 @@ void load_wands(MatchData& data, Loader& loader) {
                                 .energy_cap = wand.stats.energy_cap,
                                 .energy_cost = wand.stats.energy_cost});
     }
-    shown->brew = brew_words_of(data);
     data.presentation = std::move(shown);
 }
 
@@ -320,6 +319,13 @@ void load_recipes(MatchData& data, Loader& loader) {
     }
 }
 
+/// Names ingredients and potions for those who show the match.
+void name_brew(MatchData& data) {
+    auto shown = std::make_shared<Presentation>(*data.presentation);
+    shown->brew = brew_words_of(data);
+    data.presentation = std::move(shown);
+}
+
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -364,9 +370,10 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
             check_bowl(root, data);
         });
     }
+    load_wands(data, loader);
     load_spells(data, loader);
     if (data.cauldron && data.gestures) load_recipes(data, loader);
-    load_wands(data, loader);
+    name_brew(data);
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);
     apply_rule_set(data);
