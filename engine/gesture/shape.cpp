@@ -354,6 +354,7 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     auto q = resampled<shape_points>(s, first, last);
     shape.force = mean_of(q.force);
     if (!channels.force) q.force = {};
+    if (!channels.depth) q.z = {};
     const float dx = q.x[shape_points - 1] - q.x[0], dy = q.y[shape_points - 1] - q.y[0],
                 dz = q.z[shape_points - 1] - q.z[0];
     shape.gap = std::sqrt(dx * dx + dy * dy + dz * dz) / shape.length;
@@ -376,6 +377,7 @@ bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKin
     if (last <= first || !(length > 0) || !std::isfinite(length) || !std::isfinite(seconds)) return false;
     auto q = resampled<fine_points>(s, first, last);
     if (!kind.channels.force) q.force = {};
+    if (!kind.channels.depth) q.z = {};
     if (!(normalise(q) > 0)) return false;
     if (kind.even) even_out(q);
     const auto d = directions_of(q);

@@ -75,7 +75,7 @@ Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
                                   points_of_shortest)),
       end_step_(static_cast<float>(static_cast<double>(recogniser.shortest()) / settings.length_range /
                                    ends_of_shortest)),
-      windows_(most_windows),
+      windows_(most_lengths * kinds()),
       held_(recogniser.gestures()),
       seen_(recogniser.gestures(), Candidate{.start = -1e300, .end = -1e300}),
       look_(recogniser) {
@@ -153,22 +153,29 @@ void Spotter::keep(const Pair& pair) {
     pairs_[at] = pair;
 }
 
-/// Makes the next window of the scan and compares it with the templates by dot product.
-void Spotter::look_at_window() {
+/// Looks at the next length of the scan, with and without depth as the templates need it.
+void Spotter::look_at_length() {
     const float from = last_end_ - next_length_;
     const auto* begin = points_.length.data();
     const auto first = static_cast<std::size_t>(std::lower_bound(begin, begin + end_, from) - begin);
-    const bool too_long = from < 0 || window_count_ == most_windows ||
+    const bool too_long = from < 0 || window_count_ + kinds() > most_lengths * kinds() ||
                           next_length_ > recogniser_.longest() * static_cast<float>(settings_.length_range) ||
                           static_cast<double>(points_.t[end_] - points_.t[first]) > settings_.longest;
     if (too_long) {
         scanning_ = false;
         verifying_ = pair_count_ > 0;
+        sort_by_channels();
         return;
     }
     next_length_ *= static_cast<float>(settings_.window_ratio);
+    if (recogniser_.needs_solid()) look_at_window(first, true);
+    if (recogniser_.needs_flat()) look_at_window(first, false);
+}
+
+/// Makes a window and compares it with the templates by dot product.
+void Spotter::look_at_window(std::size_t first, bool depth) {
     auto& window = windows_[window_count_];
-    const Channels channels{recogniser_.needs_solid(), recogniser_.settings().channels.force};
+    const Channels channels{depth, recogniser_.settings().channels.force};
     if (!make_shape(points_, first, end_, channels, window.shape)) return;
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
@@ -183,11 +190,24 @@ void Spotter::look_at_window() {
     ++window_count_;
 }
 
+/// Pairs with depth first, because those that are compared together have as many channels.
+void Spotter::sort_by_channels() {
+    std::array<Pair, most_pairs> flat;
+    std::size_t solid_count = 0, flat_count = 0;
+    for (std::size_t k = 0; k < pair_count_; ++k) {
+        const bool depth = windows_[pairs_[k].window].shape.channels == solid_channels;
+        (depth ? pairs_[solid_count++] : flat[flat_count++]) = pairs_[k];
+    }
+    std::copy_n(flat.begin(), flat_count, pairs_.begin() + static_cast<std::ptrdiff_t>(solid_count));
+}
+
 /// Compares the next eight pairs elastically.
 void Spotter::verify() {
     if (verified_ == 0) std::fill_n(best_.begin(), recogniser_.gestures(), Best{});
-    const std::size_t count = std::min(lanes, pair_count_ - verified_);
-    const std::size_t channels = windows_[pairs_[verified_].window].shape.channels;
+    const auto channels_of = [&](std::size_t k) { return windows_[pairs_[k].window].shape.channels; };
+    const std::size_t channels = channels_of(verified_), most = std::min(lanes, pair_count_ - verified_);
+    std::size_t count = 1;
+    while (count < most && channels_of(verified_ + count) == channels) ++count;
     auto& space = *space_;
     std::array<const float*, lanes> templates, strokes;
     for (std::size_t k = 0; k < lanes; ++k) {
@@ -307,7 +327,7 @@ std::span<const Candidate> Spotter::scan(const StrokePoint& point) {
     if (verifying_) {
         verify();
     } else if ((scanning_ && ++ticks_ % look_every != 0) || !look_closer()) {
-        for (std::size_t i = 0; i < settings_.windows_per_tick && scanning_; ++i) look_at_window();
+        for (std::size_t i = 0; i < settings_.windows_per_tick && scanning_; i += kinds()) look_at_length();
     }
     return candidates_;
 }

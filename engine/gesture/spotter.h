@@ -106,12 +106,16 @@ private:
         RecogniserSpace::Survivor match{};
         double due{};  ///< time at which the close look may begin (s)
     };
-    static constexpr std::size_t most_windows = 48, most_pairs = 16;
+    static constexpr std::size_t most_lengths = 48, most_pairs = 16;
 
     void append(const StrokePoint& point);
     void make_room();
     void start_scan();
-    void look_at_window();
+    void look_at_length();
+    void look_at_window(std::size_t first, bool depth);
+    void sort_by_channels();
+    /// Windows of each length: two where some gestures count depth and others do not.
+    std::size_t kinds() const { return recogniser_.needs_solid() && recogniser_.needs_flat() ? 2 : 1; }
     void keep(const Pair& pair);
     void verify();
     void collect();

@@ -104,6 +104,20 @@ TEST(Spotter, StartAndEndAreFoundWithinAFewHundredthsOfTheStroke) {
     EXPECT_NEAR(best.end, end, 0.05 * (end - start));
 }
 
+TEST(Spotter, AFlatGestureIsFoundBesideOneWithDepth) {
+    // A stroke with depth and a flat one, drawn while the depth wanders.
+    const auto helix = drawn([](double u) { return vec3(det::cos(6 * u), 2 * u, det::sin(6 * u)); });
+    const auto gestures = {gesture_of("helix", {helix}), gesture_of("ess", {ess()}, {.planar = true})};
+    const auto recogniser = Recogniser::make(std::vector<Gesture>(gestures), {.channels = {true, false}});
+    ASSERT_TRUE(recogniser);
+    auto deep = ess();
+    for (auto& p : deep) p.at.z = 0.5 * det::sin(7 * p.t);
+    double start = 0, end = 0;
+    EXPECT_LT(best_score(*recogniser, session_with(helix, start, end), 0), 0.1F);
+    EXPECT_LT(best_score(*recogniser, session_with(deep, start, end), 1), 0.1F);
+    EXPECT_GT(best_score(*recogniser, session_with(deep, start, end), 0), 0.14F);
+}
+
 TEST(Spotter, ARestBeforeAndAfterTheUsualDurationScoresBetter) {
     const auto recogniser = Recogniser::make(three_gestures(), {.channels = {false, false}});
     ASSERT_TRUE(recogniser);
