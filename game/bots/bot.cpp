@@ -13,6 +13,7 @@
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
 #include "game/bots/senses.h"
+#include "game/bots/spellcasting.h"
 #include "game/bots/stirring.h"
 #include "game/bots/swinging.h"
 
@@ -183,6 +184,7 @@ struct Thoughts {
     LiftPlan& lift_plan;
     SwingPlan& swing_plan;
     StirPlan& stir_plan;
+    CastPlan& cast_plan;
 };
 
 /// Knowledge of the arena, shared by all bots. It depends on the arena alone and is kept as a cache.
@@ -200,6 +202,7 @@ void begin_anew(const Match& match, const Thoughts& own) {
     own.lift_plan = {};
     own.swing_plan = {};
     own.stir_plan = {};
+    own.cast_plan = {.style = own.cast_plan.style};
 }
 
 /// Releases all buttons and ends all plans while the wizard is dead.
@@ -214,6 +217,7 @@ void rest(const Match& match, const Thoughts& own) {
     own.lift_plan = {};
     own.swing_plan = {};
     own.stir_plan = {};
+    own.cast_plan = {.style = own.cast_plan.style};
 }
 
 /// Aims and shoots at a known foe. Returns the wanted direction of view; std::nullopt if the bot has nothing
@@ -231,6 +235,10 @@ std::optional<Aim> shoot(const Simulation& match, const Self& self, const Seat& 
 /// Uses the hands for a rope, a held thing or a shot. Returns the wanted direction of view.
 std::optional<Aim> use_hands(const Simulation& match, const Self& self, const Seat& seat, vec3 way,
                              const Thoughts& own, Tick tick) {
+    if (draws(own.cast_plan)) {
+        own.mind.wand_key = 0;  // with Trace held, a wand's key would be a chord
+        return std::nullopt;
+    }
     if (hands_full(own.swing_plan)) return aim_on_rope(self, own.swing_plan);
     if (hands_full(own.lift_plan)) return handle_thing(match, self, seat, own.mind, own.lift_plan, tick);
     return shoot(match, self, seat, way, own.mind, tick);
@@ -253,10 +261,14 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own,
         plan_to_lift(match, self, seat, own.eyes, surroundings.grid, mind, own.lift_plan, tick);
     if (!roped(own.swing_plan) && own.lift_plan.stage == LiftStage::none)
         plan_to_stir(match, self, seat, surroundings.grid, mind, own.stir_plan, tick);
+    const bool hands_free =
+        !roped(own.swing_plan) && !hands_full(own.lift_plan) && own.stir_plan.stage == StirStage::none;
+    if (hands_free)
+        plan_to_cast(match, self, seat, surroundings.grid, mind, own.lift_plan, own.cast_plan, tick);
     choose_step(match, self, seat, mind, tick);
     vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
     if (const vec3 out = way_out(match, self, surroundings.grid, mind, tick); glm::length(out) > 0) way = out;
-    if (own.lift_plan.stage == LiftStage::none)
+    if (own.lift_plan.stage == LiftStage::none && !draws(own.cast_plan))
         plan_to_swing(match, self, seat, surroundings.grid, surroundings.crossings, ways.to_goal, mind,
                       own.swing_plan, tick);
     if (roped(own.swing_plan)) way = swing_over(match, self, seat, mind, own.swing_plan, tick);
@@ -309,6 +321,13 @@ StirSkill read_stirring(const ConfigTable& table) {
             .brew = table.number("brew", {0, 1}, 0)};
 }
 
+CastSkill read_casting(const ConfigTable& table) {
+    return {.share = table.number("share", {0, 1}),
+            .force = table.number("force_n", {0.1, 10}),
+            .jitter = table.number("jitter", {0, 1}),
+            .harsh = table.number("harsh", {0, 1})};
+}
+
 EdgeSkill read_edge(const ConfigTable& table) {
     return {.panic = table.number("panic_below_hp", {0, 1000}), .heedless = table.number("heedless", {0, 1})};
 }
@@ -346,6 +365,7 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     if (root.has("lift")) skill.lift = read_lifting(root.table("lift"));
     if (root.has("stir")) skill.stir = read_stirring(root.table("stir"));
     if (root.has("edge")) skill.edge = read_edge(root.table("edge"));
+    if (root.has("cast")) skill.cast = read_casting(root.table("cast"));
     if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;
@@ -371,6 +391,7 @@ struct Bots::Inside {
         minds.declare<LiftPlan>();
         minds.declare<SwingPlan>();
         minds.declare<StirPlan>();
+        minds.declare<CastPlan>();
     }
 };
 
@@ -387,8 +408,9 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
         in.crossings = find_crossings(match, *in.grid);
     }
     const Seat seat{.device = device, .player = player, .skill = skill};
+    auto style_of_drawing = random_stream(seed, 200 + player);
     in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, LiftPlan{}, SwingPlan{},
-                    StirPlan{});
+                    StirPlan{}, CastPlan{.style = random_drawing_style(style_of_drawing)});
     in.ways.emplace_back();
     in.grid->find_ways(0, in.ways.back().from_here);
     // Reserves the memory, so that nothing is allocated during the match.
@@ -401,12 +423,12 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
     if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
-    in.minds.view<const Seat, Eyes, Mind, LiftPlan, SwingPlan, StirPlan>().each(
+    in.minds.view<const Seat, Eyes, Mind, LiftPlan, SwingPlan, StirPlan, CastPlan>().each(
         [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, LiftPlan& lift_plan,
-            SwingPlan& swing_plan, StirPlan& stir_plan) {
+            SwingPlan& swing_plan, StirPlan& stir_plan, CastPlan& cast_plan) {
             if (phase == 0) {
-                think(match, seat, {eyes, mind, lift_plan, swing_plan, stir_plan}, {*in.grid, in.crossings},
-                      in.ways[e.index]);
+                think(match, seat, {eyes, mind, lift_plan, swing_plan, stir_plan, cast_plan},
+                      {*in.grid, in.crossings}, in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];
             if (stirs(stir_plan)) return stir_hand(match, seat, stir_plan, match.match().played, sample);
@@ -417,6 +439,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
             sample.buttons = mind.buttons;
             sample.wand = static_cast<std::uint8_t>(mind.wand_key);
             if (sample.down(Button::fire)) sample.counts[hand::trigger] = mind.trigger;
+            if (draws(cast_plan)) draw_stroke(match, seat, match.match().played, cast_plan, sample);
         });
 }
 

@@ -53,6 +53,19 @@ struct StirSkill {
     }
 };
 
+/// Skill in casting spells by strokes.
+struct CastSkill {
+    double share{};   ///< share of occasions at which the bot casts; 0: never
+    double force{};   ///< mean force of a stroke (N); more is faster
+    double jitter{};  ///< size of the deviations of a stroke (share of its size)
+    double harsh{};   ///< share of strokes that are drawn harshly
+    static constexpr auto fields() {
+        using S = CastSkill;
+        return std::tuple(ecs::field("share", &S::share), ecs::field("force", &S::force),
+                          ecs::field("jitter", &S::jitter), ecs::field("harsh", &S::harsh));
+    }
+};
+
 /// Behaviour at an edge from which a fall hurts.
 struct EdgeSkill {
     double panic{};     ///< health below which the bot panics under fire (HP); 0: never
@@ -89,6 +102,7 @@ struct BotSkill {
     LiftSkill lift{};
     StirSkill stir{};
     EdgeSkill edge{};
+    CastSkill cast{};
     double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: never swings
     static constexpr auto fields() {
         using S = BotSkill;
@@ -104,7 +118,7 @@ struct BotSkill {
             ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
             ecs::field("charge", &S::charge), ecs::field("throws", &S::throws),
             ecs::field("over_cover", &S::over_cover), ecs::field("lift", &S::lift),
-            ecs::field("stir", &S::stir), ecs::field("edge", &S::edge),
+            ecs::field("stir", &S::stir), ecs::field("edge", &S::edge), ecs::field("cast", &S::cast),
             ecs::field("swing_gain", &S::swing_gain));
     }
 };

@@ -181,6 +181,55 @@ struct StirPlan {
     }
 };
 
+/// How a bot draws, as long as it lives: its user style.
+struct DrawingStyle {
+    double size{1};                  ///< size of strokes, relative to the templates
+    double aspect{1};                ///< width relative to the height
+    double slant{};                  ///< shear of x by y
+    double cos_tilt{1}, sin_tilt{};  ///< turn on the page
+    static constexpr auto fields() {
+        using S = DrawingStyle;
+        return std::tuple(ecs::field("size", &S::size), ecs::field("aspect", &S::aspect),
+                          ecs::field("slant", &S::slant), ecs::field("cos_tilt", &S::cos_tilt),
+                          ecs::field("sin_tilt", &S::sin_tilt));
+    }
+};
+
+/// A slow wave across a stroke, so that no two strokes are alike.
+struct Wobble {
+    double size{};    ///< amplitude (m)
+    double waves{};   ///< waves within the stroke
+    double begins{};  ///< phase at its start (rad)
+    static constexpr auto fields() {
+        return std::tuple(ecs::field("size", &Wobble::size), ecs::field("waves", &Wobble::waves),
+                          ecs::field("begins", &Wobble::begins));
+    }
+};
+
+/// Plan of a bot to cast a spell by a stroke.
+struct CastPlan {
+    DrawingStyle style{};
+    Tick began{};            ///< tick at which the bot presses Trace
+    Tick lasts{};            ///< ticks of the stroke itself; 0: the bot does not draw
+    Tick not_before{};       ///< tick before which the bot considers no other spell
+    Tick no_thing_before{};  ///< tick before which the bot calls no thing back
+    Wobble right{}, up{};
+    double scale{};                          ///< size of the stroke relative to the template
+    std::int32_t given_right{}, given_up{};  ///< mouse counts so far
+    std::uint32_t spell{};                   ///< index in MatchData::spells
+    std::uint32_t stroke{};                  ///< number of the gesture's template
+    static constexpr std::string_view name = "Caster";
+    static constexpr auto fields() {
+        using C = CastPlan;
+        return std::tuple(ecs::field("style", &C::style), ecs::field("began", &C::began),
+                          ecs::field("lasts", &C::lasts), ecs::field("not_before", &C::not_before),
+                          ecs::field("no_thing_before", &C::no_thing_before), ecs::field("right", &C::right),
+                          ecs::field("up", &C::up), ecs::field("scale", &C::scale),
+                          ecs::field("given_right", &C::given_right), ecs::field("given_up", &C::given_up),
+                          ecs::field("spell", &C::spell), ecs::field("stroke", &C::stroke));
+    }
+};
+
 /// The bot's own wizard, as the bot knows it.
 struct Self {
     vec3 centre{}, eye{}, velocity{};

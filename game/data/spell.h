@@ -46,6 +46,19 @@ struct SpellSystems {
     ecs::Schedule& schedule;
 };
 
+/// What a bot knows of its situation when it considers a spell.
+struct SpellOccasion {
+    double focus{};           ///< focus left as a share of all
+    double health{};          ///< health left as a share of a new wizard's
+    bool under_fire{};        ///< the foe has hurt it a moment ago
+    bool warded{};            ///< a shield is there
+    bool sees_foe{};          ///< the foe is in sight
+    double foe_distance{};    ///< distance of the foe (m)
+    double foe_aside{};       ///< angle from the direction of view to the foe (rad)
+    bool foe_at_edge{};       ///< a push would throw the foe over an edge
+    double thing_distance{};  ///< distance of the thing that it took up last (m); 0: there is none
+};
+
 /// Rules of one spell with the numbers of its data file. Its state in a match is in the World.
 class SpellRules {
 public:
@@ -61,6 +74,10 @@ public:
     /// Components and resources that `cast` writes, and that `refusal` and `cast` read.
     virtual ecs::Mask writes(const ecs::World& world) const = 0;
     virtual ecs::Mask reads(const ecs::World& world) const = 0;
+    /// How much the spell is worth to a bot, 0 to 1; 0: nothing now.
+    virtual double worth(const SpellOccasion&) const { return 0; }
+    /// Whether the spell brings a thing back to its wizard's hand, so that a bot makes ready to catch it.
+    virtual bool brings_thing() const { return false; }
     /// Adds systems for what the spell leaves in the world.
     virtual void add_systems(const SpellSystems&) const {}
 };

@@ -10,6 +10,8 @@
 namespace thaum::game {
 namespace {
 
+constexpr double badly_hurt = 0.35;  ///< share of health below which a bot hides in fog
+
 class FogSpell final : public SpellRules {
 public:
     explicit FogSpell(const ConfigTable& root)
@@ -31,6 +33,11 @@ public:
                                     .until = cast.tick + std::max<Tick>(1, ticks(lasts_ * cast.strength)),
                                     .player = now.get<Wizard>(cast.wizard).player},
                                 motion);
+    }
+    double worth(const SpellOccasion& occasion) const override {
+        const bool wanted = occasion.sees_foe && occasion.under_fire && occasion.health < badly_hurt &&
+                            occasion.foe_distance > radius_ + ahead_;
+        return wanted ? 0.6 : 0;
     }
     ecs::Mask reads(const ecs::World& world) const override { return world.mask<Wizard, Motion, Gaze>(); }
     ecs::Mask writes(const ecs::World&) const override { return {}; }

@@ -79,6 +79,10 @@ ecs::Entity thing_in_hand(const MatchContext& context, ecs::Entity wizard) {
     return wand != nullptr ? wand->rules->held_thing(context.world, wizard) : ecs::Entity{};
 }
 
+/// Share of the reach within which a bot pushes, since the foe moves while the stroke is drawn.
+constexpr double well_within = 0.9;
+constexpr double close = 2.5;  ///< distance at which a bot wants its foe farther away (m)
+
 class PushSpell final : public SpellRules {
 public:
     explicit PushSpell(const ConfigTable& root) {
@@ -102,6 +106,13 @@ public:
                 world.has<Wizard>(e) ? push_wizard(cast, data_, e, *reached)
                                      : push_thing(cast, data_, e, *reached);
             });
+    }
+    double worth(const SpellOccasion& occasion) const override {
+        const bool meets = occasion.sees_foe && occasion.foe_distance < well_within * data_.reach &&
+                           occasion.foe_aside < det::acos(data_.narrowest_cos) / 2;
+        if (!meets) return 0;
+        if (occasion.foe_at_edge) return 1;
+        return occasion.foe_distance < close ? 0.5 : 0;
     }
     ecs::Mask reads(const ecs::World& world) const override {
         return world.mask<Wizard, Gaze, Motion, Body, WandBelt>();

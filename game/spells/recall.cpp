@@ -155,6 +155,10 @@ ecs::Mask writes_of_flight(const MatchContext& context) {
     return all;
 }
 
+constexpr double worth_the_call = 6;  ///< distance of a thing from which a bot recalls it (m)
+constexpr double close = 4;           ///< distance of the foe below which a bot does not (m)
+constexpr double plenty = 0.6;        ///< share of the focus above which a bot spends some on a recall
+
 class RecallSpell final : public SpellRules {
 public:
     explicit RecallSpell(const ConfigTable& root) {
@@ -183,6 +187,12 @@ public:
         else
             world.commands().add(cast.wizard, recalled);
     }
+    double worth(const SpellOccasion& occasion) const override {
+        const bool far = occasion.thing_distance > worth_the_call && occasion.thing_distance < data_.reach;
+        const bool calm = occasion.sees_foe && !occasion.under_fire && occasion.foe_distance > close;
+        return far && calm && occasion.focus > plenty ? 0.4 : 0;
+    }
+    bool brings_thing() const override { return true; }
     ecs::Mask reads(const ecs::World& world) const override {
         return world.mask<Wizard, Gaze, Motion, Body, Prop, LastProp, WandBelt, resource::Physics>();
     }

@@ -6,6 +6,9 @@
 namespace thaum::game {
 namespace {
 
+/// Share of health below which a bot under fire wants a shield.
+constexpr double hurt = 0.6;
+
 class ShieldSpell final : public SpellRules {
 public:
     explicit ShieldSpell(const ConfigTable& root)
@@ -15,6 +18,10 @@ public:
         auto& health = cast.context.world.get<Health>(cast.wizard);
         health.ward = absorbs_ * cast.strength;
         health.ward_until = cast.tick + lasts_;
+    }
+    double worth(const SpellOccasion& occasion) const override {
+        const bool wanted = occasion.under_fire && !occasion.warded && occasion.health < hurt;
+        return wanted ? 1 - 0.5 * occasion.health : 0;
     }
     ecs::Mask reads(const ecs::World&) const override { return {}; }
     ecs::Mask writes(const ecs::World& world) const override { return world.mask<Health>(); }

@@ -1,6 +1,6 @@
 -- An S casts a cloud ahead of its wizard, and nobody sees through it: a shooting bot stops, and shoots again when the
 -- cloud has gone. A fast S is harsh: the cloud covers more ground and stays longer.
-match {players = {"script", "bot 2"}, set = {"wizard.health.start=1000", "wizard.health.cap=1000"}}
+match {players = {"script", "bot 1"}, set = {"wizard.health.start=1000", "wizard.health.cap=1000", "bolt.energy.regain_per_s=20"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
 local function face_each_other()

@@ -1,0 +1,24 @@
+// game/bots/spellcasting.h: how a bot casts spells. It draws a stroke with its mouse while it holds Trace, as a person
+// does: its view stands still meanwhile, it does not shoot, and a clumsy stroke means nothing. It knows the spells only by
+// what they are worth to it (SpellRules::worth).
+#pragma once
+#include "game/bots/lifting.h"
+
+namespace thaum::game {
+
+/// A style of drawing.
+DrawingStyle random_drawing_style(Random& random);
+
+/// Whether the bot draws at present.
+inline bool draws(const CastPlan& cast_plan) { return cast_plan.lasts != 0; }
+
+/// Considers from time to time to cast a spell, and begins its stroke. Prepares `lift_plan` for a thing that the spell
+/// brings.
+void plan_to_cast(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
+                  Mind& mind, LiftPlan& lift_plan, CastPlan& cast_plan, Tick tick);
+
+/// Writes the hand's motion of this tick to the sample, in place of the turn of the view. Ends the stroke.
+void draw_stroke(const Simulation& match, const Seat& seat, Tick tick, CastPlan& cast_plan,
+                 input::DeviceSample& sample);
+
+}  // namespace thaum::game
