@@ -34,7 +34,8 @@ struct Controls {
     /// Displacement of the hand from its home by a stick, while Trace is held (um, device frame).
     std::int32_t stick_right{}, stick_up{};
     std::uint32_t harsh{};  ///< 1: fire was pressed while Trace is held, which makes a key chord harsh
-    std::uint32_t spare{};
+    std::uint32_t
+        stick_draws{};  ///< 1: the stick has been at its rim since Trace went down, so it moves the hand
     static constexpr std::string_view name = "Controls";
     static constexpr auto fields() {
         return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
@@ -45,7 +46,7 @@ struct Controls {
                           field("hand_up", &Controls::hand_up), field("hand_back", &Controls::hand_back),
                           field("stick_right", &Controls::stick_right),
                           field("stick_up", &Controls::stick_up), field("harsh", &Controls::harsh),
-                          field("spare", &Controls::spare));
+                          field("stick_draws", &Controls::stick_draws));
     }
 };
 

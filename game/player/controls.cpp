@@ -63,8 +63,12 @@ void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Cont
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
+/// Share of its full deflection from which on a stick draws.
+constexpr double stick_begins = 0.8;
+
 /// Moves a hand that draws. A mouse draws at the pace at which it turns the view, so that a player's sensitivity counts
-/// for both. A stick gives the hand's place, so that a turn of the stick is a circle.
+/// for both. A stick gives the hand's place, so that a turn of the stick is a circle. All figures begin away from their
+/// middle, so the way of the stick to its rim is no part of the stroke.
 void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpec& spec,
                        const HapticRules& rules, double stick_reach, Controls& controls) {
     const auto& counts = sample.counts;
@@ -79,6 +83,12 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
         return static_cast<std::int32_t>(std::lround(1e6 * stick_reach * deflection));
     };
     const std::int32_t right = by_stick(hand::turn_right), up = by_stick(hand::turn_up);
+    if (controls.stick_draws == 0) {
+        controls.stick_right = right;
+        controls.stick_up = up;
+        const double out = std::sqrt(static_cast<double>(right) * right + static_cast<double>(up) * up);
+        controls.stick_draws = out >= 1e6 * stick_reach * stick_begins ? 1 : 0;
+    }
     controls.hand_right = by_mouse(hand::look_right) + right - controls.stick_right;
     controls.hand_up = by_mouse(hand::look_up) + up - controls.stick_up;
     controls.stick_right = right;
@@ -154,7 +164,10 @@ void apply(MatchContext& context, const Player& player, const input::DeviceSampl
     if (traces && !std::as_const(world).has<Dead>(player.wizard) &&
         (controls.pressed & bit(Button::trace)) != 0)
         begin_stroke(context, player.wizard, player.tick);
-    if (!traces) controls.stick_right = controls.stick_up = 0;
+    if (!traces) {
+        controls.stick_right = controls.stick_up = 0;
+        controls.stick_draws = 0;
+    }
     if (std::as_const(world).has<Ladle>(player.wizard)) {
         move_ladle_hand(sample, rules, controls);
     } else if (traces && !arm) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -54,8 +55,10 @@ input::InputFrame frame_of(Play& play) {
         if (play.bot_level[player] != 0) continue;
         auto& from = play.hands[player];
         auto& sample = frame.devices[player];
-        sample.counts[hand::look_right] = part_of(from.look_right);
-        sample.counts[hand::look_up] = part_of(from.look_up);
+        sample.counts[hand::look_right] = part_of(from.look_right) + std::exchange(from.drawn_right, 0);
+        sample.counts[hand::look_up] = part_of(from.look_up) + std::exchange(from.drawn_up, 0);
+        sample.counts[hand::turn_right] = from.stick_right;
+        sample.counts[hand::turn_up] = from.stick_up;
         sample.counts[hand::strafe] = from.strafe;
         sample.counts[hand::forward] = from.forward;
         sample.counts[hand::trigger] =

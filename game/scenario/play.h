@@ -21,8 +21,10 @@ namespace thaum::game {
 
 /// State of a script's hand. It becomes one device sample per tick.
 struct Hand {
-    std::int32_t look_right{}, look_up{};  ///< mouse counts still to be sent
-    std::int32_t strafe{}, forward{};      ///< movement axes, -127 to 127
+    std::int32_t look_right{}, look_up{};    ///< mouse counts still to be sent
+    std::int32_t drawn_right{}, drawn_up{};  ///< mouse counts of the coming tick, besides those
+    std::int32_t stick_right{}, stick_up{};  ///< deflection of the stick that turns the view, -127 to 127
+    std::int32_t strafe{}, forward{};        ///< movement axes, -127 to 127
     std::uint32_t buttons{};
     std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::most_wands; 0: none
     std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255

@@ -9,13 +9,13 @@ local raw = {}
 for _, name in ipairs {
     "wait", "match", "button", "trigger", "fader", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
-    "picture_colours", "reach", "told", "stall",
+    "picture_colours", "reach", "told", "stall", "stick", "reading", "draw",
 } do
     raw[name] = _G["raw_" .. name]
     _G["raw_" .. name] = nil
 end
 local fail, now, type, tostring, setmetatable, sqrt = fail, now, type, tostring, setmetatable, math.sqrt
-local floor, max, abs = math.floor, math.max, math.abs
+local floor, max, min, abs = math.floor, math.max, math.min, math.abs
 local pi, cos, sin = math.pi, math.cos, math.sin
 log = print
 
@@ -198,7 +198,7 @@ local function draw_along(self, points, scale, seconds)
             local x = per_metre * scale * (from[1] + (to[1] - from[1]) * k / steps - points[1][1])
             local y = per_metre * scale * (from[2] + (to[2] - from[2]) * k / steps - points[1][2])
             local next_right, next_up = floor(x + 0.5), floor(y + 0.5)
-            raw.look(self.player, next_right - right, next_up - up)
+            raw.draw(self.player, next_right - right, next_up - up)
             right, up = next_right, next_up
             raw.wait(1)
         end
@@ -220,6 +220,48 @@ function Wizard:cast(shape, how)
     raw.wait(20)
     raw.button(self.player, "trace", false)
     raw.wait(10)
+end
+
+-- Draws a list of {t = s, x = m, y = m} with Trace held, as far as a mouse can: in steps of 0.1 mm.
+function Wizard:trace_over(points)
+    raw.button(self.player, "trace", true)
+    raw.wait(10)
+    local next, right, up, last = 1, 0, 0, points[#points]
+    for tick = 1, floor(1000 * last.t) + 1 do
+        local t = tick / 1000
+        while next < #points and points[next].t < t do next = next + 1 end
+        local a, b = points[max(1, next - 1)], points[next]
+        local share = b.t > a.t and max(0, min(1, (t - a.t) / (b.t - a.t))) or 1
+        local x = floor(1e4 * (a.x + (b.x - a.x) * share - points[1].x) + 0.5)
+        local y = floor(1e4 * (a.y + (b.y - a.y) * share - points[1].y) + 0.5)
+        raw.draw(self.player, x - right, y - up)
+        right, up = x, y
+        raw.wait(1)
+    end
+    raw.wait(20)
+    raw.button(self.player, "trace", false)
+    raw.wait(10)
+end
+
+-- Deflects the stick that turns the view, each part in -1..1, until it is changed.
+function Wizard:stick(right, up) raw.stick(self.player, right, up) end
+
+-- What was read last of the strokes: {gesture, probability, force, turns, at}.
+function Wizard:reading() return raw.reading(self.player) end
+
+-- A key chord: the key of a wand while Trace is held, with fire for a harsh one.
+function Wizard:chord(slot, harsh)
+    raw.button(self.player, "trace", true)
+    raw.wait(24)
+    if harsh then raw.button(self.player, "fire", true) end
+    raw.wait(8)
+    raw.button(self.player, "wand_" .. slot, true)
+    raw.wait(24)
+    raw.button(self.player, "wand_" .. slot, false)
+    if harsh then raw.button(self.player, "fire", false) end
+    raw.wait(8)
+    raw.button(self.player, "trace", false)
+    raw.wait(16)
 end
 
 -- Fetches what is found at a niche, and drops it into the brew from a place at the rim; Stir stays held.

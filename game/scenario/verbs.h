@@ -13,6 +13,12 @@
 //     wizard(n)           the wizard of player n, with these functions:
 //       hold(button), release(button), press(button [, seconds])
 //       move(strafe, forward) in -1..1, stop()
+//       stick(right, up)  deflection of the stick that turns the view, in -1..1, until it is changed
+//       chord(slot [, harsh])
+//                         presses a wand's key while Trace is held; harsh: fire as well
+//       trace_over(points)
+//                         draws a list of {t = , x = , y = } with Trace held (s, m)
+//       reading()         what was read last: {gesture = (nil: nothing), probability = , force = , turns = , at = }
 //       look(right, up) in degrees, aim(place | wizard | thing)
 //       trigger(share)    pull of the device's trigger while fire is held, in 0..1
 //       position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(), shots(),
@@ -37,6 +43,8 @@
 //     round_over() -> over, "kills" | "time", winner; match_over() -> over, {rounds won}; round_number()
 //     power_ups()         a list of {kind = "vial" | "heart" | "spark", place = , there = , back_in = seconds}
 //     fogs()              a list of {place = , radius = , left = seconds, player = }
+//     generated_stroke(figure, user, number, effort)
+//                         a list of {t = , x = , y = } by a generated user (gesture/generated_users.h)
 //     missiles()          a list of {position = , velocity = , player = , size = }
 //     deeds(n, cause)     {shots = , hits = , kills = , own_deaths = , damage = } of player n; cause: "bolt",
 //                         "blast", "lob", "blow" or "fall"

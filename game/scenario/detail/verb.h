@@ -17,6 +17,7 @@ struct VerbName {
 std::span<const VerbName> thing_verbs();
 std::span<const VerbName> report_verbs();
 std::span<const VerbName> brew_verbs();
+std::span<const VerbName> casting_verbs();
 std::span<const VerbName> sense_verbs();
 
 // Limits that keep a script's values in the range of the physics.
