@@ -1,6 +1,7 @@
 #include "game/context/surfaces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/units.h"
 
@@ -67,6 +68,14 @@ void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat
 
 }  // namespace
 
+void clear_patch(SurfacePatch& patch) {
+    std::fill_n(patch.surfaces.begin(), patch.count, haptics::Surface{});
+    std::fill_n(patch.bodies.begin(), patch.body_count, haptics::SurfaceBody{});
+    patch.count = patch.body_count = 0;
+    patch.centre = vec3(0);
+    patch.reach = HUGE_VAL;
+}
+
 void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Around& around,
                 const HandFrame& frame, const HandFrame& before, const Feel& feel) {
     std::array<Nearby, haptics::surface_capacity> found{};
@@ -74,8 +83,7 @@ void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Arou
     const mat3 to_device = glm::mat3_cast(glm::conjugate(frame.turn)) / frame.metres_per_metre;
     const vec3 frame_spin = spin_of(frame, before);
     double reach = all.reach;
-    patch.count = 0;
-    patch.body_count = 0;
+    clear_patch(patch);
     for (std::size_t i = 0; i < all.count; ++i) {
         const Nearby& near = found[i];
         // Surfaces come in the order of keys, so those of one body are neighbours.

@@ -35,6 +35,10 @@ struct Around {
     physics::Key ignore{physics::no_key};
 };
 
+/// Makes a patch empty. What it does not use then has the same bytes whatever was in it before, so a match that goes on
+/// from a saved state publishes the same models. Its entries beyond the counts must have been clear.
+void clear_patch(haptics::SurfacePatch& patch);
+
 /// Writes the nearest surfaces around a point into the patch, as many as fit. `before` is the device frame
 /// one tick earlier. Velocities of bodies are relative to the moving frame. Allocates nothing.
 void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, const Around& around,

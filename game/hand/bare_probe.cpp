@@ -88,7 +88,8 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
 
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model) {
-    model.patch.count = 0;
+    clear_patch(model.patch);
+    model.start = vec3(0);
     model.frame_motion = {};
     model.patch_number = hand_state.probe_number;
     const bool probed = hand_state.probing != 0;

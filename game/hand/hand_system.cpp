@@ -76,8 +76,8 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
         feel_brew(context, *brew.read().work, hand_state, player, *ladle,
                   std::as_const(context.world).single<Match>().played, model.fluid);
-    } else {
-        model.fluid.number = 0;
+    } else if (model.fluid.number != 0) {
+        model.fluid = {};
     }
     return model;
 }
