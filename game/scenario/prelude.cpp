@@ -9,7 +9,7 @@ local raw = {}
 for _, name in ipairs {
     "wait", "match", "button", "trigger", "fader", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
-    "picture_colours", "reach", "told", "stall", "stick", "reading", "draw",
+    "picture_colours", "reach", "told", "stall", "stick", "draw",
 } do
     raw[name] = _G["raw_" .. name]
     _G["raw_" .. name] = nil
@@ -245,9 +245,6 @@ end
 
 -- Deflects the stick that turns the view, each part in -1..1, until it is changed.
 function Wizard:stick(right, up) raw.stick(self.player, right, up) end
-
--- What was read last of the strokes: {gesture, probability, force, turns, at}.
-function Wizard:reading() return raw.reading(self.player) end
 
 -- A key chord: the key of a wand while Trace is held, with fire for a harsh one.
 function Wizard:chord(slot, harsh)

@@ -370,12 +370,12 @@ struct WizardReader {
 
 vec3 centre(const Play& play, std::uint32_t player) { return part<Motion>(play, player).position; }
 
-/// Harm that the wizard's shield still takes (HP).
 /// The last reading of the player's strokes: gesture, force (N), turns, probability. Without a gesture, the name is
 /// missing.
 void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto& reading = part<LastReading>(play, player);
-    lua_createtable(lua, 0, 4);
+    lua_createtable(lua, 0, 5);
+    arg::set_number(lua, "at", static_cast<double>(reading.at));
     arg::set_number(lua, "force", reading.force);
     arg::set_number(lua, "turns", reading.turns);
     arg::set_number(lua, "probability", reading.probability);
@@ -399,6 +399,7 @@ void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     lua_setfield(lua, -2, "work_half");
 }
 
+/// Harm that the wizard's shield still takes (HP).
 double ward(const Play& play, std::uint32_t player) {
     const auto& health = part<Health>(play, player);
     return play.match->match().played < health.ward_until ? health.ward : 0;

@@ -1,7 +1,6 @@
-// Verbs for strokes: a pad's stick, strokes of generated users, and what was read last.
+// Verbs for strokes: a pad's stick and strokes of generated users.
 #include <string>
 
-#include "game/casting/casting.h"
 #include "game/scenario/detail/verb.h"
 #include "gesture/generated_users.h"
 
@@ -66,26 +65,9 @@ int verb_generated_stroke(lua_State* lua, void*) {
     return 1;
 }
 
-/// Pushes {gesture = (none: nothing was meant), probability = , force = , turns = , at = tick}.
-int verb_reading(lua_State* lua, void* context) {
-    const auto& play = began(context);
-    const auto player = arg::player(lua, 1);
-    const auto* read = world_of(play).find<LastReading>(wizard_of(world_of(play), player));
-    if (read == nullptr) fault("this match has no spells");
-    lua_createtable(lua, 0, 5);
-    const auto gestures = gestures_of(play.match->context(), player)->gestures();
-    if (read->gesture < gestures.size()) arg::set_text(lua, "gesture", gestures[read->gesture].name);
-    arg::set_number(lua, "probability", read->probability);
-    arg::set_number(lua, "force", read->force);
-    arg::set_number(lua, "turns", read->turns);
-    arg::set_number(lua, "at", static_cast<double>(read->at));
-    return 1;
-}
-
 constexpr VerbName casting_list[] = {
     {"raw_stick", verb_stick},
     {"raw_draw", verb_draw},
-    {"raw_reading", verb_reading},
     {"generated_stroke", verb_generated_stroke},
 };
 
