@@ -46,6 +46,8 @@ thaum_driver_test(resize ${CMAKE_CURRENT_SOURCE_DIR}/drivers/resize.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:live_log_probe>)
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
+thaum_driver_test(gesture_wall ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_wall.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 thaum_driver_test(replay_window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/replay_window.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 thaum_driver_test(sound ${CMAKE_CURRENT_SOURCE_DIR}/drivers/sound.sh $<TARGET_FILE:thaum>)

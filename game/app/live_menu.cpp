@@ -250,6 +250,12 @@ void LiveMenu::name_pads(const Pads& pads) {
     }
 }
 
+void LiveMenu::set_gestures(const game::GestureSet* gestures) {
+    context_.gestures.clear();
+    if (gestures == nullptr) return;
+    for (const auto& gesture : gestures->gestures()) context_.gestures.push_back(gesture.name);
+}
+
 void LiveMenu::set_pause(PauseWords words) {
     state_.head = std::move(words.head);
     state_.line = std::move(words.line);

@@ -82,6 +82,8 @@ public:
         context_.apprentice = apprentice;
         context_.first_start = false;
     }
+    /// The gestures that the player of the range can draw anew; null: none.
+    void set_gestures(const game::GestureSet* gestures);
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
     /// Sets the largest force that a player has found by feel (% of the device's peak), as the mixer's page does.

@@ -120,6 +120,15 @@ void Practice::follow_lessons() {
     heal();
 }
 
+void Practice::follow_gestures() {
+    if (!apprentice_) wall_.follow(match());
+}
+
+void Practice::use_gestures(OwnGestures own) {
+    if (auto used = range_.use_gestures(std::move(own.profile)); !used) own.words = {used.error().message};
+    wall_.say(std::move(own.words));
+}
+
 std::string Practice::step_words() const {
     const auto& steps = apprentice_->lessons().steps;
     const auto at = apprentice_->at();
@@ -160,7 +169,10 @@ void Practice::show(game::Picture& picture) {
     picture.practice.score = score();
     picture.practice.below =
         text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
-    if (apprentice_) show_lesson(picture.practice);
+    if (apprentice_)
+        show_lesson(picture.practice);
+    else
+        wall_.show(match(), picture.practice.wall);
     if (force_trial_.runs())
         picture.caption = {.words = force_trial_.words()};
     else if (force_sample_.runs())

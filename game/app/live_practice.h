@@ -8,6 +8,8 @@
 #include "core/triple_buffer.h"
 #include "game/app/force_sample.h"
 #include "game/app/force_trial.h"
+#include "game/app/gesture_wall.h"
+#include "game/app/own_gestures.h"
 #include "game/bots/apprentice.h"
 #include "game/bots/range_files.h"
 #include "game/hud/picture.h"
@@ -73,6 +75,12 @@ public:
     void follow_lessons();
     /// The course; null on the range.
     game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
+    /// Looks at the strokes of the practising player after a tick.
+    void follow_gestures();
+    /// The wall; the Apprentice has none.
+    GestureWall& wall() { return wall_; }
+    /// Continues with other own gestures of the player; match() is then another object.
+    void use_gestures(OwnGestures own);
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
     /// The Apprentice's present step: "2 of 8: Bolt".
@@ -92,6 +100,7 @@ private:
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
     std::optional<game::Apprentice> apprentice_;
+    GestureWall wall_{};
     ForceTrial force_trial_{};
     ForceSample force_sample_{};
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released

@@ -153,6 +153,7 @@ void LiveSession::leave_match() { (plan_.start_screen ? shared_.requests.end : s
 
 void LiveSession::take_seats(const Pads& pads) {
     menu_.set_practice(next_.is_practice(), next_.is_apprentice());
+    menu_.set_gestures(next_.data()->gestures.get());
     if (plan_.replay != nullptr) return;  // a replay has no players at the devices
     const auto seats = plan_.start_screen ? joined_seats(menu_.state(), menu_.context(), next_.is_practice())
                                           : planned_seats(plan_.seats, pads);
@@ -203,6 +204,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     follow_match(now_ns);
     if (const auto found = shared_.progress.found_force.exchange(0); found != 0)
         menu_.set_own_force(game::practising, found);
+    take_drawn_gesture();
     menu_.repeat(now_ns);
     apply_settings();
     play_trial(now_ns);
@@ -323,6 +325,41 @@ void LiveSession::apply_settings() {
     shared_.tactile.apply(menu_.settings());
 }
 
+/// Folder of the own gestures of the player of the range.
+std::filesystem::path LiveSession::folder_of_gestures() const {
+    return own_gestures_folder(plan_.settings_file, menu_.settings(), game::practising);
+}
+
+/// Checks and saves a gesture that the player of the range has drawn, and lets the range go on with it.
+void LiveSession::take_drawn_gesture() {
+    const auto drawn = shared_.progress.drawn_gesture.take();
+    if (!drawn) return;
+    std::vector<std::string> words{text("saved: this is your ", drawn->name, " from now on")};
+    const auto saved = save_own_gesture(folder_of_gestures(), *drawn);
+    load_profile();
+    if (!saved) {
+        words = {text("only until you leave: ", saved.error().message)};
+        std::erase_if(profile_, [&](const auto& item) {
+            return item.name == drawn->name && item.player == game::practising;
+        });
+        profile_.push_back(game::profile_of(*drawn, game::practising));
+    }
+    for (auto& line : likeness_words(*drawn, *next_.data(), profile_, game::practising))
+        words.push_back(std::move(line));
+    shared_.requests.own_gestures.put({profile_, std::move(words)});
+}
+
+/// Forgets the player's own strokes for the gesture that the menu has chosen.
+void LiveSession::forget_gesture() {
+    const auto& names = menu_.context().gestures;
+    if (names.empty()) return;
+    const auto& name = names[menu_.state().gesture % names.size()];
+    const bool had = forget_own_gesture(folder_of_gestures(), name);
+    load_profile();
+    shared_.requests.own_gestures.put(
+        {profile_, {text(had ? "the game's " : "you have no own ", name, had ? " counts again" : "")}});
+}
+
 /// Plays the effect that somebody on the mixer's page wants to feel.
 void LiveSession::play_trial(std::int64_t now_ns) {
     if (!trial_) return;
@@ -346,6 +383,10 @@ void LiveSession::carry_out_request() {
         case MenuRequest::feel_force:
             requests.felt_fader = static_cast<std::uint8_t>(menu_.state().feels);
             break;
+        case MenuRequest::draw_gesture:
+            requests.gesture = static_cast<std::uint32_t>(menu_.state().gesture) + 1;
+            break;
+        case MenuRequest::forget_gesture: forget_gesture(); break;
         case MenuRequest::none:
         case MenuRequest::start:
         case MenuRequest::range:

@@ -88,6 +88,9 @@ private:
     void restart();
     void play_trial(std::int64_t now_ns);
     void load_profile();
+    std::filesystem::path folder_of_gestures() const;
+    void take_drawn_gesture();
+    void forget_gesture();
     PauseFacts pause_facts() const;
     game::PlayerNames names() const;
     void apply_settings();

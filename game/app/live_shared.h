@@ -6,6 +6,7 @@
 #include "core/clock.h"
 #include "core/spsc_queue.h"
 #include "core/triple_buffer.h"
+#include "game/app/hand_over.h"
 #include "game/app/live.h"
 #include "game/app/live_arm.h"
 #include "game/app/live_body.h"
@@ -14,6 +15,7 @@
 #include "game/app/live_seats.h"
 #include "game/app/live_sound.h"
 #include "game/app/live_tactile.h"
+#include "game/app/own_gestures.h"
 #include "game/app/replay_view.h"
 #include "game/bots/apprentice.h"
 #include "game/hud/menu.h"
@@ -77,6 +79,10 @@ struct MatchRequests {
     /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0:
     /// none.
     std::atomic<std::uint8_t> felt_fader{0};
+    /// Number of the gesture that the player of the range wants to draw anew, plus 1, until the simulation thread takes
+    /// it; 0: none.
+    std::atomic<std::uint32_t> gesture{0};
+    HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
     static_assert(decltype(range)::is_always_lock_free);
 };
@@ -88,6 +94,8 @@ struct MatchProgress {
     std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
     /// Largest force that a player of the range has found by feel (%), until the main thread takes it; 0: none.
     std::atomic<std::uint32_t> found_force{0};
+    /// Gesture that a player of the range has drawn, for the main thread to check and to save.
+    HandOver<gesture::Gesture> drawn_gesture{};
 };
 
 struct LiveShared {

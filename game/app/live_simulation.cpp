@@ -150,6 +150,21 @@ void follow_lessons(Round& round) {
     round.told_step = std::move(step);
 }
 
+/// Lets the gesture wall look at the tick, and hands a gesture that the player has drawn to the main thread.
+void follow_gestures(SimulationThread& s) {
+    auto* practice = practice_of(s.round);
+    if (practice == nullptr) return;
+    const auto wanted = s.shared.requests.gesture.exchange(0);
+    const auto& gestures = practice->match().data().gestures;
+    if (wanted != 0 && gestures && wanted <= gestures->gestures().size())
+        practice->wall().record(gestures->gestures()[wanted - 1].name);
+    practice->follow_gestures();
+    auto drawn = practice->wall().take_recorded();
+    if (!drawn) return;
+    s.shared.progress.drawn_gesture.put(std::move(*drawn));
+    s.wake();
+}
+
 /// Skips and repeats steps of the Apprentice as the menu has asked.
 void follow_lesson_requests(SimulationThread& s, game::Apprentice& apprentice) {
     if (const auto skips = s.shared.requests.lesson_skips.load(); skips != s.skips_seen) apprentice.skip();
@@ -168,6 +183,10 @@ void follow_practice(SimulationThread& s) {
     } else {
         practice->set_dummy(s.shared.requests.dummy);
         if (practice->set_changes(s.shared.requests.range)) s.round.match = &practice->match();
+    }
+    if (auto own = s.shared.requests.own_gestures.take()) {
+        practice->use_gestures(std::move(*own));
+        s.round.match = &practice->match();
     }
     const auto* reload = s.round.watcher->take();
     if (reload == nullptr) return;
@@ -333,6 +352,7 @@ void run_tick(SimulationThread& s) {
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
     follow_lessons(round);
+    follow_gestures(s);
     give_orders(s);
     const auto now = round.match->now();
     s.sound.follow(*round.match);

@@ -122,6 +122,7 @@ void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
         case RowKind::arena: choose(s, row.kind, context, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::energy: s.range.endless_energy = !s.range.endless_energy; break;
+        case RowKind::draw_gesture: turn(s.gesture, context.gestures, way); break;
         case RowKind::brew: s.range.harmless_brew = !s.range.harmless_brew; break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
         case RowKind::player: turn(s.player, s.settings.players, way); break;
@@ -294,6 +295,8 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
         case RowKind::profile: load_profile(s, context); break;
         case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
+        case RowKind::draw_gesture: s.request = MenuRequest::draw_gesture; break;
+        case RowKind::forget_gesture: s.request = MenuRequest::forget_gesture; break;
         case RowKind::find_force: find_force(s, context); break;
         case RowKind::body_fader: try_body(s, static_cast<tactile::Purpose>(row.index)); break;
         case RowKind::cauldron: open(s, Page::cauldron); break;

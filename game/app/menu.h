@@ -77,6 +77,7 @@ struct MenuContext {
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     std::array<std::string, game::players>
         jackets{};                         ///< state of each player's jacket; empty: the player has none
+    std::vector<std::string> gestures{};   ///< gestures of the match; empty: the rule set has none
     std::vector<FeelProfile> profiles{};   ///< what players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     /// words of the start screen on a faulty settings file; empty: there is no fault
@@ -93,6 +94,8 @@ enum class MenuRequest : std::uint8_t {
     repeat_step,
     find_force,
     feel_force,
+    draw_gesture,
+    forget_gesture,
     restart,
     leave,
     quit
@@ -119,6 +122,7 @@ struct MenuState {
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
     std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
     game::RangeChanges range{};                   ///< changes of the range's rules
+    std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     std::size_t sheet = 0;                        ///< sheet on the bindings page
     std::size_t player = 0;                       ///< player whose settings or faders a page shows
     std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none

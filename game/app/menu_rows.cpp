@@ -169,6 +169,23 @@ void add_range_rows(const MenuState& s, Rows& rows) {
                      .adjustable = true}});
 }
 
+void add_gesture_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    if (context.gestures.empty()) return;
+    const auto& name = context.gestures[s.gesture % context.gestures.size()];
+    rows.push_back(
+        {RowKind::draw_gesture,
+         0,
+         {.label = "Own gesture",
+          .help = "Left and right choose a gesture. A press lets you draw it your way, three times.",
+          .value = name,
+          .longest_value = longest(context.gestures),
+          .adjustable = true}});
+    rows.push_back({RowKind::forget_gesture,
+                    0,
+                    {.label = text("Usual ", name, " again"),
+                     .help = "Forgets your own strokes for this gesture, so that the game's count again."}});
+}
+
 void add_lesson_rows(Rows& rows) {
     rows.push_back({RowKind::skip_step,
                     0,
@@ -189,8 +206,10 @@ void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
         {RowKind::go_on, 0, {.label = "Go on", .help = "Closes this menu and plays on for everybody."}});
     if (context.apprentice)
         add_lesson_rows(rows);
-    else if (context.practice)
+    else if (context.practice) {
         add_range_rows(s, rows);
+        add_gesture_rows(s, context, rows);
+    }
     add_page_rows(rows);
     rows.push_back(
         {RowKind::restart,

@@ -39,6 +39,8 @@ enum class RowKind : std::uint8_t {
     preset,
     profile,
     save_profile,
+    draw_gesture,
+    forget_gesture,
     find_force,
     body_fader,
     cauldron,

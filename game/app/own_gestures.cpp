@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/app/player_name.h"
+#include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::app {
@@ -64,6 +65,25 @@ Expected<void> save_own_gesture(const std::filesystem::path& folder, const gestu
 bool forget_own_gesture(const std::filesystem::path& folder, const std::string& name) {
     std::error_code error;
     return !folder.empty() && std::filesystem::remove(file_of(folder, name), error);
+}
+
+std::vector<std::string> likeness_words(const gesture::Gesture& gesture, const game::MatchData& data,
+                                        const std::vector<input::ProfileData>& profile,
+                                        std::uint32_t player) {
+    game::MatchSetup setup;
+    const bool used = data.gestures && game::use_profile(data, profile, setup).has_value();
+    if (!used) return {};
+    const auto* own = setup.gestures[player].get();
+    const auto set = (own != nullptr ? *own : *data.gestures).gestures();
+    const auto pairs = gesture::compare_gestures(set);
+    if (!pairs) return {pairs.error().message};
+    std::vector<std::string> words;
+    for (const auto& pair : *pairs) {
+        const auto &a = set[pair.a].name, &b = set[pair.b].name;
+        if (!pair.collides() || (a != gesture.name && b != gesture.name)) continue;
+        words.push_back(text("like ", a == gesture.name ? b : a, ": they may be mistaken"));
+    }
+    return words;
 }
 
 }  // namespace thaum::app

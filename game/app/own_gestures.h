@@ -14,6 +14,12 @@
 
 namespace thaum::app {
 
+/// Own gestures with which the range goes on, and words for its player.
+struct OwnGestures {
+    std::vector<input::ProfileData> profile{};
+    std::vector<std::string> words{};
+};
+
 /// Folder of a player's own gestures; empty if there is no settings file.
 std::filesystem::path own_gestures_folder(const std::filesystem::path& settings_file,
                                           const Settings& settings, std::size_t player);
@@ -27,5 +33,9 @@ std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& f
 Expected<void> save_own_gesture(const std::filesystem::path& folder, const gesture::Gesture& gesture);
 /// Deletes a player's own gesture, so that the shipped one counts again. Returns whether there was one.
 bool forget_own_gesture(const std::filesystem::path& folder, const std::string& name);
+
+/// Warnings where a gesture is so like another gesture of the same player that strokes may be mistaken; empty: none.
+std::vector<std::string> likeness_words(const gesture::Gesture& gesture, const game::MatchData& data,
+                                        const std::vector<input::ProfileData>& profile, std::uint32_t player);
 
 }  // namespace thaum::app

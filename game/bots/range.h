@@ -25,7 +25,7 @@ struct alignas(2) RangeChanges {
 RangeData changed(const RangeData& data, const RangeChanges& changes);
 
 /// Reads the data of a match and assets/range.toml. The round length and kill limit of `choice.match` are
-/// ignored. The error names file, line and key.
+/// ignored. No brew spoils, and ingredients are back at once. The error names file, line and key.
 Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice);
 
 /// Device of the dummy. Its counts are those of a bot.

@@ -13,6 +13,9 @@
 namespace thaum::game {
 namespace {
 
+/// Time from which on a brew counts as one that never spoils, as on the range.
+constexpr Tick never_spoils = ticks(3600.0);
+
 /// Numbers of brew states. A moving brew is numbered by the match's clock, a resting one by the time it came
 /// to rest.
 constexpr std::uint64_t untouched = 1, at_rest = std::uint64_t{1} << 48U;
@@ -116,7 +119,8 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     take_mixed(match, cauldron, out);
     out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
     const auto played = match.match().played, end = spoils_at(match.data(), cauldron);
-    out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
+    const bool spoils = rules.spoils_after < never_spoils;
+    out.spoils_in_s = spoils && cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
     out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after + cauldron.more_time), 1e-3);
     out.potion = cauldron.fluid_potion < match.data().recipes.size()
                      ? std::string_view(match.data().recipes[cauldron.fluid_potion].name)

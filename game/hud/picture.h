@@ -13,6 +13,7 @@
 #include "game/context/arms.h"
 #include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
+#include "game/hud/gesture_wall.h"
 #include "game/hud/recipe_picture.h"
 #include "game/match/result.h"
 #include "game/sound/heard.h"
@@ -171,6 +172,7 @@ struct PracticePicture {
     // Words that may name controls (game/data/control_words.h).
     std::string below;         ///< line below the score: the dummy, or the ways out of a lesson
     std::string lesson, hint;  ///< the Apprentice's present step; empty: no lesson
+    GestureWallPicture wall{};
 };
 
 /// One line of text for the players. The session fills it in.

@@ -137,6 +137,18 @@ void add_seam(Overlay& out, const HudSettings& settings, render::Size size) {
     out.items.emplace_back(render::LineItem{from, to, 4, paints.dark});
 }
 
+constexpr std::uint32_t wall_player = 0;  // the only person on the range
+
+/// Box of the gesture wall: on the left, between the notices and the name.
+Panel wall_box(const HudLayout& layout) {
+    constexpr float wide = 330, beside = 12;  // units
+    const float u = layout.unit;
+    const auto& view = *layout.views[wall_player];
+    const float left = static_cast<float>(view.view.x) + beside * u;
+    const float right = std::min(left + wide * u, view.centre.x - view.ring);
+    return {{left, layout.notices.high.y + beside * u}, {right, view.name.low.y - beside * u}};
+}
+
 /// Adds what players see while they play: the overlays of the views, the score and the lesson.
 void add_play(Overlay& out, const Picture& picture, const HudSettings& settings, const HudLayout& layout) {
     for (std::uint32_t player = 0; player < players; ++player) {
@@ -151,6 +163,8 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
         add_lesson(out, lesson, *layout.lesson, layout.unit);
         size = std::min(title_size * layout.unit, lesson.words.size);
     }
+    if (practice.wall.on && layout.views[wall_player])
+        add_gesture_wall(out, practice.wall, wall_box(layout), layout.unit);
     if (practice.on)
         add_practice(out, picture, controls, layout.score, layout.unit, size);
     else

@@ -257,6 +257,32 @@ TEST(StartScreen, OnAFirstStartTwoPressesOfAnyButtonStillStartADuel) {
     EXPECT_EQ(s.request, MenuRequest::start);
 }
 
+TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
+    auto range = context();
+    range.practice = true;
+    range.gestures = {"circle", "s", "v"};
+    auto s = opened({}, Page::pause);
+    const auto row_of = [&](std::string_view label) {
+        const auto rows = picture_of(s, range).rows;
+        const auto found =
+            std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.label == label; });
+        EXPECT_NE(found, rows.end()) << label;
+        return static_cast<std::size_t>(found - rows.begin());
+    };
+    const auto own = row_of("Own gesture");
+    EXPECT_EQ(picture_of(s, range).rows[own].value, "circle");
+    s = step(std::move(s), {.kind = Kind::left, .device = keyboard, .row = own}, range);
+    EXPECT_EQ(picture_of(s, range).rows[own].value, "v");
+    s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = own}, range);
+    EXPECT_EQ(s.request, MenuRequest::draw_gesture);
+    EXPECT_EQ(s.gesture, 2U);
+    const auto usual = row_of("Usual v again");
+    s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = usual}, range);
+    EXPECT_EQ(s.request, MenuRequest::forget_gesture);
+    range.gestures.clear();
+    for (const auto& row : picture_of(s, range).rows) EXPECT_NE(row.label, "Own gesture");
+}
+
 TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
     auto range = context();
     range.practice = true;

@@ -12,6 +12,7 @@
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/live_shared.h"
+#include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/hud/layout.h"
 
@@ -338,6 +339,126 @@ TEST_F(ForceTrialTest, EachFaderOfTheForcesCanBeFelt) {
 TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
     runs_ = false;
     for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
+}
+
+/// A player who draws on the wall with the mouse.
+struct WallPlayer {
+    Practice& practice;
+
+    void play(int ticks, std::uint32_t buttons = 0, vec2 (*counts)(int) = nullptr) {
+        for (int t = 0; t < ticks; ++t) {
+            input::InputFrame frame;
+            frame.devices[game::dummys] = practice.dummy_sample();
+            auto& hand = frame.devices[game::practising];
+            hand.buttons = buttons;
+            const vec2 move = counts == nullptr ? vec2(0) : counts(t);
+            hand.counts[input::hand::look_right] = static_cast<int>(move.x);
+            hand.counts[input::hand::look_up] = static_cast<int>(move.y);
+            practice.match().tick(frame);
+            practice.follow_gestures();
+        }
+    }
+    void draw(int ticks, vec2 (*counts)(int)) {
+        play(ticks, input::bit(input::Button::trace), counts);
+        play(50);
+    }
+};
+
+/// A circle of 6 cm in 1.5 s, begun and ended slowly as hands do.
+vec2 circle_on_wall(int t) {
+    const auto place = [](int at) {
+        const double u = at / 1500.0, angle = 2 * pi * u * u * u * (10 + u * (6 * u - 15));
+        return vec2(std::round(300 * std::sin(angle)), std::round(300 * std::cos(angle)));
+    };
+    return place(t + 1) - place(t);
+}
+
+vec2 triangle_on_wall(int t) {
+    const int side = t / 267;
+    return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
+}
+
+TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    EXPECT_FALSE(picture(practice).practice.wall.on) << "before the first stroke";
+    player.play(750, input::bit(input::Button::trace), circle_on_wall);
+    auto wall = picture(practice).practice.wall;
+    EXPECT_TRUE(wall.on && wall.drawing);
+    EXPECT_GT(wall.stroke.size(), 40U);
+    player.play(50);
+    wall = picture(practice).practice.wall;
+    ASSERT_TRUE(wall.on && !wall.drawing);
+    ASSERT_EQ(wall.gestures->size(), 4U);
+    ASSERT_EQ((*wall.gestures)[0].name, "circle");
+    // Half a circle.
+    EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
+    player.draw(1500, circle_on_wall);
+    wall = picture(practice).practice.wall;
+    EXPECT_EQ(wall.chosen, 0);
+    EXPECT_GT(wall.scores[0], 60);
+    EXPECT_EQ(wall.lines[0].find("Shield, "), 0U) << wall.lines[0];
+    EXPECT_NE(wall.lines[0].find("gentle"), std::string::npos);
+    ASSERT_EQ(wall.lines.size(), 2U);
+    EXPECT_EQ(wall.lines[1], "well drawn");
+    player.play(8100);
+    EXPECT_FALSE(picture(practice).practice.wall.on) << "some seconds after the stroke";
+}
+
+TEST_F(PracticeTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    practice.wall().record("circle");
+    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own circle: draw stroke 1 of 3");
+    for (int stroke = 0; stroke < 2; ++stroke) player.draw(800, triangle_on_wall);
+    player.draw(60, triangle_on_wall);  // too short to count
+    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own circle: draw stroke 3 of 3");
+    EXPECT_FALSE(practice.wall().take_recorded());
+    player.draw(800, triangle_on_wall);
+    const auto own = practice.wall().take_recorded();
+    ASSERT_TRUE(own);
+    EXPECT_FALSE(practice.wall().records());
+    EXPECT_EQ(own->name, "circle");
+    ASSERT_EQ(own->strokes.size(), 3U);
+    EXPECT_NEAR(own->strokes[0].back().t, 0.8, 0.02);
+    EXPECT_EQ(own->options.harsh_above, range.data().match->gestures->gestures()[0].options.harsh_above);
+
+    practice.use_gestures({{game::profile_of(*own, game::practising)}, {"saved"}});
+    EXPECT_EQ(picture(practice).practice.wall.lines[0], "saved");
+    player.draw(800, triangle_on_wall);
+    auto wall = picture(practice).practice.wall;
+    EXPECT_TRUE((*wall.gestures)[0].own);
+    EXPECT_EQ(wall.lines[0].find("Shield, "), 0U) << wall.lines[0];
+    practice.use_gestures({{}, {}});
+    player.draw(800, triangle_on_wall);
+    wall = picture(practice).practice.wall;
+    EXPECT_FALSE((*wall.gestures)[0].own);
+    EXPECT_NE(wall.lines[0].find("Shield, "), 0U);
+}
+
+TEST_F(PracticeTest, WithoutSpellsThereIsNoWall) {
+    auto files = game::RangeFiles::open(folder_, {.rules = "classic"});
+    ASSERT_TRUE(files);
+    auto practice = practice_of(*files);
+    WallPlayer player{practice};
+    player.draw(1500, circle_on_wall);
+    EXPECT_FALSE(picture(practice).practice.wall.on);
+}
+
+TEST_F(PracticeTest, TheCauldronIsFree) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    const auto& rules = *practice.match().data().cauldron;
+    EXPECT_EQ(rules.niche_again, 0U);
+    EXPECT_GT(rules.spoils_after, ticks(1e6));
+    auto& cauldron = practice.match().world_to_change().single<game::Cauldron>();
+    cauldron.begun = 1;
+    play(practice, 0.1);
+    EXPECT_EQ(picture(practice).cauldron.spoils_in_s, 0) << "no words of spoiling";
 }
 
 }  // namespace

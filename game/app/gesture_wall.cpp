@@ -1,0 +1,155 @@
+#include "game/app/gesture_wall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/bots/apprentice.h"
+#include "game/casting/casting.h"
+#include "game/components/casting.h"
+#include "game/context/match_context.h"
+#include "gesture/comparison.h"
+
+namespace thaum::app {
+namespace {
+
+using game::practising;
+
+constexpr Tick shown_after = ticks(8.0);
+constexpr double shortest_recorded = 0.15;  // s
+
+std::vector<gesture::StrokePoint> points_of(const game::DrawnStroke& drawn) {
+    std::vector<gesture::StrokePoint> points;
+    const double step = drawn.every * game::gameplay_dt;
+    for (std::uint32_t i = 0; i < drawn.count; ++i) {
+        const auto& p = drawn.points[i];
+        points.push_back({i * step, vec3(p.x, p.y, p.z), p.force});
+    }
+    return points;
+}
+
+std::string force_words(const gesture::GestureOptions& o, double force) {
+    const auto* word = force < o.gentle_below ? "gentle" : force >= o.harsh_above ? "harsh" : "normal";
+    return text(word, " (", fixed(force, 1), " N)");
+}
+
+std::string spell_shown(const game::MatchData& data, const std::string& gesture) {
+    const auto* spell = game::spell_of(data, gesture);
+    return spell == nullptr ? std::string() : spell->stats.shown;
+}
+
+}  // namespace
+
+/// Lists the ghosts of the player's gestures, where the set is another one.
+void GestureWall::list(const game::Simulation& match) {
+    const auto* set = game::gestures_of(match.context(), practising);
+    if (set == listed_) return;
+    listed_ = set;
+    std::vector<game::WallGesture> gestures;
+    if (set != nullptr) {
+        const auto& profile = match.setup().profile;
+        for (const auto& g : set->gestures())
+            gestures.push_back({.name = g.name,
+                                .spell = spell_shown(match.data(), g.name),
+                                .ghost = g.strokes.front(),
+                                .own = std::any_of(profile.begin(), profile.end(), [&](const auto& item) {
+                                    return item.name == g.name && item.player == practising;
+                                })});
+    }
+    scores_.assign(gestures.size(), -1);
+    chosen_ = -1;
+    gestures_ = std::make_shared<const std::vector<game::WallGesture>>(std::move(gestures));
+}
+
+/// Shows the newest reading: the gesture, its score, and what to do better.
+void GestureWall::read(const game::Simulation& match) {
+    const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
+    read_at_ = reading.at;
+    lines_.clear();
+    chosen_ = -1;
+    if (reading.nearest >= listed_->gestures().size()) {
+        lines_.emplace_back("no gesture: draw one of these");
+        return;
+    }
+    const auto& nearest = listed_->gestures()[reading.nearest];
+    chosen_ = static_cast<int>(reading.nearest);
+    const int score = static_cast<int>(std::lround(100 * reading.probability));
+    const bool meant = reading.gesture != game::no_gesture;
+    scores_[reading.nearest] = score;
+    const auto& spell = (*gestures_)[reading.nearest].spell;
+    if (meant)
+        lines_.push_back(text(spell.empty() ? nearest.name : spell, ", ", score, " % sure, ",
+                              force_words(nearest.options, reading.force)));
+    else
+        lines_.push_back(text("not sure: the nearest is ", nearest.name, ", ", score, " %"));
+    for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest), nearest, reading.force))
+        lines_.push_back(std::move(line));
+    if (meant && lines_.size() == 1) lines_.emplace_back("well drawn");
+}
+
+void GestureWall::tell_recording() {
+    lines_ = {text("Your own ", recording_.name, ": draw stroke ", recording_.strokes.size() + 1, " of ",
+                   recorded_strokes),
+              "draw it the same way each time"};
+}
+
+/// Keeps a stroke for the gesture that is recorded.
+void GestureWall::keep(const game::Simulation& match) {
+    chosen_ = -1;
+    if (stroke_.size() < 2 || stroke_.back().t < shortest_recorded) return;
+    recording_.strokes.push_back(stroke_);
+    if (recording_.strokes.size() < recorded_strokes) return tell_recording();
+    const auto number = match.data().gestures->number(recording_.name);
+    const auto& shipped = match.data().gestures->gestures()[*number].options;
+    // An own gesture may be of any shape, so only the bands of force are the shipped one's.
+    recording_.options = {.rotation = 15 * radians_per_degree,
+                          .planar = true,
+                          .gentle_below = shipped.gentle_below,
+                          .harsh_above = shipped.harsh_above};
+    recorded_ = std::move(recording_);
+    recording_ = {};
+    lines_ = {"three strokes: they are compared with the other gestures"};
+}
+
+void GestureWall::record(const std::string& name) {
+    recording_ = {.name = name, .options = {}, .strokes = {}};
+    chosen_ = -1;
+    stroke_.clear();
+    if (!name.empty()) tell_recording();
+}
+
+void GestureWall::say(std::vector<std::string> lines) { lines_ = std::move(lines); }
+
+void GestureWall::follow(const game::Simulation& match) {
+    list(match);
+    if (listed_ == nullptr) return;
+    const auto& world = match.world();
+    const auto wizard = game::wizard_of(world, practising);
+    const auto* drawn = world.find<game::DrawnStroke>(wizard);
+    const auto now = match.match().played;
+    if (drawn != nullptr) {
+        if (match.now() % game::gameplay_period == 0) stroke_ = points_of(*drawn);
+        drawing_ = true;
+        shown_until_ = now + shown_after;
+        return;
+    }
+    if (!drawing_) return;
+    drawing_ = false;
+    if (records())
+        keep(match);
+    else if (world.get<game::LastReading>(wizard).at != read_at_)
+        read(match);
+}
+
+void GestureWall::show(const game::Simulation& match, game::GestureWallPicture& picture) const {
+    picture.on = listed_ != nullptr && (records() || drawing_ || match.match().played < shown_until_);
+    if (!picture.on) return;
+    picture.gestures = gestures_;
+    picture.scores = scores_;
+    picture.chosen = chosen_;
+    picture.stroke = stroke_;
+    picture.drawing = drawing_;
+    picture.lines = lines_;
+}
+
+}  // namespace thaum::app

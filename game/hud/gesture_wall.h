@@ -1,0 +1,40 @@
+// game/hud/gesture_wall.h: the gesture wall of the range on the screen: each gesture with its ghost, the newest stroke over
+// the gesture that it was read as, and what to do better.
+//
+//     circle 97 %   s
+//     star          v        a ghost in each cell; the chosen one is framed
+//     Shield, gentle         what was read
+//     end where you began    what to do better
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "game/hud/panel.h"
+#include "gesture/stroke.h"
+#include "render/scene.h"
+
+namespace thaum::game {
+
+/// A gesture of the wall.
+struct WallGesture {
+    std::string name;
+    std::string spell;  ///< name of the spell that it casts; empty: none
+    std::vector<gesture::StrokePoint> ghost;
+    bool own = false;  ///< true: drawn by the player
+};
+
+struct GestureWallPicture {
+    bool on = false;
+    std::shared_ptr<const std::vector<WallGesture>> gestures{};
+    std::vector<int> scores{};  ///< newest score of each gesture (%), -1: none yet
+    int chosen = -1;            ///< gesture that the stroke belongs to; -1: none
+    std::vector<gesture::StrokePoint> stroke{};
+    bool drawing = false;              ///< true: the stroke has not ended
+    std::vector<std::string> lines{};  ///< what was read, and what to do better
+};
+
+/// Adds the wall in its box. `unit` is the length of a HUD unit (px).
+void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float unit);
+
+}  // namespace thaum::game
