@@ -431,7 +431,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
                       {*in.grid, in.crossings}, in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];
-            if (stirs(stir_plan)) return stir_hand(match, seat, stir_plan, match.match().played, sample);
+            if (stirs(stir_plan)) return brew_hand(match, seat, stir_plan, match.match().played, sample);
             sample = {};
             turn_hand(mind, gameplay_period - phase, sample);
             sample.counts[hand::strafe] = mind.move_strafe;

@@ -152,16 +152,22 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, c
     }
 }
 
-void stir_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
-               input::DeviceSample& sample) {
+void stir_hand(Tick tick, input::DeviceSample& sample) {
     sample = {};
     const double angle = 2 * pi * static_cast<double>(tick % period) / static_cast<double>(period);
     sample.press(input::Button::stir);
-    if (stir_plan.drops != 0) sample.press(input::Button::fire);
-    if (stir_plan.drawing_from != 0) return draw_hand(match, seat, stir_plan, tick, sample);
-    if (tick < stir_plan.hands_off_until && stir_plan.stroke > 0) return;
     sample.counts[hand::look_right] = static_cast<std::int32_t>(std::lround(counts * det::cos(angle)));
     sample.counts[hand::look_up] = static_cast<std::int32_t>(std::lround(counts * det::sin(angle)));
+}
+
+void brew_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
+               input::DeviceSample& sample) {
+    const bool draws = stir_plan.drawing_from != 0;
+    const bool rests = tick < stir_plan.hands_off_until && stir_plan.stroke > 0;
+    stir_hand(tick, sample);
+    if (draws || rests) sample.counts = {};
+    if (stir_plan.drops != 0) sample.press(input::Button::fire);
+    if (draws) draw_hand(match, seat, stir_plan, tick, sample);
 }
 
 }  // namespace thaum::game

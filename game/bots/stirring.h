@@ -14,8 +14,10 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, c
 /// Whether the bot stirs at present.
 inline bool stirs(const StirPlan& stir_plan) { return stir_plan.stage == StirStage::stir; }
 
-/// Writes the hand's motion of this tick to the sample.
-void stir_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
+/// Writes the motion of a hand that stirs in circles to the sample of this tick.
+void stir_hand(Tick tick, input::DeviceSample& sample);
+/// Writes the motion of a bot's hand at the cauldron to the sample of this tick: circles, a drop or a gesture.
+void brew_hand(const Simulation& match, const Seat& seat, const StirPlan& stir_plan, Tick tick,
                input::DeviceSample& sample);
 
 }  // namespace thaum::game

@@ -31,6 +31,24 @@ void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, 
     }
 }
 
+/// Declares what belongs to the cauldron, and to strokes and spells.
+void declare_magic(ecs::World& world) {
+    world.declare<Cauldron>();
+    world.declare<BrewSamples>();
+    world.declare<SurfaceSamples>();
+    world.declare<Ladle>();
+    world.declare<Niche>();
+    world.declare<Pouch>();
+    world.declare<Focus>();
+    world.declare<DrawnStroke>();
+    world.declare<LastReading>();
+    world.declare<LastProp>();
+    world.declare<Fog>();
+    for (const auto& kind : spell_kinds()) kind.declare(world);
+    world.declare<Potions>();
+    world.declare<DrawnOrders>();
+}
+
 }  // namespace
 
 MatchContext::MatchContext(const MatchData& match_data, const MatchInput& match_input)
@@ -65,20 +83,7 @@ void declare_components(ecs::World& world) {
     world.declare<Dice>();
     world.declare<EventLog>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
-    world.declare<Cauldron>();
-    world.declare<BrewSamples>();
-    world.declare<SurfaceSamples>();
-    world.declare<Ladle>();
-    world.declare<Niche>();
-    world.declare<Pouch>();
-    world.declare<Focus>();
-    world.declare<DrawnStroke>();
-    world.declare<LastReading>();
-    world.declare<LastProp>();
-    world.declare<Fog>();
-    for (const auto& kind : spell_kinds()) kind.declare(world);
-    world.declare<Potions>();
-    world.declare<DrawnOrders>();
+    declare_magic(world);
     // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();

@@ -15,6 +15,14 @@ vec3 wish_of(const Controls& controls, const Gaze& gaze, double speed) {
     return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
 }
 
+/// `pace`: share of the walking speed that the wizard has.
+physics::MoverSettings abilities_of(const WizardRules& rules, const Stance& stance, double pace, Tick tick) {
+    auto abilities = rules.walk;
+    if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
+    abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the wish to this speed
+    return abilities;
+}
+
 }  // namespace
 
 Body wizard_body(const WizardRules& rules) {
@@ -52,9 +60,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      if (motion.asleep != 0 && !wishes) return;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position) *
                                          pace_of(context.data, potions, tick);
-                     auto abilities = rules.walk;
-                     if (tick < stance.loose_until) abilities.ground_acceleration *= rules.loose_grip;
-                     abilities.walk_speed *= std::max(1.0, pace);  // the mover limits the wish to this speed
+                     const auto abilities = abilities_of(rules, stance, pace, tick);
                      const auto result = physics::move(
                          context.physics.write(), e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),

@@ -54,7 +54,7 @@ public:
     }
 
     /// Drops an ingredient into a brew whose newest ingredient has reached this share.
-    void drop(std::string_view name, double reached = 0.4) {
+    void drop(std::string_view name, double reached = 0.7) {
         const auto& all = match_->data().cauldron->ingredients;
         const auto found =
             std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == name; });
@@ -67,7 +67,7 @@ public:
         run(2 * fluid_period + gameplay_period);
     }
 
-    void draw(const StrokeReading& reading, double reached = 0.4, std::uint32_t player = 0) {
+    void draw(const StrokeReading& reading, double reached = 0.7, std::uint32_t player = 0) {
         cauldron().reached = reached;
         brew_by_stroke(match_->context_to_change(), wizard(player), reading, now());
     }
@@ -224,17 +224,17 @@ TEST(Potions, TheMomentOfTheFirstStrokeCounts) {
     kitchen.draw(drawn(circle, 0.5, 1), 0.1);
     EXPECT_EQ(kitchen.fault(), BrewFault::soon);
     EXPECT_EQ(kitchen.cauldron().fault, BrewFault::none) << "an early stroke may be drawn again";
-    kitchen.draw(drawn(circle, 0.5, 1), 0.3);
+    kitchen.draw(drawn(circle, 0.5, 1), 0.6);
     EXPECT_EQ(kitchen.cauldron().strokes_done, 1U);
-    kitchen.draw(drawn(circle, 0.5, 2), 0.9);
+    kitchen.draw(drawn(circle, 0.5, 2), 0.95);
     EXPECT_EQ(kitchen.brewed(), "haste") << "later strokes may come whenever the wizard likes";
 
     Kitchen late;
     late.drop("ember");
     late.drop("salt");
-    late.draw(drawn(circle, 0.5, 1), 0.9);
+    late.draw(drawn(circle, 0.5, 1), 0.95);
     EXPECT_EQ(late.fault(), BrewFault::late);
-    late.draw(drawn(circle, 0.5, 3), 0.3);
+    late.draw(drawn(circle, 0.5, 3), 0.6);
     EXPECT_EQ(late.fault(), BrewFault::off);
 }
 
@@ -265,7 +265,7 @@ TEST(Potions, TheFoesBrewTakesNoStrokes) {
     Kitchen kitchen;
     kitchen.drop("ember");
     kitchen.drop("salt");
-    kitchen.draw(drawn(circle, 0.5, 3), 0.4, 1);
+    kitchen.draw(drawn(circle, 0.5, 3), 0.7, 1);
     EXPECT_EQ(kitchen.fault(), BrewFault::foreign);
     EXPECT_EQ(kitchen.brewed(), "");
 }
