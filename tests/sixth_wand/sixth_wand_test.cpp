@@ -50,13 +50,13 @@ TEST(EventKinds, KindsOfTheGameKeepTheirNumbersAndNewOnesFollowByName) {
     EXPECT_EQ(static_cast<int>(hit_kind("bolt_hit")), 2);
     EXPECT_EQ(static_cast<int>(hit_kind("blast_hit")), 11);
     EXPECT_EQ(static_cast<int>(hit_kind("lob_hit")), 12);
-    constexpr int last = static_cast<int>(EventKind::pushed);
+    constexpr int last = static_cast<int>(EventKind::work_lost);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_frost")), last + 1);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_hit")), last + 2);
-    const std::vector<std::string_view> wanted{"bolt", "blast", "lob",   "blow",
-                                               "fall", "brew",  "frost", "hail"};
+    const std::vector<std::string_view> wanted{"bolt", "blast", "lob",   "blow", "fall",
+                                               "brew", "venom", "frost", "hail"};
     EXPECT_EQ(std::vector(causes().begin(), causes().end()), wanted);
-    EXPECT_EQ(cause_of(hit_kind("hail_hit")), 7U);
+    EXPECT_EQ(cause_of(hit_kind("hail_hit")), 8U);
     EXPECT_EQ(cause_of(EventKind::death), most_causes);
     EXPECT_EQ(name_of(static_cast<EventKind>(1000)), "");
 }
@@ -79,7 +79,9 @@ TEST(EventKinds, NumbersDoNotDependOnTheOrderOfRegistration) {
         }
     }
     EXPECT_EQ(first.kinds.back().name, "d_hit");
-    EXPECT_EQ(first.kinds.back().cause_number, first.kinds[static_cast<std::size_t>(EventKind::pushed) + 1].cause_number) << "one cause for two hits";
+    EXPECT_EQ(first.kinds.back().cause_number,
+              first.kinds[static_cast<std::size_t>(EventKind::work_lost) + 1].cause_number)
+        << "one cause for two hits";
 }
 
 TEST(EventKinds, AClashIsAFaultThatNamesBoth) {
@@ -264,7 +266,9 @@ TEST(SixthWand, NoEventIsLostWhenAHundredHitInOneTick) {
     const auto& kinds = playback->log().header().kinds;
     ASSERT_EQ(kinds.size(), 6U);
     EXPECT_EQ(kinds[0].kinds.back(), (input::Kind{7, "hail"})) << "the last cause";
-    EXPECT_EQ(kinds[1].kinds.back(), (input::Kind{static_cast<std::uint16_t>(hit_kind("hail_hit")), "hail_hit"})) << "the last event";
+    EXPECT_EQ(kinds[1].kinds.back(),
+              (input::Kind{static_cast<std::uint16_t>(hit_kind("hail_hit")), "hail_hit"}))
+        << "the last event";
     EXPECT_EQ(kinds[5].kinds.back(), (input::Kind{6, "hail"})) << "the last wand";
     EventTable table;
     std::string csv;

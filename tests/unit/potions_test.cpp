@@ -207,8 +207,8 @@ TEST(Potions, AWrongOrderSpoilsTheRecipe) {
 }
 
 TEST(Potions, TheMomentOfTheNextIngredientCounts) {
-    for (const auto& [reached, fault] : {std::pair(0.1, BrewFault::early), std::pair(0.9, BrewFault::late),
-                                         std::pair(0.3, BrewFault::none)}) {
+    for (const auto& [reached, fault] : {std::pair(0.1, BrewFault::early), std::pair(0.97, BrewFault::late),
+                                         std::pair(0.6, BrewFault::none)}) {
         Kitchen kitchen;
         kitchen.drop("ember");
         kitchen.drop("salt", reached);
