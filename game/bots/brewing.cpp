@@ -28,21 +28,21 @@ std::optional<vec3> niche_of(const Simulation& match, const Seat& seat, std::uin
     return best;
 }
 
-double distance_to_way(vec3 point, vec3 from, vec3 to) {
-    const vec2 way(to.x - from.x, to.z - from.z), off(point.x - from.x, point.z - from.z);
+/// Whether a straight way comes nearer to a place than `clear` (m). A way that leads off from the place does not.
+bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
+    const vec2 way(to.x - from.x, to.z - from.z), off(place.x - from.x, place.z - from.z);
     const double length = glm::dot(way, way);
     const double share = length > 0 ? std::clamp(glm::dot(off, way) / length, 0.0, 1.0) : 0;
-    return glm::length(off - share * way);
+    return share > 0 && glm::length(off - share * way) < clear;
 }
 
 /// Whether a straight way passes no niche that has something, except its goal.
 bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) {
-    constexpr double room = 0.6;  // m
+    constexpr double room = 0.5;  // m
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
         if (tick < other.back_at || motion.position == niche) return;
-        const double clear = match.data().cauldron->niche_radius + room;
-        free &= distance_to_way(motion.position, from, niche) > clear;
+        free &= !comes_near(motion.position, from, niche, match.data().cauldron->niche_radius + room);
     });
     return free;
 }
