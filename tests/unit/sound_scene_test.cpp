@@ -181,6 +181,7 @@ TEST(SoundScene, EveryEffectOfTheBankIsUsedAndNoTwoSayTheSame) {
     for (const auto& number : sounds.cues) use(number);
     for (const auto& number : sounds.events) use(number);
     for (const auto& number : sounds.power_ups) use(number);
+    for (const auto& number : sounds.spells) use(number);
     for (const auto& wand : sounds.wands)
         for (const auto& number : {wand.fire, wand.burst, wand.take, wand.ready, wand.hold}) use(number);
     std::set<std::string> words;
