@@ -84,6 +84,24 @@ Spotter::Spotter(const Recogniser& recogniser, const SpotterSettings& settings)
         factors_.push_back(static_cast<float>(det::pow(plain_usual / static_cast<double>(usual), 1.0 / 3)));
 }
 
+void Spotter::restart() {
+    choice_ = CandidateChoice(settings_.wait, settings_.most_score);
+    points_.count = 0;
+    origin_ = {};
+    latest_ = {};
+    now_ = -1e300;
+    last_end_ = next_length_ = 0;
+    window_count_ = verified_ = pair_count_ = end_ = 0;
+    scanning_ = verifying_ = false;
+    candidates_.clear();
+    std::fill(held_.begin(), held_.end(), Held{});
+    std::fill(seen_.begin(), seen_.end(), Candidate{.start = -1e300, .end = -1e300});
+    look_.stop();
+    looked_at_ = {};
+    dropped_ = ticks_ = 0;
+    skipped_ = ends_ = 0;
+}
+
 /// Drops the older half of the points. Sums become relative to the first point that is kept.
 void Spotter::make_room() {
     const std::size_t first = points_.count - kept_points;

@@ -77,6 +77,9 @@ public:
     /// The recogniser must live as long as the spotter.
     Spotter(const Recogniser& recogniser, const SpotterSettings& settings);
 
+    /// Forgets all points and reports, as if the spotter were new. Allocates nothing.
+    void restart();
+
     /// Takes the point of one tick. Points that are not finite, or whose time runs backwards, are ignored.
     /// Allocates nothing.
     std::optional<Spotted> feed(const StrokePoint& point);

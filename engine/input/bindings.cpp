@@ -48,11 +48,13 @@ constexpr Default keyboard_half_defaults[] = {
     {Action::turn_up, "key up"},        {Action::turn_down, "key down"},
     {Action::fire, "key kp_0"},         {Action::trace, "key kp_enter"},
     {Action::next_wand, "key kp_add"},  {Action::previous_wand, "key kp_subtract"},
-    {Action::stir, "key kp_decimal"},   {Action::jump, "key kp_7"},
-    {Action::throw_, "key kp_9"},       {Action::clutch, "key kp_1"},
-    {Action::panic, "key end"},         {Action::pause, "key kp_multiply"},
-    {Action::confirm, "key kp_0"},      {Action::farther, "key kp_3"},
-    {Action::nearer, "key kp_2"},
+    {Action::wand_1, "key insert"},     {Action::wand_2, "key home"},
+    {Action::wand_3, "key page_up"},    {Action::wand_4, "key delete"},
+    {Action::wand_5, "key page_down"},  {Action::stir, "key kp_decimal"},
+    {Action::jump, "key kp_7"},         {Action::throw_, "key kp_9"},
+    {Action::clutch, "key kp_1"},       {Action::panic, "key end"},
+    {Action::pause, "key kp_multiply"}, {Action::confirm, "key kp_0"},
+    {Action::farther, "key kp_3"},      {Action::nearer, "key kp_2"},
 };
 
 constexpr Default pad_defaults[] = {
@@ -65,9 +67,10 @@ constexpr Default pad_defaults[] = {
     {Action::turn_up, "pad right_y +"},
     {Action::turn_down, "pad right_y -"},
     {Action::fire, "pad right_trigger +"},
-    {Action::trace, "pad x"},
+    // A bumper, because the right thumb draws by the stick; beside the trigger, because the ladle draws as well.
+    {Action::trace, "pad left_bumper"},
     {Action::next_wand, "pad right_bumper"},
-    {Action::previous_wand, "pad left_bumper"},
+    {Action::previous_wand, "pad left"},
     // A trigger, because the thumb that would hold a button has to push the right stick, which moves the ladle.
     {Action::stir, "pad left_trigger +"},
     {Action::jump, "pad a"},

@@ -152,6 +152,8 @@ struct DeviceSpec {
     std::uint8_t aim_assist{};
     /// Samples may contain changes of faders. Programs that know none refuse such a log.
     bool moves_faders{};
+    /// Gestures of the hand cast spells without a button (game/casting/free_casting.h).
+    bool casts_freely{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// Sets the largest force that the player wants, 0 to 100 % of the device's force. 0 means no forces.

@@ -209,7 +209,7 @@ std::string_view help_of(Action action) {
         case Action::jump: return "Jumps.";
         case Action::next_wand: return "Takes the next wand.";
         case Action::previous_wand: return "Takes the wand before.";
-        case Action::trace: return "Is kept for gestures, which the game does not have yet.";
+        case Action::trace: return "Draws a gesture while held; with a wand's key it casts that key's spell.";
         case Action::stir: return "Stirs the brew at the cauldron's rim.";
         case Action::throw_: return "Throws the thing that the wand Lift holds.";
         case Action::clutch: return "Moves the hand and not the view, while held.";

@@ -55,6 +55,7 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
                                                              Action::turn_down, Action::turn_right});
     const auto toggled = [&](Action action) { return bindings.toggled[static_cast<std::size_t>(action)]; };
     names.fire_toggles = toggled(Action::fire);
+    names.trace_toggles = toggled(Action::trace);
     names.stir_toggles = toggled(Action::stir);
     names.jump = first_label(bindings, Action::jump);
     names.pause = first_label(bindings, Action::pause);

@@ -107,6 +107,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.turn_rad_per_s = own.turn_deg_per_s * radians_per_degree;
     spec.invert_y = own.invert_y;
     spec.aim_assist = static_cast<std::uint8_t>(percent_of(aim_assist_of(own, spec.kind)));
+    spec.casts_freely = own.free_casting;
     ask_for_forces(settings, player, spec);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind)),
             std::make_unique<FaderInput>()};

@@ -150,6 +150,9 @@ std::vector<PlayerSetting> seen_and_aimed_settings() {
         {"aim_assist_mouse", "Aim assist: mouse",
          "Slows turns by mouse at the foe, and turns near misses into hits.",
          Number{&PlayerSettings::aim_assist_mouse, 0, 1, 0.1, 100, " %"}, true},
+        {"free_casting", "Cast without a button",
+         "Casts a spell when the hand draws its gesture, although Trace is not held.",
+         Flag{&PlayerSettings::free_casting}, true},
     };
 }
 

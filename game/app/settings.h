@@ -53,6 +53,7 @@ struct PlayerSettings {
     double rumble = 0.7;  ///< strength of the motors of a pad (0 to 1)
     /// help with aiming for each kind of device (0 to 1; game/context/aim_assist.h)
     double aim_assist_pad = 0.4, aim_assist_keys = 0.6, aim_assist_mouse = 0;
+    bool free_casting = false;         ///< gestures of the hand cast spells without a button
     std::size_t force = gentle_force;  ///< index into force_choices
     int own_force_percent = 45;        ///< largest force of the choice "own" (% of the device's peak)
     /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)

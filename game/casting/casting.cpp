@@ -56,12 +56,6 @@ void append(const CastingRules& rules, const HandState& hand_state, const Ladle*
 
 // ---- casting ----------------------------------------------------------------------------------------------
 
-struct Caster {
-    ecs::Entity wizard;
-    std::uint32_t player{};
-    Tick tick{};
-};
-
 Event event_of(const MatchContext& context, const Caster& caster, EventKind kind, std::uint32_t detail,
                double amount) {
     return {.tick = caster.tick,
@@ -90,7 +84,8 @@ void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell,
     spell.rules->cast({context, caster.wizard, caster.tick, strength});
 }
 
-/// Takes note of a reading, and casts the spell of its gesture. A wizard who stirs casts nothing.
+}  // namespace
+
 void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures) {
     const auto& stroke = reading.stroke;
     context.world.get<LastReading>(caster.wizard) = {.at = std::max<Tick>(caster.tick, 1),
@@ -108,6 +103,8 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
     record(context, event_of(context, caster, EventKind::unread, reading.nearest, stroke.probability));
 }
 
+namespace {
+
 /// The reading of a key chord: a stroke of the slot's gesture without any doubt.
 Reading chord_reading(const MatchContext& context, const GestureSet& gestures, const Controls& controls) {
     const auto& rules = *context.data.casting;
@@ -121,6 +118,13 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
         // A key has no sense of turning, so its circle fits recipes of both senses.
     }
     return reading;
+}
+
+/// Keeps the finished stroke for the picture.
+void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace) {
+    const auto& reading = context.world.get<LastReading>(caster.wizard);
+    const bool read = reading.at == std::max<Tick>(caster.tick, 1) && reading.gesture != no_gesture;
+    context.output.strokes.write()[caster.player] = {trace, std::max<Tick>(caster.tick, 1), read};
 }
 
 /// Follows the stroke of one wizard for a gameplay tick.
@@ -143,11 +147,8 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     if (!dead && trace.over == 0 && !is_slip(*context.data.casting, trace))
         act_on(context, caster, read_drawn(*gestures, trace, space), *gestures);
     if (trace.on_brew == 0) hand_state.home = trace.home;
+    if (!dead) keep(context, caster, trace);
     world.commands().remove<DrawnStroke>(caster.wizard);
-}
-
-void join(ecs::Mask& mask, const ecs::Mask& other) {
-    for (std::size_t i = 0; i < mask.words.size(); ++i) mask.words[i] |= other.words[i];
 }
 
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
@@ -166,6 +167,28 @@ void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
 }
 
 }  // namespace
+
+void join(ecs::Mask& mask, const ecs::Mask& other) {
+    for (std::size_t i = 0; i < mask.words.size(); ++i) mask.words[i] |= other.words[i];
+}
+
+CastingAccess access_of_casting(const MatchContext& context) {
+    const auto& world = context.world;
+    CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>(),
+                         .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
+                                              resource::Journal, resource::Strokes>()};
+    // A spell may ask the wand in hand what it holds.
+    for (const auto& wand : context.data.wands) join(access.reads, wand.rules->writes(world));
+    if (context.data.cauldron) {
+        join(access.reads, brew_by_stroke_reads(world));
+        join(access.writes, brew_by_stroke_writes(world));
+    }
+    for (const auto& spell : context.data.spells) {
+        join(access.reads, spell.rules->reads(world));
+        join(access.writes, spell.rules->writes(world));
+    }
+    return access;
+}
 
 const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player) {
     const auto& own = context.input.gestures[player];
@@ -188,25 +211,13 @@ void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick) {
 
 void add_casting_systems(MatchContext& context, ecs::Schedule& schedule) {
     if (!context.data.gestures) return;
-    auto& world = context.world;
     add_focus_system(context, schedule);
-    auto reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>();
-    auto writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog, resource::Journal>();
-    // A spell may ask the wand in hand what it holds.
-    for (const auto& wand : context.data.wands) join(reads, wand.rules->writes(world));
-    if (context.data.cauldron) {
-        join(reads, brew_by_stroke_reads(world));
-        join(writes, brew_by_stroke_writes(world));
-    }
-    for (const auto& spell : context.data.spells) {
-        join(reads, spell.rules->reads(world));
-        join(writes, spell.rules->writes(world));
-    }
+    const auto access = access_of_casting(context);
     schedule.add({.name = "strokes",
                   .period = gameplay_period,
-                  .reads = reads,
-                  .writes = writes,
-                  .needs = world.mask<DrawnStroke>(),
+                  .reads = access.reads,
+                  .writes = access.writes,
+                  .needs = context.world.mask<DrawnStroke>(),
                   .run = [&context, space = std::make_shared<std::optional<ReadingSpace>>()](ecs::World& w,
                                                                                              Tick tick) {
                       if (!*space) space->emplace();

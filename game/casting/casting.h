@@ -7,6 +7,7 @@
 // A press of a wand's key while Trace is held is a key chord. It takes the stroke's place: the spell of that slot is
 // cast, harsh if fire is held too. So everything can be cast by keys alone.
 #pragma once
+#include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
 #include "game/data/stroke_reading.h"
@@ -22,6 +23,23 @@ const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player)
 
 /// The spell that a gesture casts; null if there is none.
 const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
+
+/// The wizard who casts, and the tick of play.
+struct Caster {
+    ecs::Entity wizard;
+    std::uint32_t player{};
+    Tick tick{};
+};
+
+/// Takes note of a reading, and casts the spell of its gesture. A wizard who stirs casts nothing.
+void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures);
+
+/// Components and resources that a system reads and writes which calls act_on.
+struct CastingAccess {
+    ecs::Mask reads, writes;
+};
+CastingAccess access_of_casting(const MatchContext& context);
+void join(ecs::Mask& mask, const ecs::Mask& other);
 
 /// Adds the system that follows strokes and casts spells, every gameplay tick. Does nothing if the match has no
 /// gestures.

@@ -7,6 +7,7 @@
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
 #include "game/components/fog.h"
+#include "game/components/free_hand.h"
 #include "game/components/moved_faders.h"
 #include "game/components/potions.h"
 #include "game/data/event_kinds.h"
@@ -84,10 +85,11 @@ void declare_components(ecs::World& world) {
     world.declare<EventLog>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
     declare_magic(world);
-    // Arms and moved faders are declared last, so that the hashes of matches without them stay the same.
+    // Arms, moved faders and free hands are declared last, so that the hashes of matches without them stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();
     world.declare<MovedFaders>();
+    world.declare<FreeHand>();
 }
 
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {

@@ -61,13 +61,14 @@ struct MatchInput {
     input::InputFrame frame;  ///< input frame of the current tick
 };
 
-/// Outputs of a match besides its state: haptic models, events, force traces. They are neither saved nor hashed.
+/// Outputs of a match besides its state: haptic models, events, force traces, ended strokes. They are neither saved nor hashed.
 struct MatchOutput {
-    explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world) {}
+    explicit MatchOutput(ecs::World& world) : models(world), journal(world), forces(world), strokes(world) {}
 
     ecs::Resource<resource::Models> models;
     ecs::Resource<resource::Journal> journal;
     ecs::Resource<resource::Forces> forces;
+    ecs::Resource<resource::Strokes> strokes;
 };
 
 struct MatchContext {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ecs/resource.h"
+#include "game/components/casting.h"
 #include "game/components/wizard.h"
 #include "game/context/event_journal.h"
 #include "haptics/servo.h"
@@ -15,6 +16,13 @@ namespace thaum::game {
 
 /// Force magnitudes of the last ticks (N), ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
+
+/// The last stroke that a player has finished.
+struct EndedStroke {
+    DrawnStroke stroke;
+    Tick at{};    ///< tick of play at which it ended; 0: there is none
+    bool read{};  ///< true: it was a gesture
+};
 
 namespace resource {
 
@@ -40,6 +48,12 @@ struct Journal {
 struct Forces {
     using Value = std::array<ForceTrace, players>;
     static constexpr std::string_view name = "force traces";
+};
+
+/// The strokes that players finished last, for display. They are not part of the state.
+struct Strokes {
+    using Value = std::array<EndedStroke, players>;
+    static constexpr std::string_view name = "ended strokes";
 };
 
 }  // namespace resource

@@ -7,6 +7,7 @@ CastingRules read_casting_rules(const Config& file) {
     const auto focus = root.table("focus");
     const auto stroke = root.table("stroke");
     const auto force = root.table("force");
+    const auto free = root.table("free");
     CastingRules rules{.focus_cap = focus.number("cap", {0, 1e6}),
                        .focus_regain = focus.number("regain_per_s", {0, 1e6}),
                        .viscosity = stroke.number("viscosity_n_s_per_m", {0, 100}),
@@ -16,7 +17,13 @@ CastingRules read_casting_rules(const Config& file) {
                        .harsh_strength = force.number("harsh_strength", {0, 100}),
                        .harsh_cost = force.number("harsh_cost", {0, 100}),
                        .shortest = ticks(stroke.number("shortest_s", {0, 10})),
-                       .smallest = stroke.number("smallest_m", {0, 1})};
+                       .smallest = stroke.number("smallest_m", {0, 1}),
+                       .free_least_probability = free.number("least_probability", {0, 1}),
+                       .free_most_score = free.number("most_score", {0, 1}),
+                       .free_rest = ticks(free.number("rest_s", {0, 1})),
+                       .free_rest_way = free.number("rest_m", {0, 1}),
+                       .free_longest = ticks(free.number("longest_s", {0.1, 3})),
+                       .free_apart = ticks(free.number("apart_s", {0, 60}))};
     if (rules.harsh_from < rules.gentle_below)
         force.report("harsh_from_n", "'harsh_from_n' must not be below gentle_below_n");
     return rules;

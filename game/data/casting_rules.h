@@ -18,6 +18,13 @@ struct CastingRules {
     double harsh_cost{};      ///< focus that a harsh spell costs, relative to a gentle one
     Tick shortest{};          ///< shortest stroke that is read (ticks)
     double smallest{};        ///< least arc length of a stroke that is read (m)
+    // Casting without a button.
+    double free_least_probability{};  ///< least probability of a gesture that casts
+    double free_most_score{};         ///< score of the worst gesture that casts (gesture::Candidate::score)
+    Tick free_rest{};                 ///< time for which the hand rests after the gesture (ticks)
+    double free_rest_way{};           ///< longest way of a hand that rests (m)
+    Tick free_longest{};              ///< longest stroke (ticks)
+    Tick free_apart{};                ///< least time between two spells (ticks)
 };
 
 CastingRules read_casting_rules(const Config& file);

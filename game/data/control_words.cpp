@@ -10,8 +10,8 @@ namespace thaum::game {
 namespace {
 
 /// Names of all controls but the wands, in the order of ControlWord.
-constexpr std::array<std::string_view, 8> control_names{"move", "look",  "jump",      "fire",
-                                                        "stir", "throw", "next_wand", "pause"};
+constexpr std::array<std::string_view, 9> control_names{"move",  "look",      "jump",  "fire", "stir",
+                                                        "throw", "next_wand", "pause", "trace"};
 constexpr std::string_view wand_prefix = "wand:";
 
 /// The control between two braces; std::nullopt for an unknown one.

@@ -11,7 +11,7 @@
 namespace thaum::game {
 
 /// Controls that words may name.
-enum class ControlWord : std::uint8_t { move, look, jump, fire, stir, throw_, next_wand, pause, wand };
+enum class ControlWord : std::uint8_t { move, look, jump, fire, stir, throw_, next_wand, pause, trace, wand };
 
 /// Plain words, and the control that follows them.
 struct ControlPiece {

@@ -185,11 +185,17 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
+/// A copy of what is known so far of how the match is shown.
+std::shared_ptr<Presentation> begun_presentation(const MatchData& data) {
+    return data.presentation ? std::make_shared<Presentation>(*data.presentation)
+                             : std::make_shared<Presentation>();
+}
+
 /// Loads all wands of this program, and how they and all events are shown.
 void load_wands(MatchData& data, Loader& loader) {
     std::vector<std::optional<Config>> files;
     std::vector<WandSounds> sounds;
-    auto shown = std::make_shared<Presentation>();
+    auto shown = begun_presentation(data);
     shown->events = loader.load("events.toml", read_event_rows, false);
     shown->events.resize(event_kinds().kinds.size());  // empty after an error
     for (const auto& kind : wand_kinds()) {
@@ -272,13 +278,17 @@ void load_spells(MatchData& data, Loader& loader) {
     load_gestures(data, loader);
     data.casting = loader.load("casting.toml",
                                [](const Config& file) { return std::optional(read_casting_rules(file)); });
-    auto shown = std::make_shared<Presentation>(*data.presentation);
+    auto shown = begun_presentation(data);
     for (const auto& kind : spell_kinds()) {
         if (loader.error) return;
         data.spells.push_back(loader.load(text("spells/", kind.name, ".toml"), [&](const Config& file) {
             auto spell = read_spell(kind, file);
             check_spell(data, spell, file);
-            shown->spells.push_back(read_spell_presentation(kind.name, file.root()));
+            auto& shown_spell = shown->spells.emplace_back(read_spell_presentation(kind.name, file.root()));
+            shown_spell.shown = spell.stats.shown;
+            shown_spell.gesture = spell.stats.gesture;
+            shown_spell.slot = spell.stats.slot;
+            shown_spell.focus = spell.stats.focus;
             return spell;
         }));
     }

@@ -93,12 +93,17 @@ struct WandPresentation {
 /// Name of a sound or an effect that stands for the one of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
-/// How the casting of one spell is heard and felt, from the table `event` of its data file.
+/// How one spell is shown, heard and felt.
 struct SpellPresentation {
-    std::string name;     ///< assets/spells/NAME.toml
-    std::string sound;    ///< name of a sound of assets/sounds; empty: none
-    std::string tactile;  ///< name of an effect on the caster's body; empty: none
+    std::string name;       ///< assets/spells/NAME.toml
+    std::string sound;      ///< name of a sound of assets/sounds; empty: none
+    std::string tactile;    ///< name of an effect on the caster's body; empty: none
+    std::string shown{};    ///< name on the screen
+    std::string gesture{};  ///< name of the gesture that casts it
+    std::uint32_t slot{};   ///< key of its chord, 0 to wand_slots - 1
+    double focus{};         ///< focus of a gentle cast
 };
+/// Reads what is heard and felt, from the table `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
 
 /// How a match is shown.

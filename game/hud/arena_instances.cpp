@@ -212,6 +212,8 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
         add_forces(arena_scene, wizard, player == viewer, out);
+        add_stroke_of(arena_scene, player, wizard, player == viewer, out);
+        add_recall(arena_scene, player, wizard, out);
         if (player == viewer && !wizard.dead) {
             add_own_arm(arena_scene, player, wizard, out);
             add_drawn_shot(arena_scene, player, wizard, out);
@@ -220,6 +222,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         }
         add_figure(arena_scene, player, wizard, out);
         add_glow(arena_scene, player, wizard, picture.played_s, out);
+        add_shell(arena_scene, wizard, picture.played_s, out);
     }
     for (const auto& missile : picture.missiles) add_missile(arena_scene, picture, missile, viewer, out);
     for (std::uint32_t i = 0; i < picture.burst_count; ++i)

@@ -42,6 +42,24 @@ void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, f
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
                 std::vector<render::Instance>& out);
 
+// Strokes and spells (arena_spells.cpp).
+
+/// Adds the trail of a stroke: at the wand of another player, and of any player on the brew.
+void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, bool own,
+                   std::vector<render::Instance>& out);
+/// Adds a chain of lights from a recalled thing to its wizard.
+void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                std::vector<render::Instance>& out);
+/// Adds the bars of a shield's shell. The less it can still take, the lower they are.
+void add_shell(const ArenaScene& arena_scene, const PlayerPicture& p, double time,
+               std::vector<render::Instance>& out);
+/// Adds the shimmer of that shell, for ViewScene::mists.
+void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p,
+                    std::vector<render::Instance>& out);
+/// Adds the clouds of fog, and the dust of pushes, for ViewScene::mists.
+void add_fog(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
+void add_dust(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
+
 // Everything that flies, boils or glows (arena_effects.cpp).
 
 void add_missile(const ArenaScene& arena_scene, const Picture& picture, const MissilePicture& missile,

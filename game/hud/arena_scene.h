@@ -93,6 +93,9 @@ std::span<const render::Block> blocks_seen_from(const ArenaScene& arena_scene, v
 
 /// Adds the steam over the brew, for ViewScene::mists.
 void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
+/// Adds what spells leave in the air, for ViewScene::mists. The viewer's own shield is left out.
+void add_spell_mists(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
+                     std::vector<render::Instance>& out);
 /// Adds soft shades on the ground, ramps included, below all that stands in the light of the sky.
 void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture,
                         std::vector<render::Instance>& out);

@@ -29,13 +29,17 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
     add_instances(arena_scene, picture, player, instances);
     add_power_ups(arena_scene.power_ups, picture, picture.wizards[player].eye, instances);
     choose_lights(arena_scene, picture, picture.wizards[player].eye, lights);
+    auto& mists = memory.spell_mists[player];
+    mists.clear();
+    add_spell_mists(arena_scene, picture, player, mists);
+    if (!mists.empty()) mists.insert(mists.end(), memory.mists.begin(), memory.mists.end());
     memory.frame.views.push_back({.camera = camera_of(picture.wizards[player], settings, view),
                                   .viewport = view,
                                   .instances = instances,
                                   .lights = lights,
                                   .environment = arena_scene.environment,
                                   .shades = memory.shades,
-                                  .mists = memory.mists,
+                                  .mists = mists.empty() ? memory.mists : mists,
                                   .blocks = blocks_seen_from(arena_scene, picture.wizards[player].eye),
                                   .volume = brew});
 }

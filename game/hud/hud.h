@@ -42,6 +42,7 @@ struct HudSettings {
 /// Memory for building frames. The spans of a Frame point into it.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
+    std::array<std::vector<render::Instance>, players> spell_mists;  ///< with `mists`; empty without spells
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
     render::Frame frame;

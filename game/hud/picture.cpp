@@ -5,6 +5,7 @@
 
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
+#include "game/components/fog.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
 #include "game/hud/event_words.h"
@@ -200,6 +201,23 @@ void take_niches(const Simulation& match, Picture& out) {
     });
 }
 
+/// Time in which a cloud of fog spreads, and in which it vanishes (s).
+constexpr double fog_spreads = 0.4;
+
+void take_fogs(const Simulation& match, Picture& out) {
+    out.fogs.clear();
+    const auto played = match.match().played;
+    match.world().view<const Fog, const Motion>().each([&](const Fog& fog, const Motion& motion) {
+        if (played >= fog.until) return;
+        const double age_s = played > fog.began ? seconds(played - fog.began) : 0;
+        const double left_s = seconds(fog.until - played);
+        out.fogs.push_back({.place = motion.position,
+                            .radius = fog.radius,
+                            .sight = fog.sight,
+                            .strength = std::min({1.0, age_s / fog_spreads, left_s / fog_spreads})});
+    });
+}
+
 void take_wizards(const Simulation& match, Picture& out) {
     const auto& rules = match.data().wizard;
     const auto& state = match.match();
@@ -236,6 +254,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             take_force(match, wizard.player, wand, hand_state, p.force);
             take_brewing(match, e, motion, p);
             take_potions(match, e, health, p);
+            take_casting(match, e, wizard.player, p.casting);
             if (!p.dead) take_target(match, e, wand, p);
         });
 }
@@ -307,6 +326,9 @@ void note(const EventJournal& events, std::uint64_t number, double age_s, Pictur
     note_mark(event, row.mark, age_s, out);
     if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
         out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
+    if (event.kind == EventKind::cast && age_s < cast_seconds && out.cast_count < out.casts.size())
+        out.casts[out.cast_count++] = {age_s, event.subject, name_of_spell(event.detail), event.amount,
+                                       event.place};
     if (!feed_pattern(row, event).empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
         out.feed[out.feed_lines++] = {age_s, event, thing_that_killed(events, number)};
 }
@@ -315,7 +337,7 @@ void note(const EventJournal& events, std::uint64_t number, double age_s, Pictur
 /// are left out.
 void take_events(const Simulation& match, Picture& out) {
     const auto& events = match.events();
-    out.feed_lines = out.burst_count = 0;
+    out.feed_lines = out.burst_count = out.cast_count = 0;
     for (auto i = events.count(); i > events.first(); --i) {
         const auto age_s = age(match.match(), events[i - 1].tick);
         if (age_s > feed_seconds) break;
@@ -380,6 +402,7 @@ Picture make_picture() {
     picture.things.reserve(1024);
     picture.missiles.reserve(256);
     picture.power_ups.reserve(64);
+    picture.fogs.reserve(16);
     return picture;
 }
 
@@ -391,6 +414,7 @@ void take_picture(const Simulation& match, Picture& out) {
     take_missiles(match, out);
     take_power_ups(match, out);
     take_niches(match, out);
+    take_fogs(match, out);
     take_cauldron(match, out.cauldron);
     take_wizards(match, out);
     take_events(match, out);

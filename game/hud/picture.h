@@ -13,6 +13,7 @@
 #include "game/context/arms.h"
 #include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
+#include "game/hud/casting_picture.h"
 #include "game/hud/gesture_wall.h"
 #include "game/hud/recipe_picture.h"
 #include "game/match/result.h"
@@ -56,6 +57,28 @@ struct BurstPicture {
     std::uint32_t player{};  ///< player who fired the shot
     vec3 place{};
     double radius{};  ///< final radius of the burst (m)
+};
+
+/// Time for which the dust of a push is shown.
+inline constexpr double push_seconds = 0.5;
+/// Time for which a cast is in the picture.
+inline constexpr double cast_seconds = 1;
+
+/// A spell that was cast just now.
+struct CastShown {
+    double age_s{};
+    std::uint32_t player{};
+    std::string_view spell{};  ///< name of the spell's kind
+    double strength{};         ///< 1 for a gentle stroke
+    vec3 place{};              ///< middle of the caster's body
+};
+
+/// A cloud of fog.
+struct FogPicture {
+    vec3 place{};
+    double radius{};    ///< (m)
+    double sight{};     ///< length of a way through the cloud from which on nothing is seen (m)
+    double strength{};  ///< 1, less while it appears and while it vanishes
 };
 
 /// A place with an ingredient, or one that waits for its ingredient to return.
@@ -149,6 +172,7 @@ struct PlayerPicture {
     std::optional<vec3> spring{};
     std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
+    CastingPicture casting{};
     std::uint32_t
         heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
     std::array<HeardLine, 8> heard{};
@@ -209,6 +233,9 @@ struct Picture {
     std::array<FeedLine, 4> feed{};
     std::uint32_t burst_count{};  ///< number of entries in `bursts`, the newest first
     std::array<BurstPicture, 8> bursts{};
+    std::uint32_t cast_count{};  ///< number of entries in `casts`, the newest first
+    std::array<CastShown, 4> casts{};
+    std::vector<FogPicture> fogs;
     std::uint32_t skipped{};  ///< number of samples left out so far
     int countdown{};       ///< seconds to the start of the match; 0: it has begun; filled in by the session
     std::uint32_t mark{};  ///< number of a mark set just now; 0: none; filled in by the session

@@ -14,6 +14,16 @@ struct Offer {
     std::string what;
 };
 
+/// The first spell, for a player who is hurt, has no shield and has the focus for it; null for others.
+const SpellStats* spell_in_need(const PlayerPicture& p) {
+    constexpr double hurt = 0.8;  // share of the full health
+    const auto& casting = p.casting;
+    if (!casting.there || casting.first_spell == nullptr || casting.stroke.drawing || casting.ward > 0)
+        return nullptr;
+    if (p.health > hurt * p.health_full || casting.focus < casting.first_spell->focus) return nullptr;
+    return casting.first_spell;
+}
+
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
@@ -27,6 +37,8 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
     if (p.held) return std::nullopt;
     if (p.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
     if (p.target.kind == TargetKind::hook) return Offer{PromptKind::swing, &controls.fire, "Swing"};
+    if (const auto* spell = spell_in_need(p))
+        return Offer{PromptKind::cast, &controls.trace, text("Draw ", spell->gesture, ": ", spell->shown)};
     return std::nullopt;
 }
 
@@ -37,6 +49,9 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     if (!before.stirs && now.stirs) done(PromptKind::stir);
     if (now.stirs && !before.carries.empty() && now.carries.empty()) done(PromptKind::drop);
     if (!before.held && now.held) done(now.holds_thing ? PromptKind::lift : PromptKind::swing);
+    const auto& reading = now.casting.reading;
+    if (reading.outcome == StrokeOutcome::cast && reading.age_s < before.casting.reading.age_s)
+        done(PromptKind::cast);
     if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
 }
 
@@ -64,6 +79,7 @@ std::string control_of(const ControlPiece& piece, const ControlNames& controls, 
         case ControlWord::throw_: return in_brackets(controls.throw_);
         case ControlWord::next_wand: return in_brackets(controls.next_wand);
         case ControlWord::pause: return in_brackets(controls.pause);
+        case ControlWord::trace: return in_brackets(controls.trace);
         case ControlWord::wand: return control_of_wand(piece.wand, controls, shown);
     }
     return {};
@@ -71,6 +87,7 @@ std::string control_of(const ControlPiece& piece, const ControlNames& controls, 
 
 bool toggles(ControlWord word, const ControlNames& controls) {
     return (word == ControlWord::fire && controls.fire_toggles) ||
+           (word == ControlWord::trace && controls.trace_toggles) ||
            (word == ControlWord::stir && controls.stir_toggles);
 }
 

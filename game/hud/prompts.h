@@ -13,8 +13,8 @@ namespace thaum::game {
 struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
-    std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
-    bool fire_toggles{}, stir_toggles{};                 ///< true: one press begins, and the next one ends
+    std::array<std::string, input::most_wands> wands{};    ///< controls that take a wand in hand, by slot
+    bool fire_toggles{}, trace_toggles{}, stir_toggles{};  ///< true: one press begins, and the next one ends
     bool operator==(const ControlNames&) const = default;
 };
 
@@ -23,8 +23,8 @@ struct ControlNames {
 /// control that toggles is "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
-enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing };
-inline constexpr std::size_t prompt_kinds = 5;
+enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing, cast };
+inline constexpr std::size_t prompt_kinds = 6;
 
 /// When prompts are shown. The settings file has the names.
 enum class PromptWish : std::uint8_t { until_learnt, always, never };

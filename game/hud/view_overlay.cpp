@@ -5,10 +5,12 @@
 
 #include "core/text.h"
 #include "game/hud/body_figure.h"
+#include "game/hud/casting_overlay.h"
 #include "game/hud/event_words.h"
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
 #include "game/hud/recipe_panel.h"
+#include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 
 namespace thaum::game {
@@ -45,14 +47,24 @@ void add_heart(Overlay& out, fvec2 centre, float size) {
     heart(size, paints.white);
 }
 
+/// Radii of the arcs of the health (units). With focus there is an arc within that of the health.
+struct HealthArcs {
+    float inner{27}, outer{35};
+    float extra_inner{22}, extra_outer{25};  ///< health above the full one
+    float number_lift{14}, number_size{22};  ///< height of the number's top above the middle, and its em
+};
+constexpr HealthArcs with_focus{29, 36, 37, 39.5F, 19, 19};
+
 void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const ViewLayout& l) {
     const float u = l.unit;
     const fvec2 centre = (l.health.low + l.health.high) / 2.0F;
+    const auto arcs = p.casting.there ? with_focus : HealthArcs{};
     const double share = std::clamp(p.health / std::max(p.health_full, 1.0), 0.0, 1.0);
     const double extra =
         std::clamp((p.health - p.health_full) / std::max(p.health_cap - p.health_full, 1.0), 0.0, 1.0);
-    out.items.emplace_back(ArcItem{centre, 0, 37 * u, 0, whole_turn, paints.panel});
-    out.items.emplace_back(ArcItem{centre, 27 * u, 35 * u, arc_start, arc_sweep, paints.track});
+    out.items.emplace_back(ArcItem{centre, 0, arcs.outer * u + 2 * u, 0, whole_turn, paints.panel});
+    out.items.emplace_back(
+        ArcItem{centre, arcs.inner * u, arcs.outer * u, arc_start, arc_sweep, paints.track});
     const bool low = p.health > 0 && p.health < low_health;
     const auto paint = low ? paints.red : opaque(team_colours(team).glow);
     const auto arc = [&](float inner, float outer, double part, fvec4 of) {
@@ -61,16 +73,17 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
                 ArcItem{centre, inner * u, outer * u, arc_start, arc_sweep * static_cast<float>(part), of});
     };
     if (low) {  // edges and a heart, so that nobody needs to see the red
-        arc(24, 38, share, paints.dark);
-        arc(25.5F, 36.5F, share, paints.white);
-        add_heart(out, centre - fvec2(0, 19 * u), 5 * u);
+        arc(arcs.inner - 3, arcs.outer + 3, share, paints.dark);
+        arc(arcs.inner - 1.5F, arcs.outer + 1.5F, share, paints.white);
+        add_heart(out, centre - fvec2(0, (arcs.number_lift + 5) * u), 5 * u);
     }
-    arc(27, 35, share, paint);
-    arc(22, 25, extra, paints.white);
+    arc(arcs.inner, arcs.outer, share, paint);
+    arc(arcs.extra_inner, arcs.extra_outer, extra, paints.white);
+    if (p.casting.there) add_focus(out, p.casting, centre, u);
     if (p.shielded)
         out.items.emplace_back(ArcItem{centre, 37 * u, 40 * u, 0, whole_turn, colour(0x9AF0E0, 1.0F)});
-    add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, 14 * u), 22 * u,
-             paints.white, Align::centre);
+    add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, arcs.number_lift * u),
+             arcs.number_size * u, paints.white, Align::centre);
     add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
 }
 
@@ -413,6 +426,8 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     if (captions && fault.empty()) add(std::string(caption_of(p.force)), paints.white);
     add(device_message, paints.light_red);
     if (p.dead) return all;
+    const auto stroke = stroke_caption(p.casting, *picture.shown);
+    add(stroke.words, stroke.failed ? paints.light_red : paints.white);
     if (const auto prompt = prompt_of(p, settings.controls[player])) {
         const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
@@ -555,17 +570,24 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     const auto& p = picture.wizards[player];
     const int count = seconds_to_start(picture);
     const bool plays = picture.phase == Phase::playing && !picture.paused && count == 0;
+    if (!p.dead) add_fog_veil(out, picture, player, l);
     if (count > 0) add_countdown(out, count, layout.count_size, l);
     if (plays && p.dead) add_death(out, p, l);
     if (plays && !p.dead) {
         add_crosshair(out, picture, player, l);
+        add_ward(out, p.casting, l);
+        add_stroke(out, p.casting, player, l);
+        add_force_band(out, p.casting, l);
         add_hurt_marks(out, p, l);
     }
     if (plays) add_messages(out, messages_to(picture, settings, player, l), picture.played_s, l);
     add_health(out, p, player, l);
     add_text_on_plate(out, l.name, name_of(settings.names, player), 14 * l.unit,
                       opaque(team_colours(player).light), Align::left);
-    add_wands(out, picture, settings.controls[player], player, l);
+    if (plays && !p.dead && p.casting.stroke.drawing)
+        add_spell_strip(out, picture, settings.controls[player], player, l);
+    else
+        add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, l);
     if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);
     if (plays && settings.figure[player]) add_felt(out, p, l);

@@ -46,6 +46,7 @@ std::string settings_of(const input::DeviceSpec& d) {
     number("roughness reduced by", d.roughness_reduction);
     number("aim assist", d.aim_assist);
     if (d.moves_faders) line += ", may move faders";
+    if (d.casts_freely) line += ", casts without a button";
     if (d.box_um[0] != 0) line += text(", box ", d.box_um[0], " x ", d.box_um[1], " x ", d.box_um[2], " um");
     return line;
 }

@@ -1,4 +1,5 @@
 #include "game/match/round.h"
+#include "game/casting/free_casting.h"
 
 #include "game/arena/spawn.h"
 #include "game/cauldron/brewing.h"
@@ -44,6 +45,7 @@ void spawn_wizards(MatchContext& context) {
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
         if (context.data.casting) world.add(e, LastProp{});
         if (context.data.casting) world.add(e, LastReading{.gesture = no_gesture, .nearest = no_gesture});
+        if (casts_freely(context, player)) world.add(e, FreeHand{});
         world.add(e, wizard_body(rules));
     }
 }

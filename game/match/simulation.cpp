@@ -69,6 +69,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_missile_systems(context, live_);
     add_belt_system(context, live_);
     add_casting_systems(context, live_);
+    add_free_casting_systems(context, free_casting_, live_);
     if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);
@@ -102,6 +103,7 @@ void Simulation::tick(const input::InputFrame& frame) {
 void Simulation::keyframe() {
     copy_places(context_);
     context_.physics.write().rebuild();
+    rebuild_free_casting(context_, free_casting_);
 }
 
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
@@ -113,6 +115,7 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     journal.restart(std::as_const(context_.world).single<EventLog>());
     brew_.write().bursts_seen = journal.count();
     context_.output.forces.write() = {};
+    context_.output.strokes.write() = {};
     recall_models(context_);
     rebuild_physics(context_);
     rebuild_brew(context_, brew_.write());

@@ -118,6 +118,22 @@ void brew(Player& p) {
     if (world.has<game::Pouch>(wizard) && p.tick % 200 < 100) p.hold_fire();
 }
 
+/// Draws a circle with Trace held, in a second.
+void draw_circle(Player& p) {
+    constexpr Tick begin = 100, length = 1000;
+    constexpr double radius = 350;  // counts
+    if (p.tick >= begin + length) return;
+    p.sample.press(Button::trace);
+    if (p.tick < begin) return;
+    const auto at = [](Tick tick) {
+        const double angle = 2 * pi * static_cast<double>(tick - begin) / length;
+        return std::pair(std::lround(radius * std::sin(angle)), std::lround(radius * std::cos(angle)));
+    };
+    const auto from = at(p.tick), to = at(p.tick + 1);
+    p.sample.counts[hand::look_right] = static_cast<std::int32_t>(to.first - from.first);
+    p.sample.counts[hand::look_up] = static_cast<std::int32_t>(to.second - from.second);
+}
+
 const std::map<std::string, void (*)(Player&)> ways_to_do{
     {"Look and move", walk_and_look},
     {"Bolt", shoot_bolts},
@@ -126,7 +142,8 @@ const std::map<std::string, void (*)(Player&)> ways_to_do{
     {"Lift", lift_and_block},
     {"Swing", swing_over},
     {"Ingredient", fetch_ingredient},
-    {"Brew", brew}};
+    {"Brew", brew},
+    {"Cast", draw_circle}};
 
 class ApprenticeCourse : public testing::Test {
 protected:

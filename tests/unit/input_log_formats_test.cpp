@@ -242,6 +242,15 @@ TEST(InputLogFormat2, TheHelpWithAimingIsKept) {
     }
 }
 
+TEST(InputLogFormat2, CastingWithoutAButtonIsKept) {
+    auto sample = HeaderSample();
+    const auto without = detail::encode_header(sample.header).value();
+    sample.header.devices[1].casts_freely = true;
+    const auto with = detail::encode_header(sample.header).value();
+    EXPECT_EQ(decoded(with), sample.header);
+    EXPECT_EQ(with.size(), without.size() + 9) << "a record of one byte, and none for the usual value";
+}
+
 TEST(InputLogFormat2, FadersOfADeviceAreKept) {
     auto sample = HeaderSample();
     auto& device = sample.header.devices[1];

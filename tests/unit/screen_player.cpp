@@ -162,7 +162,8 @@ void Player::read(const std::string& words) {
     if (matched(words, "look around with \\[([^\\]]+)\\]") == "Mouse") learnt_.mouse = true;
     learn(learnt_.drop, "drop with \\[([^\\]]+)\\]");
     learn(learnt_.stir, "Hold \\[([^\\]]+)\\] at the cauldron");
-    if (!has(words, "cauldron")) learn(learnt_.fire, "[Hh]old \\[([^\\]]+)\\]");
+    if (!has(words, "cauldron") && !has(words, "draw a circle"))
+        learn(learnt_.fire, "[Hh]old \\[([^\\]]+)\\]");
     std::smatch found;
     if (std::regex_search(words, found, std::regex("[Tt]ake (\\w+) with \\[([^\\]]+)\\]")))
         learnt_.wands[wand_ = found[1].str()] = found[2].str();
@@ -188,6 +189,21 @@ void Player::follow_lesson(const Screen& seen, Hands& hands) {
     do_lesson(seen, hands);
 }
 
+/// Holds the control that the words name, draws a circle in a second, lets go, and waits for what is said of it.
+void Player::draw_circle(Hands& hands) const {
+    constexpr int begin = 10, length = 62, all = 160;  // looks
+    constexpr float radius = 350;                      // counts
+    const int look = static_cast<int>(looks_) % all;
+    if (look >= begin + length + 3) return;
+    hold(matched(words_, "Hold \\[([^\\]]+)\\]"), hands);
+    if (look < begin || look >= begin + length) return;
+    const auto at = [&](int k) {
+        const float angle = 2 * static_cast<float>(pi) * static_cast<float>(k - begin) / length;
+        return radius * fvec2(std::sin(angle), -std::cos(angle));
+    };
+    hands.mouse = at(look + 1) - at(look);
+}
+
 /// Does what the words of the lesson say.
 void Player::do_lesson(const Screen& seen, Hands& hands) {
     const auto says = [&](std::string_view part) { return has(words_, part); };
@@ -197,6 +213,7 @@ void Player::do_lesson(const Screen& seen, Hands& hands) {
     if (says("anchor")) return swing(seen, hands);
     if (says("at the cauldron")) return brew(seen, hands);
     if (says("ingredient")) return fetch(seen, hands);
+    if (says("draw a circle")) return draw_circle(hands);
     if (says("release")) return ready_and_shoot(seen, hands);
     if (says("dummy")) return shoot(seen, hands);
 }

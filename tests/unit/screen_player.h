@@ -58,6 +58,7 @@ private:
     void follow_lesson(const Screen& seen, Hands& hands);
     void do_lesson(const Screen& seen, Hands& hands);
     void look_about(const Screen& seen, Hands& hands);
+    void draw_circle(Hands& hands) const;
     void shoot(const Screen& seen, Hands& hands);
     void ready_and_shoot(const Screen& seen, Hands& hands);
     void lift(const Screen& seen, Hands& hands);

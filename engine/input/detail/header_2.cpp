@@ -34,6 +34,7 @@ enum class Setting : std::uint16_t {
     recoil_reduction,
     roughness_reduction,
     moves_faders,
+    casts_freely,
 };
 
 // Devices ------------------------------------------------------------------------------------------
@@ -71,6 +72,7 @@ Bytes settings_of(const DeviceSpec& d) {
     put_setting(out, Setting::recoil_reduction, d.recoil_reduction, std::uint8_t{});
     put_setting(out, Setting::roughness_reduction, d.roughness_reduction, std::uint8_t{});
     put_setting(out, Setting::moves_faders, d.moves_faders, false);
+    put_setting(out, Setting::casts_freely, d.casts_freely, false);
     return out;
 }
 
@@ -104,6 +106,7 @@ bool get_setting(Setting tag, ByteReader& in, DeviceSpec& d) {
         case Setting::recoil_reduction: d.recoil_reduction = in.get<std::uint8_t>(); return true;
         case Setting::roughness_reduction: d.roughness_reduction = in.get<std::uint8_t>(); return true;
         case Setting::moves_faders: d.moves_faders = in.get<bool>(); return true;
+        case Setting::casts_freely: d.casts_freely = in.get<bool>(); return true;
     }
     return false;
 }

@@ -1,0 +1,78 @@
+#include "game/hud/stroke_words.h"
+
+#include <cmath>
+
+#include "core/text.h"
+#include "game/data/spell.h"
+#include "game/hud/event_words.h"
+
+namespace thaum::game {
+namespace {
+
+/// A probability in whole per cent. Only a certain reading has 100 %.
+std::string percent(double probability) {
+    const auto whole = std::lround(100 * probability);
+    return text(probability < 1 && whole == 100 ? 99 : whole, " %");
+}
+
+std::string gesture_and_percent(const CastingPicture& casting, std::uint32_t gesture) {
+    const auto name = shown_gesture(casting, gesture);
+    return text(name.empty() ? "Own gesture" : name, " ", percent(casting.reading.probability));
+}
+
+/// Name of the spell that the gesture casts; empty if it casts none.
+std::string spell_of(const CastingPicture& casting, const Presentation& shown) {
+    const auto number = casting.reading.gesture;
+    if (!casting.gestures || number >= casting.gestures->gestures().size()) return {};
+    const auto& gesture = casting.gestures->gestures()[number].name;
+    for (const auto& spell : shown.spells)
+        if (spell.gesture == gesture) return spell.shown;
+    return {};
+}
+
+std::string words_of_miss(const CastingPicture& casting) {
+    const auto& reading = casting.reading;
+    if (reading.gesture != no_gesture)
+        return text(gesture_and_percent(casting, reading.gesture), ": no spell");
+    if (shown_gesture(casting, reading.nearest).empty()) return "not read";
+    return text("not read; nearest: ", gesture_and_percent(casting, reading.nearest));
+}
+
+/// Words of a stroke on the brew: "Circle 97 %, 2 turns, gentle".
+std::string words_on_brew(const CastingPicture& casting) {
+    const auto& reading = casting.reading;
+    if (reading.gesture == no_gesture) return words_of_miss(casting);
+    auto words = gesture_and_percent(casting, reading.gesture);
+    const auto turns = std::lround(std::abs(reading.turns));
+    if (turns > 0)
+        words += text(", ", turns, turns == 1 ? " turn " : " turns ",
+                      reading.turns > 0 ? "clockwise" : "counterclockwise");
+    return text(words, ", ", force_word(*casting.rules, reading.force));
+}
+
+}  // namespace
+
+std::string_view force_word(const CastingRules& rules, double force) {
+    if (force < rules.gentle_below) return "gentle";
+    return force < rules.harsh_from ? "normal" : "harsh";
+}
+
+StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown) {
+    const auto& reading = casting.reading;
+    if (!casting.there || casting.rules == nullptr || reading.age_s > reading_seconds) return {};
+    const auto spell = spell_of(casting, shown);
+    const auto about = text(gesture_and_percent(casting, reading.gesture), ": ", spell);
+    switch (reading.outcome) {
+        case StrokeOutcome::none: return {words_on_brew(casting), reading.gesture == no_gesture};
+        case StrokeOutcome::cast:
+            return {text(about, ", ", force_word(*casting.rules, reading.force)), false};
+        case StrokeOutcome::unread: return {words_of_miss(casting), true};
+        case StrokeOutcome::unfocused:
+            return {text(about, " needs ", std::lround(std::ceil(reading.event.amount)), " more focus"),
+                    true};
+        case StrokeOutcome::fizzled: return {text(about, " does nothing here"), true};
+    }
+    return {};
+}
+
+}  // namespace thaum::game

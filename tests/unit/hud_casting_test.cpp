@@ -1,0 +1,232 @@
+// Tests of what a player sees of strokes and spells: captions, the strip of spells, focus, trail, shield and fog.
+#include "game/hud/casting_overlay.h"
+
+#include "core/text.h"
+#include "game/hud/stroke_words.h"
+#include "unit/hud_rig.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+/// The picture of a new match, in which a test puts the reading.
+Picture new_casting_picture() { return picture_of(*new_match()); }
+
+std::uint32_t gesture_number(const CastingPicture& casting, std::string_view name) {
+    return *casting.gestures->number(name);
+}
+
+ReadingPicture reading_of(const CastingPicture& casting, StrokeOutcome outcome, std::string_view name,
+                          double probability, double force) {
+    const auto number = gesture_number(casting, name);
+    return {.age_s = 0.1,
+            .outcome = outcome,
+            .gesture = number,
+            .nearest = number,
+            .probability = probability,
+            .force = force};
+}
+
+TEST(StrokeWords, SayWhatWasReadHowSureAndHowHard) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    const auto said = [&](StrokeOutcome outcome, double probability, double force) {
+        casting.reading = reading_of(casting, outcome, "circle", probability, force);
+        return stroke_caption(casting, *picture.shown);
+    };
+    EXPECT_EQ(said(StrokeOutcome::cast, 0.971, 0.6).words, "Circle 97 %: Shield, gentle");
+    EXPECT_EQ(said(StrokeOutcome::cast, 0.971, 1.2).words, "Circle 97 %: Shield, normal");
+    EXPECT_EQ(said(StrokeOutcome::cast, 0.9999, 1.5).words, "Circle 99 %: Shield, harsh");
+    EXPECT_EQ(said(StrokeOutcome::cast, 1, 0.6).words, "Circle 100 %: Shield, gentle") << "a key chord";
+    EXPECT_FALSE(said(StrokeOutcome::cast, 1, 0.6).failed);
+}
+
+TEST(StrokeWords, TellWhyAStrokeDidNothing) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    casting.reading = reading_of(casting, StrokeOutcome::unfocused, "circle", 0.97, 0.6);
+    casting.reading.event.amount = 11.2;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield needs 12 more focus");
+    EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
+    casting.reading = reading_of(casting, StrokeOutcome::unread, "s", 0.31, 0.6);
+    casting.reading.gesture = no_gesture;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read; nearest: S 31 %");
+    casting.reading.nearest = no_gesture;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read");
+    casting.reading = reading_of(casting, StrokeOutcome::fizzled, "circle", 0.97, 0.6);
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield does nothing here");
+}
+
+TEST(StrokeWords, OnTheBrewSayHowManyTurns) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    casting.reading = reading_of(casting, StrokeOutcome::none, "circle", 0.9, 0.6);
+    casting.reading.turns = -2.1;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 90 %, 2 turns counterclockwise, gentle");
+    casting.reading.turns = 1;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 90 %, 1 turn clockwise, gentle");
+}
+
+TEST(StrokeWords, AreGoneAfterAMoment) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "") << "nothing was drawn";
+    casting.reading = reading_of(casting, StrokeOutcome::cast, "circle", 0.9, 0.6);
+    casting.reading.age_s = reading_seconds + 0.01;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "");
+    casting.reading.age_s = 0;
+    casting.there = false;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "") << "rules without spells";
+}
+
+/// Draws a quarter of a circle into the player's picture.
+void draw_arc(StrokePicture& stroke, float force) {
+    stroke.count = 20;
+    stroke.drawing = true;
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+        const float angle = 0.08F * static_cast<float>(i);
+        stroke.points[i] = {0.04F * std::sin(angle), 0.04F * std::cos(angle), 0, force};
+    }
+    stroke.force_now = stroke.force_mean = static_cast<double>(force);
+}
+
+render::Overlay casting_overlay_of(const Picture& picture, const HudSettings& settings = {}) {
+    render::Overlay overlay;
+    make_overlay(picture, settings, {1280, 720}, overlay);
+    return overlay;
+}
+
+TEST(SpellStrip, TakesThePlaceOfTheWandsWhileTraceIsHeld) {
+    auto picture = new_casting_picture();
+    HudSettings settings;
+    for (auto& controls : settings.controls) controls.wands = {"7", "8", "9"};
+    EXPECT_FALSE(has_text(casting_overlay_of(picture, settings), "Shield 25"));
+    draw_arc(picture.wizards[0].casting.stroke, 0.5F);
+    const auto overlay = casting_overlay_of(picture, settings);
+    EXPECT_TRUE(has_text(overlay, "Shield"));
+    EXPECT_TRUE(has_text(overlay, "25")) << "cost";
+    EXPECT_TRUE(has_text(overlay, "Focus 100"));
+    EXPECT_TRUE(has_text(overlay, "7")) << "key of the chord";
+    EXPECT_TRUE(has_text(overlay, "gentle")) << "force band";
+    draw_arc(picture.wizards[0].casting.stroke, 2);
+    EXPECT_TRUE(has_text(casting_overlay_of(picture, settings), "harsh"));
+}
+
+/// Colours of the words of an overlay that contain `part`.
+std::vector<fvec4> paints_of(const render::Overlay& overlay, std::string_view part) {
+    std::vector<fvec4> found;
+    for (const auto& item : overlay.items) {
+        const auto* words = std::get_if<render::TextItem>(&item);
+        if (words != nullptr && words->text.find(part) != std::string::npos) found.push_back(words->colour);
+    }
+    return found;
+}
+
+TEST(SpellStrip, ASpellThatTheFocusDoesNotAffordIsGreyAndStruckThrough) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    draw_arc(casting.stroke, 0.5F);
+    const auto rich = casting_overlay_of(picture);
+    casting.focus = 24;
+    const auto poor = casting_overlay_of(picture);
+    EXPECT_NE(paints_of(rich, "Shield"), paints_of(poor, "Shield"));
+    EXPECT_GT(poor.items.size(), 0U);
+    const auto lines = [](const render::Overlay& overlay) {
+        return std::count_if(overlay.items.begin(), overlay.items.end(),
+                             [](const auto& item) { return std::holds_alternative<render::LineItem>(item); });
+    };
+    EXPECT_GT(lines(poor), lines(rich)) << "the line through it needs no colours";
+}
+
+TEST(Focus, ItsNumberStandsBesideTheHealth) {
+    auto picture = new_casting_picture();
+    picture.wizards[0].casting.focus = 37.9;
+    EXPECT_TRUE(has_text(casting_overlay_of(picture), "37"));
+}
+
+/// Lines of an overlay between two heights of the first view, which the HUD without strokes does not have.
+std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& layout, render::Overlay& out) {
+    out.items.clear();
+    add_stroke(out, casting, 0, layout);
+    return out.items.size();
+}
+
+TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    const auto layout = *lay_out({}, {640, 480}, 5).views[0];
+    render::Overlay gentle, harsh;
+    draw_arc(casting.stroke, 0.3F);
+    ASSERT_GT(lines_of_stroke(casting, layout, gentle), 30U);
+    draw_arc(casting.stroke, 2);
+    for (auto& p : casting.stroke.points) p.x *= 30;  // a hand that goes far
+    ASSERT_EQ(lines_of_stroke(casting, layout, harsh), gentle.items.size());
+    const auto& thin = std::get<render::LineItem>(gentle.items[0]);
+    const auto& thick = std::get<render::LineItem>(harsh.items[0]);
+    EXPECT_GT(thick.width, thin.width);
+    for (const auto& item : harsh.items) {
+        const auto* line = std::get_if<render::LineItem>(&item);
+        if (line == nullptr) continue;
+        EXPECT_GE(line->to.x, static_cast<float>(layout.view.x));
+        EXPECT_LE(line->to.x, static_cast<float>(layout.view.x + layout.view.width));
+        EXPECT_GE(line->to.y, static_cast<float>(layout.view.y));
+        EXPECT_LE(line->to.y, static_cast<float>(layout.view.y + layout.view.height));
+    }
+}
+
+TEST(StrokeTrail, FadesAfterTheStrokeAndBreaksIfItWasNotRead) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    const auto layout = *lay_out({}, {1280, 720}, 5).views[0];
+    render::Overlay read, missed, older;
+    draw_arc(casting.stroke, 0.3F);
+    casting.stroke.drawing = false;
+    casting.stroke.since_end_s = 0.3;
+    casting.stroke.read = true;
+    lines_of_stroke(casting, layout, read);
+    casting.stroke.since_end_s = 0.9;
+    lines_of_stroke(casting, layout, older);
+    casting.stroke.read = false;
+    lines_of_stroke(casting, layout, missed);
+    EXPECT_LT(missed.items.size(), older.items.size()) << "it has gaps";
+    EXPECT_LT(std::get<render::LineItem>(older.items.back()).colour.a,
+              std::get<render::LineItem>(read.items.back()).colour.a);
+}
+
+TEST(ShieldSeen, FlashesLessThanThreeTimesASecond) {
+    EXPECT_LT(1 / flash_apart_seconds, 3);
+    auto match = new_match();
+    const auto wizard = wizard_of(match->world(), 0);
+    match->world_to_change().get<Health>(wizard).ward = 1000;
+    match->world_to_change().get<Health>(wizard).ward_until = ticks(20);
+    std::size_t flashes = 0;
+    double before = 1e6;
+    CastingPicture casting;
+    for (Tick t = 0; t < ticks(2.0); t += 8) {
+        for (Tick i = 0; i < 8; ++i) match->tick({});
+        if (t % 96 == 0)
+            hurt(match->context_to_change(), wizard, match->match().played,
+                 {.points = 1, .by = 1, .how = EventKind::object_hit});
+        take_casting(*match, wizard, 0, casting);
+        if (casting.since_flash_s < before) ++flashes;
+        before = casting.since_flash_s;
+    }
+    EXPECT_GE(flashes, 4U);
+    EXPECT_LE(flashes, 6U) << "hits come ten times a second";
+}
+
+TEST(FogSeen, VeilsTheViewOfWhoStandsInIt) {
+    auto picture = new_casting_picture();
+    const auto veils = [&] {
+        render::Overlay out;
+        add_fog_veil(out, picture, 0, *lay_out({}, {1280, 720}, 5).views[0]);
+        return out.items.size();
+    };
+    EXPECT_EQ(veils(), 0U);
+    picture.fogs.push_back({picture.wizards[0].eye, 4, 1.6, 1});
+    EXPECT_EQ(veils(), 1U);
+    picture.fogs[0].place.x += 5;
+    EXPECT_EQ(veils(), 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
