@@ -36,7 +36,7 @@ set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
 # Every log in the folder is a test. Its name NAME_rules_VERSION.thaumlog has the rules version that recorded
 # it. Logs of this version must give the same bits, in this build too. Logs of older versions must be rejected
-# with a clear message. After a change of rules or data run thaum --headless --seed 9 --seconds 30 --record
+# with a clear message. After a change of rules or data run thaum --headless --seed 30 --seconds 30 --record
 # tests/replays/bots_rules_N.thaumlog, and say in the commit why it changed. Logs of older versions stay.
 # bots_format_1_rules_17 is the same match as bots_rules_17 in format 1 of the log, which programs of later rules do
 # not write (engine/input/FORMAT.md).

@@ -189,6 +189,13 @@ std::span<const render::Block> blocks_seen_from(const ArenaScene& arena_scene, v
     return within ? std::span<const render::Block>(arena_scene.blocks) : std::span<const render::Block>();
 }
 
+/// The stroke that a wizard draws, and the thing that a spell calls back.
+void add_magic(const ArenaScene& arena_scene, std::uint32_t player, const PlayerPicture& wizard, bool own,
+               std::vector<Instance>& out) {
+    add_stroke_of(arena_scene, player, wizard, own, out);
+    add_recall(arena_scene, player, wizard, out);
+}
+
 void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                    std::vector<Instance>& out) {
     out.push_back({.mesh = arena_scene.stone});
@@ -212,8 +219,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
         add_forces(arena_scene, wizard, player == viewer, out);
-        add_stroke_of(arena_scene, player, wizard, player == viewer, out);
-        add_recall(arena_scene, player, wizard, out);
+        add_magic(arena_scene, player, wizard, player == viewer, out);
         if (player == viewer && !wizard.dead) {
             add_own_arm(arena_scene, player, wizard, out);
             add_drawn_shot(arena_scene, player, wizard, out);

@@ -27,6 +27,12 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
+void add_hand_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
+    if (context.data.cauldron) add_stir_system(context, brew, schedule);
+    add_hand_system(context, brew, schedule);
+    if (context.data.cauldron) add_ladle_system(context, schedule);
+}
+
 void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     add_splash_system(context, brew, schedule);
     add_brewing_systems(context, brew, schedule);
@@ -59,9 +65,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_interval_system(context, always_);
     add_pause_system(context, always_);
 
-    if (data_->cauldron) add_stir_system(context, brew_, live_);
-    add_hand_system(context, brew_, live_);
-    if (data_->cauldron) add_ladle_system(context, live_);
+    add_hand_systems(context, brew_, live_);
     add_walk_system(context, live_);
     add_probe_system(context, live_);
     add_wand_forces(context, live_);

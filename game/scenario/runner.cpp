@@ -48,6 +48,7 @@ bool is_number(const std::string& text, double& value) {
 /// True for a field that changes in any match, even without any action.
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
+    if (d.component == "EventLog") return true;  // players are told recipes; a deed changes more than the log
     if (d.component == "Stance" || d.component == "Controls") return true;
     if (d.component == "HandState") return !d.field.starts_with("device") && !d.field.starts_with("kick");
     if (d.component == "Motion") return !d.field.starts_with("position");

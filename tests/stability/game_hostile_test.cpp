@@ -136,7 +136,7 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
     EXPECT_EQ(refusal([](Tables& t) { t[1].kinds[2].name = "arrow_hit"; }),
               text("event 2 is 'arrow_hit' in the log and 'bolt_hit' in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) {
-                  t[4].kinds.push_back({6, "hail\x1b[2J\n"});
+                  t.back().kinds.push_back({6, "hail\x1b[2J\n"});
               }),
               text("wand 6 is 'hail [2J ' in the log and nothing in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }),
@@ -144,7 +144,7 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
     EXPECT_EQ(refusal([](Tables& t) { std::swap(t[2].kinds[0].name, t[2].kinds[1].name); }),
               text("ingredient 0 is '", header.kinds[2].kinds[1].name, "' in the log and '",
                    header.kinds[2].kinds[0].name, "' in this program", advice));
-    EXPECT_EQ(refusal([](Tables& t) { t[3].kinds.pop_back(); }),
+    EXPECT_EQ(refusal([](Tables& t) { t[4].kinds.pop_back(); }),
               text("power_up 2 is nothing in the log and 'spark' in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) {
                   t.push_back({"wounds", {{0, "cut"}}});

@@ -415,9 +415,9 @@ TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
 
 TEST_F(ApprenticeCourse, ItsEndSaysHowFarThePlayerCame) {
     while (step_name() != "Blast") course().skip();
-    EXPECT_EQ(practice_.last_words(), "apprentice: left at 3 of 8: Blast");
+    EXPECT_EQ(practice_.last_words(), "apprentice: left at 3 of 9: Blast");
     while (!course().is_over()) course().skip();
-    EXPECT_EQ(practice_.last_words(), "apprentice: 8 of 8: done");
+    EXPECT_EQ(practice_.last_words(), "apprentice: 9 of 9: done");
 }
 
 TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
@@ -428,7 +428,7 @@ TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
         return all.practice;
     };
     wait(16);
-    EXPECT_EQ(picture().score, "1 of 8: Look and move, 0 %");
+    EXPECT_EQ(picture().score, "1 of 9: Look and move, 0 %");
     do_step(walk_and_look, 500);
     EXPECT_GT(course().share(), 0.1);
     course().repeat();
@@ -438,7 +438,7 @@ TEST_F(ApprenticeCourse, SkipsAndRepeatsAndSaysWhatToDo) {
     course().skip();
     wait(16);
     EXPECT_EQ(picture().lesson, course().lessons().steps[1].words);
-    EXPECT_EQ(picture().score, "2 of 8: Bolt, 0 %");
+    EXPECT_EQ(picture().score, "2 of 9: Bolt, 0 %");
     for (int i = 0; i < 20; ++i) course().skip();
     wait(16);
     EXPECT_EQ(picture().lesson, course().lessons().end);

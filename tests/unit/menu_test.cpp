@@ -344,7 +344,7 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
     s = press(choose(bindings_of("Keys for everybody"), "Split"), key("w"));
     EXPECT_TRUE(bound(s, DeviceKind::keyboard_mouse, Action::move_forward).empty());
     // A change of the pad's bindings leaves the keyboard's unchanged.
-    s = press(choose(bindings_of("Pad"), "Jump"), button(PadButton::x));
+    s = press(choose(bindings_of("Pad"), "Jump"), button(PadButton::left_bumper));
     EXPECT_TRUE(bound(s, DeviceKind::pad, Action::trace).empty());
     EXPECT_EQ(bound(s, DeviceKind::keyboard_mouse, Action::jump),
               Settings{}.bindings_of(DeviceKind::keyboard_mouse).of(Action::jump));

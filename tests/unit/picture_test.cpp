@@ -88,9 +88,11 @@ TEST(TakePicture, AShotIsSeenAsAMissile) {
 
 TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     const auto match = new_match();
+    for (int i = 0; i < 8000; ++i) match->tick({});  // the feed tells of recipes at first
     auto& world = match->world_to_change();
     const auto victim = wizard_of(world, 1);
-    hurt(match->context_to_change(), victim, 0, {.points = 1000, .by = 0, .how = hit_kind("bolt_hit")});
+    hurt(match->context_to_change(), victim, match->match().played,
+         {.points = 1000, .by = 0, .how = hit_kind("bolt_hit")});
     for (int i = 0; i < 16; ++i) match->tick({});
     auto p = picture_of(*match);
     EXPECT_TRUE(p.wizards[1].dead);

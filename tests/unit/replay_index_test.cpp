@@ -7,7 +7,7 @@
 namespace thaum::game::test {
 namespace {
 
-constexpr Tick long_enough = 4 * keyframe_interval + 700;
+constexpr Tick long_enough = 6 * keyframe_interval + 700;
 
 const RecordedDuel& shared_duel() {
     static const RecordedDuel duel("index.thaumlog", long_enough);

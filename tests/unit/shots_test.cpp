@@ -29,7 +29,7 @@ std::size_t differing(const render::Image& a, const render::Image& b, fvec2 low,
 }
 
 TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
-    const game::test::RecordedDuel recorded("shots.thaumlog", 6000);
+    const game::test::RecordedDuel recorded("shots.thaumlog", 12000);
     auto playback = recorded.opened();
     const auto folder = std::filesystem::path(testing::TempDir()) / text("thaum_shots_", ::getpid());
     ShotPlan plan{.folder = folder, .size = {640, 360}};
