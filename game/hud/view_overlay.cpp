@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/text.h"
 #include "game/hud/body_figure.h"
@@ -114,14 +115,27 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
                 empty ? paints.light_red : paints.white, Align::right);
 }
 
-void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, const ViewLayout& l) {
+/// The newest lines of the feed, as many as there is room for. Where room lacks, the foe's recipes give way first, since
+/// the player needs the own one.
+void add_feed(Overlay& out, const Picture& picture, const PlayerNames& names, std::uint32_t player,
+              const ViewLayout& l) {
     const float u = l.unit, line = 20 * u;
     const auto room = static_cast<std::uint32_t>((l.feed.high.y - l.feed.low.y) / line);
+    const auto gives_way = [&](const FeedLine& fed) {
+        const bool foes = fed.event.kind == EventKind::recipe_told && fed.event.subject != player;
+        return foes && picture.feed_lines > room;
+    };
+    const auto lines = std::span(picture.feed).first(picture.feed_lines);
+    const auto wanted =
+        lines.size() - static_cast<std::size_t>(std::count_if(lines.begin(), lines.end(), gives_way));
+    std::size_t left_out = wanted - std::min<std::size_t>(room, wanted);
     const bool left = l.feed.low.x - static_cast<float>(l.view.x) < static_cast<float>(l.view.width) / 4;
     float top = l.feed.low.y;
-    for (std::uint32_t i = picture.feed_lines - std::min(room, picture.feed_lines); i < picture.feed_lines;
-         ++i) {
-        const auto& fed = picture.feed[i];
+    for (const auto& fed : lines) {
+        if (gives_way(fed) || left_out > 0) {
+            if (!gives_way(fed)) --left_out;
+            continue;
+        }
         const auto& row = row_of(picture.shown->events, fed.event.kind);
         const bool alone = is_alone(fed.event);
         const auto words =
@@ -588,7 +602,7 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
         add_spell_strip(out, picture, settings.controls[player], player, l);
     else
         add_wands(out, picture, settings.controls[player], player, l);
-    if (plays) add_feed(out, picture, settings.names, l);
+    if (plays) add_feed(out, picture, settings.names, player, l);
     if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);
     if (plays && settings.figure[player]) add_felt(out, p, l);
     if (settings.forces)

@@ -147,6 +147,24 @@ TEST(Feed, DoesNotNameAFallTwice) {
     EXPECT_EQ(death_line(1, EventKind::fall), "Tide  \u25B8 fall \u25B8  Ember") << "pushed";
 }
 
+TEST(Feed, AViewWithRoomForOneLineShowsItsOwnRecipe) {
+    const auto match = new_match();
+    for (int i = 0; i < 1010; ++i) match->tick({});
+    const auto picture = picture_of(*match);
+    ASSERT_EQ(picture.feed_lines, 2U) << "each player is told an order";
+    const auto overlay = overlay_of(picture, {.split = render::Split::top_bottom});
+    for (const auto* own : {"Azoth of Ember", "Azoth of Tide"}) EXPECT_TRUE(has_text(overlay, own)) << own;
+    const float middle = 0.5F * static_cast<float>(size.height);
+    const auto shown_above = [&](std::string_view part) {
+        return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
+            const auto* words = std::get_if<render::TextItem>(&item);
+            return words != nullptr && words->position.y < middle &&
+                   words->text.find(part) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(shown_above("Azoth of Ember"));
+}
+
 TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
     auto match = new_match();
     auto& context = match->context_to_change();
