@@ -96,10 +96,17 @@ void GestureWall::tell_recording() {
 /// Keeps a stroke for the gesture that is recorded.
 void GestureWall::keep(const game::Simulation& match) {
     chosen_ = -1;
-    if (stroke_.size() < 2 || stroke_.back().t < shortest_recorded) return;
+    double way = 0;
+    for (std::size_t i = 1; i < stroke_.size(); ++i) way += glm::distance(stroke_[i - 1].at, stroke_[i].at);
+    if (way < match.data().casting->smallest || stroke_.back().t < shortest_recorded) return;
     recording_.strokes.push_back(stroke_);
     if (recording_.strokes.size() < recorded_strokes) return tell_recording();
     const auto number = match.data().gestures->number(recording_.name);
+    if (!number) {  // its file was deleted meanwhile
+        lines_ = {text("there is no gesture ", recording_.name, " any more")};
+        recording_ = {};
+        return;
+    }
     const auto& shipped = match.data().gestures->gestures()[*number].options;
     // An own gesture may be of any shape, so only the bands of force are the shipped one's.
     recording_.options = {.rotation = 15 * radians_per_degree,

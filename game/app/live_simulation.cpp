@@ -7,6 +7,7 @@
 #include "game/app/live_practice.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
+#include "game/casting/casting.h"
 #include "game/hand/arm_system.h"
 #include "game/match/own_gestures.h"
 #include "game/match/record.h"
@@ -78,6 +79,12 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
     shared.scene.publish();
 }
 
+/// Makes the readers of strokes before the first tick, since a first stroke must not wait for them.
+void make_readers(const game::MatchContext& context) {
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        if (const auto* gestures = game::gestures_of(context, player)) (void)gestures->recogniser();
+}
+
 void start_practice(SimulationThread& s, game::RangeFiles files, MatchStart& start) {
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared.arms);
@@ -122,6 +129,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
         s.round.own = std::make_unique<Simulation>(std::move(start.data), std::move(setup));
         s.round.match = s.round.own.get();
     }
+    make_readers(s.round.match->context());
     if (auto* log = std::get_if<input::LogWriter>(&start.recording)) s.round.kept = std::move(*log);
     return add_bots(s, start.seed);
 }

@@ -51,7 +51,8 @@ Expected<RangeData> load_range(const std::filesystem::path& assets, const DataCh
     if (!dummy) return tl::unexpected(dummy.error());
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
-    if (match->cauldron) {  // a free cauldron: nothing spoils, and ingredients are back at once
+    // A free cauldron: only a brew of which nothing can come boils over, and ingredients are back at once.
+    if (match->cauldron) {
         match->cauldron->spoils_after = never;
         match->cauldron->niche_again = 0;
     }

@@ -67,7 +67,7 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.recoil_length = ticks(table.number("recoil_s", {0.001, 1}));
     rules.burst = table.number("burst_n_s", {0, 1e5});
     rules.wrest_least = table.number("wrest_least_j", {0, 1e6});
-    rules.spoils_after = ticks(table.number("spoils_after_s", {0.1, 3600}));
+    rules.spoils_after = rules.useless_spoils_after = ticks(table.number("spoils_after_s", {0.1, 3600}));
     rules.spoil_push = table.number("spoil_push_m_s", {0, 100});
     rules.spoil_harm = table.number("spoil_harm", {0, 1e6});
     rules.niche_radius = table.number("niche_radius_m", {0.1, 5});

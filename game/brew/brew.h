@@ -86,6 +86,7 @@ struct CauldronRules {
     double burst{};                     ///< downward momentum of a lob that bursts at the brew (N s)
     double wrest_least{};               ///< least work of a ladle that can wrest the brew, within 1.5 s (J)
     Tick spoils_after{};                ///< time from the first ingredient to boiling over
+    Tick useless_spoils_after{};        ///< the same for a brew of which no potion can come any more
     double spoil_push{}, spoil_harm{};  ///< effect of boiling over on wizards at the rim (m/s, HP)
     double niche_radius{};              ///< greatest distance at which a wizard picks up an ingredient (m)
     Tick niche_again{};

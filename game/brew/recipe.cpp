@@ -32,7 +32,7 @@ RecipeStroke read_stroke(const ConfigTable& table, const RecipeNames& names) {
         table.report("gesture", text("assets/gestures has no gesture '", read.gesture, "'"));
     read.sense = static_cast<CircleSense>(table.choice("turn", {"any", "clockwise", "counterclockwise"}, 0));
     read.least_force = table.number("least_n", force, 0);
-    read.most_force = table.number("most_n", force, force.high);
+    read.most_force = table.number("most_n", {0.05, force.high}, force.high);
     if (read.most_force < read.least_force)
         table.report("most_n", "'most_n' must not be less than 'least_n'");
     return read;
@@ -73,12 +73,6 @@ void check_lengths(const ConfigTable& root, const Recipe& recipe) {
 }
 
 }  // namespace
-
-std::uint32_t strokes_of(const Recipe& recipe) {
-    std::uint32_t sum = 0;
-    for (const auto& stroke : recipe.strokes) sum += stroke.times;
-    return sum;
-}
 
 const RecipeStroke* next_stroke(const Recipe& recipe, std::uint32_t done) {
     for (const auto& stroke : recipe.strokes) {

@@ -66,8 +66,6 @@ struct Recipe {
     PotionGift gift;
 };
 
-/// Number of strokes that a recipe asks for in total.
-std::uint32_t strokes_of(const Recipe& recipe);
 /// The gesture that comes after `done` strokes; null if all are done.
 const RecipeStroke* next_stroke(const Recipe& recipe, std::uint32_t done);
 

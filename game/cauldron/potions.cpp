@@ -128,7 +128,7 @@ void drink(MatchContext& context, ecs::Entity wizard, std::uint32_t number, cons
            Tick tick) {
     auto& world = context.world;
     auto& potions = world.get<Potions>(wizard);
-    potions.until[number] = tick + gift.lasts;
+    if (gift.lasts > 0) potions.until[number] = tick + gift.lasts;
     if (gift.work_half) potions.work_half = 1;
     if (gift.harm != 1) {
         auto& health = world.get<Health>(wizard);
@@ -308,7 +308,9 @@ std::size_t ingredients_in(const Cauldron& cauldron) {
 }
 
 Tick spoils_at(const MatchData& data, const Cauldron& cauldron) {
-    return cauldron.begun + data.cauldron->spoils_after + cauldron.more_time;
+    const auto& rules = *data.cauldron;
+    const bool useless = cauldron.fault != BrewFault::none;
+    return cauldron.begun + (useless ? rules.useless_spoils_after : rules.spoils_after) + cauldron.more_time;
 }
 
 void drop_for_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t player,
@@ -344,10 +346,12 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReadi
     const auto order = order_of(*recipe, std::as_const(world), player);
     const auto moment = fault_of_moment(cauldron, order.steps[order.count - 1]);
     if (moment == BrewFault::late) return spoil_recipe(context, cauldron, player, moment, tick);
+    const auto* next = next_stroke(*recipe, cauldron.strokes_done);
+    // Edited data may ask for fewer strokes than are done.
+    if (next == nullptr) return succeed(context, cauldron, wizard, *recipe, tick);
     const auto fault = moment != BrewFault::none
                            ? moment
-                           : fault_of_stroke(*next_stroke(*recipe, cauldron.strokes_done),
-                                             gesture_name(context, player, reading.gesture), reading);
+                           : fault_of_stroke(*next, gesture_name(context, player, reading.gesture), reading);
     if (fault != BrewFault::none) return note_fault(context, cauldron, player, fault, tick);
     cauldron.strokes_done += counts_for(*recipe, cauldron.strokes_done, reading);
     note_step(context, cauldron, player, tick);
@@ -393,7 +397,8 @@ void forget_filling(Cauldron& cauldron) {
 
 void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
     if (cauldron.potion == no_potion) return;
-    if (tick >= cauldron.potion_until) {
+    // The recipe may be gone from edited data.
+    if (tick >= cauldron.potion_until || cauldron.potion >= data.recipes.size()) {
         cauldron.potion = no_potion;
         return;
     }

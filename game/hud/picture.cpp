@@ -408,6 +408,7 @@ Picture make_picture() {
 
 void take_picture(const Simulation& match, Picture& out) {
     out.overloaded = false;
+    out.data = match.shared_data();
     out.shown = match.data().presentation;
     take_round(match, out);
     take_things(match.world(), out);

@@ -214,6 +214,7 @@ struct Picture {
     std::vector<NichePicture> niches;
     CauldronPicture cauldron;
     std::array<PlayerPicture, players> wizards{};
+    std::shared_ptr<const MatchData> data;  ///< keeps what the picture refers to, although the match may end
     std::shared_ptr<const Presentation>
         shown;  ///< rows of events and looks of wands; never null after taking
 

@@ -22,6 +22,9 @@ namespace {
 WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt& old) {
     auto belt = full_belt(to);
     belt.fired = old.fired;
+    belt.venom = old.venom;
+    belt.venom_until = old.venom_until;
+    belt.venom_lasts = old.venom_lasts;
     for (const auto& wand : to.wands) {
         const auto before = std::find_if(from.wands.begin(), from.wands.end(),
                                          [&](const auto& w) { return w.kind == wand.kind; });
@@ -98,12 +101,18 @@ void copy_world(const MatchContext& from, MatchContext& to) {
     rebuild_physics(to);
 }
 
+/// Whether the components of one match fit the other: the same scene and the same parts of the game.
+bool fits(const MatchData& from, const MatchData& to) {
+    return to.arena == from.arena && (to.gestures == nullptr) == (from.gestures == nullptr) &&
+           to.cauldron.has_value() == from.cauldron.has_value();
+}
+
 }  // namespace
 
 void carry_over(const MatchContext& from, MatchContext& to) {
     to.output.journal.write() = from.output.journal.read();
     to.output.forces.write() = from.output.forces.read();
-    if (to.data.arena == from.data.arena) {
+    if (fits(from.data, to.data)) {
         copy_world(from, to);
     } else {
         move_match(from, to);

@@ -123,13 +123,14 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     return buttons;
 }
 
-/// Buttons of the sample. While Trace is held, a press of fire makes a key chord harsh and shoots nothing.
+/// Buttons of the sample. A press of fire while Trace is held makes a key chord harsh, and shoots nothing until it is
+/// released.
 std::uint32_t buttons_of(const input::DeviceSample& sample, Controls& controls) {
     constexpr auto fire = bit(Button::fire);
     const bool fired_before = (controls.held & fire) != 0;
-    const bool traces = sample.down(Button::trace) && !fired_before;
-    controls.harsh = traces && sample.down(Button::fire) ? 1 : 0;
-    return traces ? sample.buttons & ~fire : sample.buttons;
+    const bool chord = !fired_before && (sample.down(Button::trace) || controls.harsh != 0);
+    controls.harsh = chord && sample.down(Button::fire) ? 1 : 0;
+    return chord ? sample.buttons & ~fire : sample.buttons;
 }
 
 void take(const input::DeviceSample& sample, bool has_spells, Controls& controls) {

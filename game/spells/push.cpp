@@ -69,7 +69,9 @@ void push_wizard(const SpellCast& cast, const PushData& data, ecs::Entity foe, c
 void push_thing(const SpellCast& cast, const PushData& data, ecs::Entity thing, const Reached& reached) {
     const auto& now = std::as_const(cast.context.world);
     const double impulse = std::min(data.impulse, data.fastest * now.get<Body>(thing).mass) * cast.strength;
-    const vec3 way = glm::normalize(vec3(reached.way.x, std::max(reached.way.y, data.lift), reached.way.z));
+    const vec3 up(reached.way.x, std::max(reached.way.y, data.lift), reached.way.z);
+    const double length = glm::length(up);
+    const vec3 way = length > 0 ? up / length : vec3(0, 1, 0);
     shove(cast.context, thing, way * impulse, reached.point, now.get<Wizard>(cast.wizard).player, cast.tick);
 }
 

@@ -68,7 +68,7 @@ void print(const Figures& f) {
 TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     const auto recogniser = Recogniser::make(shipped_gestures());
     ASSERT_TRUE(recogniser);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const auto f = measure(*recogniser, seed);
         print(f);
         EXPECT_GE(f.right, 0.95 * f.drawn) << "seed " << seed;
