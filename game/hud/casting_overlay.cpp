@@ -251,8 +251,8 @@ std::vector<SpellCell> cells_of(const Picture& picture, std::uint32_t player, co
     const float wide = std::min(widest, room / static_cast<float>(std::max<std::size_t>(columns, 1)));
     std::vector<SpellCell> cells;
     for (std::size_t i = 0; i < spells.size(); ++i) {
-        const fvec2 at(static_cast<float>(i % columns) * wide,
-                       static_cast<float>(i / columns) * strip_cell_height);
+        const auto column = i % columns, row = i / columns;
+        const fvec2 at(static_cast<float>(column) * wide, static_cast<float>(row) * strip_cell_height);
         const fvec2 low = l.strip.low + u * (fvec2(strip_margin, strip_head - 1) + at);
         cells.push_back({{low, low + u * fvec2(wide, strip_cell_height)},
                          u,

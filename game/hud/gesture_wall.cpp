@@ -20,7 +20,8 @@ struct WallLayout {
     float lines_top{};
 
     Panel cell_at(std::size_t i) const {
-        const fvec2 at(static_cast<float>(i % wall_columns), static_cast<float>(i / wall_columns));
+        const auto column = i % wall_columns, row = i / wall_columns;
+        const fvec2 at(static_cast<float>(column), static_cast<float>(row));
         const fvec2 low = box.low + at * cell;
         return {low, low + cell};
     }
