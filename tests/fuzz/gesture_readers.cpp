@@ -112,7 +112,7 @@ Outcome read_profile(const std::string& input, const Places& places) {
     const auto name = input.substr(0, end), toml = end == std::string::npos ? "" : input.substr(end + 1);
     const auto bytes = std::as_bytes(std::span(toml));
     game::MatchSetup setup;
-    for (const std::uint32_t player : {0, 1}) {
+    for (const std::uint32_t player : {0U, 1U}) {
         const auto used = game::use_profile(*data,
                                             {{.kind = std::string(game::gesture_kind),
                                               .name = name,

@@ -6,6 +6,7 @@
 
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
+#include "game/components/hand_state.h"
 #include "gesture/generated_users.h"
 #include "unit/game_duel.h"
 
