@@ -55,6 +55,10 @@ struct Mask {
         return (words[0] & o.words[0]) == o.words[0] && (words[1] & o.words[1]) == o.words[1];
     }
     bool intersects(const Mask& o) const { return ((words[0] & o.words[0]) | (words[1] & o.words[1])) != 0; }
+    Mask& operator|=(const Mask& o) {
+        for (std::size_t i = 0; i < words.size(); ++i) words[i] |= o.words[i];
+        return *this;
+    }
     bool operator==(const Mask&) const = default;
 };
 

@@ -8,7 +8,7 @@ namespace {
 /// How far start and end are moved in each round, as shares of the length of the window.
 constexpr std::array look_steps{0.08F, 0.04F, 0.02F};
 constexpr std::size_t shapes_per_step = 4;
-constexpr std::size_t fewest_points = 4;  // of a stroke
+constexpr std::size_t fewest_points = 4;  // fewest points of a window that is looked at
 constexpr float not_compared = 1e9F;
 
 /// Directions of the eight neighbours: of the start and of the end.

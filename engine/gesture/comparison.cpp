@@ -10,9 +10,9 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t compared_points = 48;
-constexpr double least_size = 0.03;                      // m
+constexpr double least_size = 0.03;                      // size below which a stroke is too small (m)
 constexpr double widest_gap = 0.25;                      // share of the size
-constexpr double told_tilt = 12 * pi / 180;              // rad
+constexpr double told_tilt = 12 * pi / 180;              // tilt from which on it is told (rad)
 constexpr double told_deviation = 0.16, central = 0.12;  // share of the size
 constexpr std::size_t most_lines_of_advice = 3;
 

@@ -10,7 +10,7 @@ namespace thaum::gesture {
 namespace {
 
 constexpr double seconds_between_points = 0.008;
-constexpr double mouse_step = 1e-4;  // m
+constexpr double mouse_step = 1e-4;  // way of the hand per count of a mouse (m)
 /// Overlap of two movements along a smooth curve (share of a movement).
 constexpr double curve_overlap = 0.55;
 constexpr std::array<std::string_view, figures> all_figures{"circle", "v", "s", "star"};

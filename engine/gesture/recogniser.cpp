@@ -82,7 +82,7 @@ using Ints8 = std::int32_t __attribute__((vector_size(32)));
 Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
     Floats8 own;
     std::memcpy(&own, scores + first, sizeof own);
-    Ints8 better{};  // minus one for each
+    Ints8 better{};  // number of better scores, negative: a true comparison is minus one
     for (std::size_t i = 0; i < first; ++i) better += scores[i] + Floats8{} >= own;
     for (std::size_t i = 0; i < lanes; ++i) {
         const Floats8 other = scores[first + i] + Floats8{};

@@ -162,8 +162,8 @@ private:
     std::vector<double> template_force_;     ///< mean force of the templates of each gesture
     std::vector<Template> templates_;
     std::vector<float> values_;
-    std::vector<FineShape> fine_;       ///< of each template
-    std::vector<float> usual_seconds_;  ///< of each gesture
+    std::vector<FineShape> fine_;       ///< fine shape of each template
+    std::vector<float> usual_seconds_;  ///< usual duration of the strokes of each gesture (s)
     Calibration calibration_;
     bool needs_solid_{}, needs_flat_{};
     float shortest_{}, longest_{};

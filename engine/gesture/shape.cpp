@@ -189,7 +189,7 @@ std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t
             static_cast<std::uint32_t>(static_cast<std::int32_t>(place * static_cast<float>(points - 1)));
         i = std::min(i, static_cast<std::uint32_t>(points - 1));
         i += wanted[i] <= place ? 1 : 0;
-        i += wanted[i] <= place ? 1 : 0;  // where the product was rounded down
+        i += wanted[i] <= place ? 1 : 0;  // the product above may have been rounded down
         before[i] = static_cast<std::uint32_t>(j);
     }
     std::array<std::uint32_t, points> result;

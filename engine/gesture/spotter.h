@@ -153,8 +153,9 @@ private:
         RecogniserSpace::Survivor match{};
     };
     std::array<Best, most_gestures> best_{};
-    std::vector<Held> held_;       ///< of each gesture
-    std::vector<Candidate> seen_;  ///< of each gesture, the last one that had a close look, as the window was
+    std::vector<Held> held_;  ///< candidate of each gesture that is held back
+    std::vector<Candidate>
+        seen_;  ///< last candidate of each gesture that had a close look, as the window was
     CloseLook look_;
     Held looked_at_{};
     std::uint64_t dropped_ = 0;  ///< points that were dropped

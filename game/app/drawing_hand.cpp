@@ -10,7 +10,7 @@ namespace thaum::app {
 namespace {
 
 constexpr double metres_per_count = 1e-4;
-constexpr double mouse_workspace = 10;  // m; larger than any desk
+constexpr double mouse_workspace = 10;  // way after which a mouse is stopped, larger than any desk (m)
 constexpr std::int64_t tick_ns = 1'000'000;
 /// Most ticks at once. After a longer stop, such as a suspended computer, time goes on from there.
 constexpr std::int64_t most_ticks = 250;

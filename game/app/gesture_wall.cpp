@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "game/bots/apprentice.h"
 #include "game/casting/casting.h"
+#include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
 #include "gesture/comparison.h"
@@ -16,17 +17,7 @@ namespace {
 using game::practising;
 
 constexpr Tick shown_after = ticks(8.0);
-constexpr double shortest_recorded = 0.15;  // s
-
-std::vector<gesture::StrokePoint> points_of(const game::DrawnStroke& drawn) {
-    std::vector<gesture::StrokePoint> points;
-    const double step = drawn.every * game::gameplay_dt;
-    for (std::uint32_t i = 0; i < drawn.count; ++i) {
-        const auto& p = drawn.points[i];
-        points.push_back({i * step, vec3(p.x, p.y, p.z), p.force});
-    }
-    return points;
-}
+constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
 
 std::string force_words(const gesture::GestureOptions& o, double force) {
     const auto* word = force < o.gentle_below ? "gentle" : force >= o.harsh_above ? "harsh" : "normal";
@@ -135,7 +126,7 @@ void GestureWall::follow(const game::Simulation& match) {
     const auto* drawn = world.find<game::DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
-        if (match.now() % game::gameplay_period == 0) stroke_ = points_of(*drawn);
+        if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
         drawing_ = true;
         shown_until_ = now + shown_after;
         return;

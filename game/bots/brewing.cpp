@@ -38,7 +38,7 @@ bool comes_near(vec3 place, vec3 from, vec3 to, double clear) {
 
 /// Whether a straight way passes no niche that has something, except its goal.
 bool passes_no_niche(const Simulation& match, vec3 from, vec3 niche, Tick tick) {
-    constexpr double room = 0.5;  // m
+    constexpr double room = 0.5;  // distance beyond the niche's reach that the way keeps (m)
     bool free = true;
     match.world().view<const Niche, const Motion>().each([&](const Niche& other, const Motion& motion) {
         if (tick < other.back_at || motion.position == niche) return;

@@ -8,7 +8,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr Range part{0, 1};  // of a whole
+constexpr Range part{0, 1};  // range of shares of a whole
 
 RecipeIngredient read_ingredient(const ConfigTable& table, const RecipeNames& names) {
     const auto name = table.string("name");

@@ -168,31 +168,22 @@ void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
 
 }  // namespace
 
-void join(ecs::Mask& mask, const ecs::Mask& other) {
-    for (std::size_t i = 0; i < mask.words.size(); ++i) mask.words[i] |= other.words[i];
-}
-
 CastingAccess access_of_casting(const MatchContext& context) {
     const auto& world = context.world;
     CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>(),
                          .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
                                               resource::Journal, resource::Strokes>()};
     // A spell may ask the wand in hand what it holds.
-    for (const auto& wand : context.data.wands) join(access.reads, wand.rules->writes(world));
+    for (const auto& wand : context.data.wands) access.reads |= wand.rules->writes(world);
     if (context.data.cauldron) {
-        join(access.reads, brew_by_stroke_reads(world));
-        join(access.writes, brew_by_stroke_writes(world));
+        access.reads |= brew_by_stroke_reads(world);
+        access.writes |= brew_by_stroke_writes(world);
     }
     for (const auto& spell : context.data.spells) {
-        join(access.reads, spell.rules->reads(world));
-        join(access.writes, spell.rules->writes(world));
+        access.reads |= spell.rules->reads(world);
+        access.writes |= spell.rules->writes(world);
     }
     return access;
-}
-
-const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player) {
-    const auto& own = context.input.gestures[player];
-    return own ? own.get() : context.data.gestures.get();
 }
 
 const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {

@@ -18,9 +18,6 @@ namespace thaum::game {
 /// writes Trace.
 void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick);
 
-/// Gestures of a player: the player's own, or those of the match's data; null if the match has none.
-const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player);
-
 /// The spell that a gesture casts; null if there is none.
 const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);
 
@@ -39,7 +36,6 @@ struct CastingAccess {
     ecs::Mask reads, writes;
 };
 CastingAccess access_of_casting(const MatchContext& context);
-void join(ecs::Mask& mask, const ecs::Mask& other);
 
 /// Adds the system that follows strokes and casts spells, every gameplay tick. Does nothing if the match has no
 /// gestures.

@@ -209,8 +209,8 @@ void add_free_casting_systems(MatchContext& context, FreeCasting& free, ecs::Sch
                           });
                   }});
     auto access = access_of_casting(context);
-    join(access.reads, world.mask<Arm>());
-    join(access.writes, world.mask<FreeHand>());
+    access.reads |= world.mask<Arm>();
+    access.writes |= world.mask<FreeHand>();
     schedule.add({.name = "free casting",
                   .period = gameplay_period,
                   .reads = access.reads,

@@ -14,13 +14,16 @@ using gesture::StrokePoint;
 /// Turns from which on a stroke is read turn by turn.
 constexpr double several_turns = 1.5;
 
-Points points_of(const DrawnStroke& trace, ReadingSpace& space) {
-    const double step = trace.every * gameplay_dt;
-    for (std::uint32_t i = 0; i < trace.count; ++i) {
-        const auto& p = trace.points[i];
-        space.stroke[i] = {i * step, vec3(p.x, p.y, p.z), p.force};
-    }
-    return Points(space.stroke).first(trace.count);
+vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
+
+StrokePoint point_of(const DrawnStroke& stroke, std::uint32_t i) {
+    const auto& p = stroke.points[i];
+    return {i * (stroke.every * gameplay_dt), place_of(p), p.force};
+}
+
+Points put_points(const DrawnStroke& stroke, ReadingSpace& space) {
+    for (std::uint32_t i = 0; i < stroke.count; ++i) space.stroke[i] = point_of(stroke, i);
+    return Points(space.stroke).first(stroke.count);
 }
 
 vec3 middle_of(Points stroke) {
@@ -73,23 +76,29 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
     return worst;
 }
 
-double mean_force_of(Points stroke) {
+}  // namespace
+
+std::vector<StrokePoint> points_of(const DrawnStroke& stroke) {
+    std::vector<StrokePoint> points(stroke.count);
+    for (std::uint32_t i = 0; i < stroke.count; ++i) points[i] = point_of(stroke, i);
+    return points;
+}
+
+double mean_force_of(const DrawnStroke& stroke) {
     double length = 0, sum = 0;
-    for (std::size_t i = 1; i < stroke.size(); ++i) {
-        const double step = glm::distance(stroke[i - 1].at, stroke[i].at);
+    for (std::uint32_t i = 1; i < stroke.count; ++i) {
+        const auto &a = stroke.points[i - 1], &b = stroke.points[i];
+        const double step = glm::distance(place_of(a), place_of(b));
         length += step;
-        sum += step * (stroke[i - 1].force + stroke[i].force) / 2;
+        sum += step * (static_cast<double>(a.force) + static_cast<double>(b.force)) / 2;
     }
     return length > 0 ? sum / length : 0;
 }
 
-}  // namespace
-
 bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
     double length = 0;
     for (std::uint32_t i = 1; i < trace.count; ++i) {
-        const auto &a = trace.points[i - 1], &b = trace.points[i];
-        length += glm::distance(vec3(a.x, a.y, a.z), vec3(b.x, b.y, b.z));
+        length += glm::distance(place_of(trace.points[i - 1]), place_of(trace.points[i]));
     }
     const Tick lasts = Tick{trace.count} * trace.every * gameplay_period;
     return lasts < rules.shortest || length < rules.smallest;
@@ -97,14 +106,14 @@ bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
 
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
     const auto& recogniser = gestures.recogniser();
-    const auto stroke = points_of(trace, space);
+    const auto stroke = put_points(trace, space);
     auto found = recogniser.recognise(stroke, space.recogniser);
     const double turns = turns_of(stroke);
     if (std::abs(turns) >= several_turns) {
         const auto turn = read_turns(recogniser, stroke, turns, space.recogniser);
         if (turn.accepted && (!found.accepted || turn.probability > found.probability)) found = turn;
     }
-    Reading reading{.stroke = {.force = mean_force_of(stroke)}, .nearest = found.gesture};
+    Reading reading{.stroke = {.force = mean_force_of(trace)}, .nearest = found.gesture};
     reading.stroke.probability = found.probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

@@ -1,5 +1,7 @@
 // game/casting/reading.h: reads what a drawn stroke means.
 #pragma once
+#include <vector>
+
 #include "game/components/casting.h"
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
@@ -17,6 +19,11 @@ struct Reading {
     StrokeReading stroke;
     std::uint32_t nearest = no_gesture;  ///< nearest gesture, although it may not be meant; no_gesture: none
 };
+
+/// Points of a stroke with their times (s). Allocates.
+std::vector<gesture::StrokePoint> points_of(const DrawnStroke& stroke);
+/// Mean force along the way of a stroke (N).
+double mean_force_of(const DrawnStroke& stroke);
 
 /// Whether the stroke is too short to mean anything, such as a slip of the finger.
 bool is_slip(const CastingRules& rules, const DrawnStroke& trace);

@@ -91,12 +91,10 @@ BrewFault fault_of_moment(const Cauldron& cauldron, const RecipeIngredient& wind
     return cauldron.reached > window.most ? BrewFault::late : BrewFault::none;
 }
 
-/// Name of a gesture by its number among the player's own gestures or those of the match.
+/// Name of a gesture of the player; empty for a number without a gesture.
 std::string_view gesture_name(const MatchContext& context, std::uint32_t player, std::uint32_t number) {
-    const auto& own = context.input.gestures[player];
-    const auto* gestures = own ? own.get() : context.data.gestures.get();
-    const bool known = gestures != nullptr && number < gestures->gestures().size();
-    return known ? std::string_view(gestures->gestures()[number].name) : std::string_view();
+    const auto* gestures = gestures_of(context, player);
+    return gestures == nullptr ? std::string_view() : gestures->name(number);
 }
 
 /// `gesture`: name of the gesture that was read.

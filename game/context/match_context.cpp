@@ -100,6 +100,11 @@ ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {
     return found;
 }
 
+const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player) {
+    const auto& own = context.input.gestures[player];
+    return own ? own.get() : context.data.gestures.get();
+}
+
 vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
     return body_centre + vec3(0, rules.eye - rules.height / 2, 0);
 }

@@ -88,6 +88,9 @@ void declare_components(ecs::World& world);
 /// Returns the wizard of player 0 or 1.
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player);
 
+/// Gestures of a player: the player's own, or those of the match's data; null if the match has none.
+const GestureSet* gestures_of(const MatchContext& context, std::uint32_t player);
+
 /// Position of a wizard's eye (m, world).
 vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 

@@ -13,6 +13,10 @@ std::optional<std::uint32_t> GestureSet::number(std::string_view name) const {
     return static_cast<std::uint32_t>(found - gestures_.begin());
 }
 
+std::string_view GestureSet::name(std::uint32_t number) const {
+    return number < gestures_.size() ? std::string_view(gestures_[number].name) : std::string_view();
+}
+
 const gesture::Recogniser& GestureSet::recogniser() const {
     std::call_once(once_, [this] {
         auto made = gesture::Recogniser::make(gestures_);

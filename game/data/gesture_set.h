@@ -20,6 +20,8 @@ public:
     std::span<const gesture::Gesture> gestures() const { return gestures_; }
     /// Number of the gesture of this name.
     std::optional<std::uint32_t> number(std::string_view name) const;
+    /// Name of a gesture by its number; empty for a number without a gesture.
+    std::string_view name(std::uint32_t number) const;
     const gesture::Recogniser& recogniser() const;
 
 private:

@@ -3,25 +3,13 @@
 #include <algorithm>
 
 #include "game/casting/casting.h"
+#include "game/casting/reading.h"
 #include "game/cauldron/ladle.h"
 #include "game/hud/event_words.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
 namespace {
-
-vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
-
-double mean_force_of(const DrawnStroke& stroke) {
-    double length = 0, sum = 0;
-    for (std::uint32_t i = 1; i < stroke.count; ++i) {
-        const auto &a = stroke.points[i - 1], &b = stroke.points[i];
-        const double step = glm::distance(place_of(a), place_of(b));
-        length += step;
-        sum += step * (static_cast<double>(a.force) + static_cast<double>(b.force)) / 2;
-    }
-    return length > 0 ? sum / length : 0;
-}
 
 /// Chooses points evenly, with the newest one.
 void choose_points(const DrawnStroke& stroke, StrokePicture& out) {

@@ -136,7 +136,7 @@ const ForceTrace& Simulation::felt(std::uint32_t player) const {
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
     auto setup = setup_;
     // Own gestures stand among the gestures of the data. Those that no longer fit keep their old neighbours.
-    if (!use_profile(*data, setup_.profile, setup)) setup = setup_;
+    (void)use_profile(*data, setup_.profile, setup);
     return continued_with(std::move(data), std::move(setup));
 }
 

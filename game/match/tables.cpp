@@ -22,8 +22,7 @@ std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
 
 std::string name_of_gesture(const MatchContext& context, std::uint32_t player, std::uint32_t number) {
     const auto* gestures = player < players ? gestures_of(context, player) : nullptr;
-    const bool known = gestures != nullptr && number < gestures->gestures().size();
-    return known ? gestures->gestures()[number].name : "";
+    return gestures == nullptr ? std::string() : std::string(gestures->name(number));
 }
 
 /// A told recipe: "azoth: moss, salt, mist".

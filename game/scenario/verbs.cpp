@@ -380,8 +380,8 @@ void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     arg::set_number(lua, "turns", reading.turns);
     arg::set_number(lua, "probability", reading.probability);
     const auto* gestures = gestures_of(play.match->context(), player);
-    if (gestures == nullptr || reading.at == 0 || reading.gesture >= gestures->gestures().size()) return;
-    const auto& name = gestures->gestures()[reading.gesture].name;
+    const auto name = gestures == nullptr ? std::string_view() : gestures->name(reading.gesture);
+    if (reading.at == 0 || name.empty()) return;
     lua_pushlstring(lua, name.data(), name.size());
     lua_setfield(lua, -2, "gesture");
 }

@@ -148,10 +148,7 @@ ecs::Mask writes_of_flight(const MatchContext& context) {
     auto all =
         world
             .mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal, resource::Physics>();
-    for (const auto& wand : context.data.wands) {
-        const auto its = wand.rules->writes(world);
-        for (std::size_t i = 0; i < all.words.size(); ++i) all.words[i] |= its.words[i];
-    }
+    for (const auto& wand : context.data.wands) all |= wand.rules->writes(world);
     return all;
 }
 

@@ -85,10 +85,7 @@ WandBelt full_belt(const MatchData& data) {
 void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     auto writes = world.mask<WandBelt>();
-    for (const auto& wand : context.data.wands) {
-        const auto its = wand.rules->writes(world);
-        for (std::size_t i = 0; i < writes.words.size(); ++i) writes.words[i] |= its.words[i];
-    }
+    for (const auto& wand : context.data.wands) writes |= wand.rules->writes(world);
     schedule.add(
         {.name = "wands",
          .period = gameplay_period,
