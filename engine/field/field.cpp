@@ -75,10 +75,10 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
 Scalar Grid::operator()(vec3 place) const {
     if (first == nullptr || *std::ranges::min_element(count) < 1 || !is_finite(place)) return {};
     const vec3 at = (place - origin) / spacing;
-    const double per_metre = 1 / spacing;
-    const Taps x = taps_at(at.x, count[0], stride[0], per_metre, kernel);
-    const Taps y = taps_at(at.y, count[1], stride[1], per_metre, kernel);
-    const Taps z = taps_at(at.z, count[2], stride[2], per_metre, kernel);
+    const vec3 per_metre = 1.0 / spacing;
+    const Taps x = taps_at(at.x, count[0], stride[0], per_metre.x, kernel);
+    const Taps y = taps_at(at.y, count[1], stride[1], per_metre.y, kernel);
+    const Taps z = taps_at(at.z, count[2], stride[2], per_metre.z, kernel);
     Scalar result;
     for (std::size_t k = 0; k < z.count; ++k) {
         double value = 0, across_x = 0, across_y = 0;

@@ -70,13 +70,13 @@ Field<Sample> field_of(const Source& source) {
 enum class Kernel : std::uint8_t { linear, catmull_rom };
 
 /// Samples in memory. Sample (i, j, k) is first[i stride[0] + j stride[1] + k stride[2]]. Its place is origin
-/// + spacing (i, j, k).
+/// + spacing (i, j, k), axis by axis.
 struct Grid {
     const float* first{};
     std::array<int, 3> count{};
     std::array<std::ptrdiff_t, 3> stride{};
-    vec3 origin{};      ///< place of the first sample (m)
-    double spacing{1};  ///< distance between samples, > 0 (m)
+    vec3 origin{};    ///< place of the first sample (m)
+    vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
     Scalar operator()(vec3 place) const;

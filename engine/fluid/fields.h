@@ -18,7 +18,7 @@ inline field::Grid grid_of(const Lattice& lattice, std::span<const float> sample
     field::Grid grid{.first = samples.data() + lattice.at(-ghosts, -ghosts, -ghosts),
                      .stride = lattice.stride,
                      .origin = lattice.h * (first - vec3(ghosts)),
-                     .spacing = lattice.h,
+                     .spacing = vec3(lattice.h),
                      .kernel = kernel};
     for (std::size_t axis = 0; axis < 3; ++axis) grid.count[axis] = lattice.cells[axis] + 2 * ghosts;
     return grid;

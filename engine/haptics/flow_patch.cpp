@@ -17,7 +17,8 @@ struct Between {
 using AxisOfNodes = std::array<Between, flow_nodes>;
 
 bool has_samples(const field::Grid& grid) {
-    return grid.first != nullptr && *std::ranges::min_element(grid.count) >= 1 && grid.spacing > 0;
+    return grid.first != nullptr && *std::ranges::min_element(grid.count) >= 1 &&
+           glm::all(glm::greaterThan(grid.spacing, vec3(0)));
 }
 
 AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node, double node_spacing) {
@@ -25,7 +26,7 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     AxisOfNodes nodes;
     for (int n = 0; n < flow_nodes; ++n) {
         const double off = first_node + n * node_spacing - grid.origin[static_cast<int>(axis)];
-        const double x = std::clamp(off / grid.spacing, 0.0, last);
+        const double x = std::clamp(off / grid.spacing[static_cast<int>(axis)], 0.0, last);
         const auto low = static_cast<std::ptrdiff_t>(std::max(0.0, std::min(std::floor(x), last - 1)));
         const std::ptrdiff_t step = last > 0 ? grid.stride[axis] : 0;
         nodes[static_cast<std::size_t>(n)] = {low * grid.stride[axis], low * grid.stride[axis] + step,
@@ -112,9 +113,9 @@ FlowPatch patch_of(const FlowSource& source, vec3 middle) noexcept {
     const field::Grid& lattice = source.velocity.component[0];
     FlowPatch patch;
     if (!has_samples(lattice) || !is_finite(middle)) return patch;
-    patch.spacing = lattice.spacing;
-    const vec3 cell = glm::floor((middle - lattice.origin) / lattice.spacing);
-    patch.origin = lattice.origin + lattice.spacing * (cell - vec3(1));
+    patch.spacing = std::min({lattice.spacing.x, lattice.spacing.y, lattice.spacing.z});
+    const vec3 cell = glm::floor((middle - lattice.origin) / patch.spacing);
+    patch.origin = lattice.origin + patch.spacing * (cell - vec3(1));
     if (!is_finite(patch.origin)) return {};
     std::array<NodeValues, 3> velocity{};
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -62,7 +62,7 @@ struct FlowSource {
     std::array<FlowSubstance, flow_substances> substances{};
 };
 
-/// Takes a patch with the spacing of the velocity's samples. `middle` (m) lies in its middle cell. The patch
+/// Takes a patch with the spacing of the velocity's samples (their smallest one along any axis). `middle` (m) lies in its middle cell. The patch
 /// is empty if `middle` is not finite or the velocity has no samples.
 FlowPatch patch_of(const FlowSource& source, vec3 middle) noexcept;
 

@@ -24,7 +24,7 @@ struct Stored {
     Grid grid;
 };
 
-Stored stored(std::array<int, 3> count, vec3 origin, double spacing, Kernel kernel,
+Stored stored(std::array<int, 3> count, vec3 origin, vec3 spacing, Kernel kernel,
               const std::function<double(vec3)>& value) {
     const std::ptrdiff_t row = count[0] + 1, plane = row * count[1];
     Stored result{
@@ -46,7 +46,7 @@ vec3 random_place(Random& random, vec3 low, vec3 high) {
     return {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
 }
 
-/// Polynomial of degree 1 or 2 along each axis, with all products. Its values at multiples of 1/4 are exact
+/// Polynomial of degree 1 or 2 along each axis, with all products. Its values at multiples of 1/8 are exact
 /// in float.
 Scalar polynomial(int degree, vec3 p) {
     const bool square = degree == 2;
@@ -68,10 +68,10 @@ TEST(FieldAccuracy, PolynomialsOfTheDegreePromisedAreExactUpToTheOutermostSample
     for (const Kernel kernel : kernels) {
         const int degree = kernel == Kernel::catmull_rom ? 2 : 1;
         for (const std::array<int, 3> count : {std::array{7, 4, 5}, std::array{3, 3, 3}}) {
-            const vec3 origin(-0.5, 1, 0.25);
+            const vec3 origin(-0.5, 1, 0.25), spacing(0.25, 0.5, 0.125);
             const Stored s =
-                stored(count, origin, 0.25, kernel, [&](vec3 p) { return polynomial(degree, p).value; });
-            const vec3 end = origin + 0.25 * vec3(count[0] - 1, count[1] - 1, count[2] - 1);
+                stored(count, origin, spacing, kernel, [&](vec3 p) { return polynomial(degree, p).value; });
+            const vec3 end = origin + spacing * vec3(count[0] - 1, count[1] - 1, count[2] - 1);
             for (int i = 0; i < 200; ++i) {
                 const vec3 place = random_place(random, origin, end);
                 expect_same(s.grid(place), polynomial(degree, place), 1e-12, place);
@@ -94,7 +94,8 @@ struct Errors {
 
 /// Root mean square errors over the unit box.
 Errors errors_of(int n, Kernel kernel) {
-    const Stored s = stored({n + 1, n + 1, n + 1}, {}, 1.0 / n, kernel, [](vec3 p) { return wave(p).value; });
+    const Stored s =
+        stored({n + 1, n + 1, n + 1}, {}, vec3(1.0 / n), kernel, [](vec3 p) { return wave(p).value; });
     Random random = random_stream(2, 2);
     Errors sum;
     constexpr int places = 4000;
@@ -125,7 +126,8 @@ TEST(FieldAccuracy, KernelsConvergeInTheOrdersPromised) {
 TEST(FieldAccuracy, TheGradientIsTheValues) {
     Random random = random_stream(3, 3);
     for (const Kernel kernel : kernels) {
-        const Stored s = stored({6, 7, 5}, {}, 0.5, kernel, [&](vec3) { return random.uniform(-1, 1); });
+        const Stored s =
+            stored({6, 7, 5}, {}, vec3(0.5), kernel, [&](vec3) { return random.uniform(-1, 1); });
         for (int i = 0; i < 300; ++i) {
             const vec3 place = random_place(random, vec3(0), {2.5, 3, 2});
             const Scalar here = s.grid(place);
@@ -144,7 +146,8 @@ TEST(FieldAccuracy, TheGradientIsTheValues) {
 TEST(FieldAccuracy, NothingJumpsBetweenCellsButTheLinearGradient) {
     Random random = random_stream(4, 4);
     for (const Kernel kernel : kernels) {
-        const Stored s = stored({6, 7, 5}, {}, 0.5, kernel, [&](vec3) { return random.uniform(-1, 1); });
+        const Stored s =
+            stored({6, 7, 5}, {}, vec3(0.5), kernel, [&](vec3) { return random.uniform(-1, 1); });
         double most = 0;
         for (int i = 0; i < 300; ++i) {
             vec3 place = random_place(random, vec3(0), {2.5, 3, 2});
@@ -166,7 +169,7 @@ TEST(FieldAccuracy, NothingJumpsBetweenCellsButTheLinearGradient) {
 
 TEST(Field, PlacesOutsideTakeTheNearestValue) {
     const Stored s =
-        stored({5, 5, 5}, {1, 1, 1}, 0.5, Kernel::catmull_rom, [](vec3 p) { return wave(p).value; });
+        stored({5, 5, 5}, {1, 1, 1}, vec3(0.5), Kernel::catmull_rom, [](vec3 p) { return wave(p).value; });
     const auto same = [&](vec3 outside, vec3 nearest) {
         expect_same(s.grid(outside), s.grid(nearest), 0, outside);
     };
@@ -179,7 +182,7 @@ TEST(Field, PlacesOutsideTakeTheNearestValue) {
 TEST(Field, NaNAndMissingSamplesGiveZeros) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr double endless = std::numeric_limits<double>::infinity();
-    const Stored s = stored({5, 5, 5}, {}, 0.5, Kernel::linear, [](vec3) { return 3; });
+    const Stored s = stored({5, 5, 5}, {}, vec3(0.5), Kernel::linear, [](vec3) { return 3; });
     EXPECT_EQ(s.grid({1, 1, 1}).value, 3);
     for (const vec3 place : {vec3(none, 1, 1), vec3(1, endless, 1), vec3(1, 1, -endless)}) {
         EXPECT_EQ(s.grid(place).value, 0);
@@ -194,7 +197,7 @@ TEST(Field, NaNAndMissingSamplesGiveZeros) {
 
 TEST(Field, OneSampleIsAConstantAndTwoALine) {
     for (const Kernel kernel : kernels) {
-        const Stored s = stored({1, 2, 4}, {}, 1, kernel, [](vec3 p) { return 2 + 3 * p.y - p.z; });
+        const Stored s = stored({1, 2, 4}, {}, vec3(1), kernel, [](vec3 p) { return 2 + 3 * p.y - p.z; });
         expect_same(s.grid({0.7, 0.25, 1.5}), {2 + 0.75 - 1.5, {0, 3, -1}}, 1e-12, {});
     }
 }
@@ -219,7 +222,7 @@ TEST(FieldVector, FormulasAndSamplesAreReadAlike) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         vec3 origin(0.25);
         origin[static_cast<int>(axis)] = 0;
-        components[axis] = stored({5, 6, 4}, origin, 0.5, Kernel::catmull_rom,
+        components[axis] = stored({5, 6, 4}, origin, vec3(0.5), Kernel::catmull_rom,
                                   [&](vec3 p) { return whirl(p).value[static_cast<int>(axis)]; });
         grids.component[axis] = components[axis].grid;
     }
