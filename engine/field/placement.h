@@ -1,0 +1,61 @@
+// field/placement.h: where a volume lies in its parent frame, and fields read through a placement.
+//
+//     place in the parent = origin + turn * (scale * place in the volume)
+//
+// A volume, its feel and its picture use one placement, so all three move, turn and grow together. The same
+// point has the same value in both frames. Derivatives are in the frame of the reader: a volume of twice the
+// size has half the gradient. A vector value turns with the volume but does not grow with it, because a
+// velocity in m/s is no length.
+//
+// Functions are plain and do not allocate. Lengths are in m.
+#pragma once
+#include "field/field.h"
+
+namespace thaum::field {
+
+/// Rigid motion and uniform scale of a frame.
+struct Placement {
+    vec3 origin{};      ///< place of the volume's origin (m, parent frame)
+    mat3 turn{1.0};     ///< rotation from the volume's frame to the parent's; orthonormal
+    double scale{1.0};  ///< length in the parent for each length in the volume, > 0
+};
+
+inline vec3 to_parent(const Placement& p, vec3 place) { return p.origin + p.turn * (p.scale * place); }
+
+/// Inverse of `to_parent`.
+inline vec3 to_own(const Placement& p, vec3 place) { return ((place - p.origin) * p.turn) / p.scale; }
+
+/// Placement of a part in the frame outside, if the part lies at `inner` in a frame that lies at `outer`.
+inline Placement combined(const Placement& outer, const Placement& inner) {
+    return {to_parent(outer, inner.origin), outer.turn * inner.turn, outer.scale * inner.scale};
+}
+
+/// Expresses a sample taken in the volume's frame in the parent's frame.
+inline Scalar to_parent(const Placement& p, const Scalar& own) {
+    return {own.value, p.turn * own.gradient / p.scale};
+}
+
+inline Vector to_parent(const Placement& p, const Vector& own) {
+    Vector result{p.turn * own.value, {}};
+    for (int row = 0; row < 3; ++row) {
+        vec3 sum(0);
+        for (int a = 0; a < 3; ++a) sum += p.turn[a][row] * own.gradient[static_cast<std::size_t>(a)];
+        result.gradient[static_cast<std::size_t>(row)] = p.turn * sum / p.scale;
+    }
+    return result;
+}
+
+/// A field read in the parent's frame. Can be called, so `field_of<Sample>(placed)` makes a field of it.
+template <class Sample>
+struct Placed {
+    Field<Sample> field{};  ///< field in the volume's frame
+    Placement placement{};
+
+    /// Zeros if the scale is not above 0 or no field is set.
+    Sample operator()(vec3 place) const {
+        if (field.read == nullptr || !(placement.scale > 0)) return {};
+        return to_parent(placement, field(to_own(placement, place)));
+    }
+};
+
+}  // namespace thaum::field
