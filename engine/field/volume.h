@@ -1,0 +1,81 @@
+// field/volume.h: samples of a quantity in memory, as files and generators give them, and views of them as
+// fields.
+//
+//     file (field/volume_file.h) --.
+//     formula (sampled, here) -----+--> Volume --> grid(), vector_grid() --> Placed --> field in the world
+//     generator (make_volume) -----'
+//
+// Volume's frame: its origin is the middle of the box that the samples span, and its axes are those of the
+// samples. The placement takes it to the frame of the file or of the world. Samples are floats, which hold
+// every integer of 8 or 16 bits exactly.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "field/field.h"
+#include "field/placement.h"
+
+namespace thaum::field {
+
+/// Type of a sample in a file.
+enum class SampleType : std::uint8_t { int8, uint8, int16, uint16, float32 };
+
+/// Largest number of samples times components of a volume that is read or made: 512 along each axis.
+inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
+
+struct Volume {
+    std::array<int, 3> count{};                 ///< samples along each axis
+    vec3 spacing{1e-3};                         ///< distance between samples along each axis, > 0 (m)
+    Placement placement{};                      ///< from the volume's frame to the parent's
+    int components{1};                          ///< 1: scalar; 3: vector
+    SampleType stored_as{SampleType::float32};  ///< type in which a file stores the samples
+    /// Component c of sample (i, j, k) is samples[c + components (i + count[0] (j + count[1] k))].
+    std::vector<float> samples{};
+    std::string name{};   ///< what the volume shows, for lists; may be empty
+    std::string units{};  ///< unit of the samples, such as "HU"; may be empty
+
+    /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
+    Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;
+    /// View of a vector volume as a field in the volume's frame. A scalar volume gives zeros.
+    StaggeredGrid vector_grid(Kernel kernel = Kernel::catmull_rom) const;
+    /// Distance between the outermost samples along each axis (m).
+    vec3 extent() const { return spacing * (vec3(count[0], count[1], count[2]) - vec3(1)); }
+    /// Place of sample (i, j, k) in the volume's frame (m).
+    vec3 place(int i, int j, int k) const { return spacing * vec3(i, j, k) - 0.5 * extent(); }
+};
+
+/// Smallest and largest finite sample of a volume; (0, 0) if there is none.
+struct SampleRange {
+    float low{}, high{};
+};
+SampleRange range_of(const Volume& volume);
+
+/// Samples a field at count[0] x count[1] x count[2] places about its origin.
+Volume sampled(const ScalarField& field, std::array<int, 3> count, vec3 spacing);
+Volume sampled(const VectorField& field, std::array<int, 3> count, vec3 spacing);
+
+/// Samples a body as a scanner does, in 8 bits: each sample is 255 times the share of the box around it in
+/// which `depth` (m) is above 0. The share is counted at 4 x 4 x 4 places. `depth` must not change faster
+/// than 1 m per m.
+Volume scanned(const ScalarField& depth, std::array<int, 3> count, vec3 spacing);
+
+/// Length of the longest side of a volume that `make_volume` makes (m).
+inline constexpr double made_extent = 0.2;
+
+/// Names of all volumes that `make_volume` makes.
+std::span<const std::string_view> volume_names();
+
+/// Makes a volume of `count` samples along each axis, 2 to 512. Names:
+///     sphere     scalar: a ball of 0.4 extents, as a scanner sees it, 0 to 255
+///     gyroid     scalar: two periods of a gyroid, placed by the seed, -1.5 to 1.5
+///     vortices   vector: three vortices and noise, from the seed (m/s)
+///     beltrami   vector: a flow along its own curl, one period (m/s)
+/// The error names a name or a count that is wrong.
+Expected<Volume> make_volume(std::string_view name, int count, std::uint64_t seed);
+
+}  // namespace thaum::field

@@ -1,0 +1,92 @@
+// Tests of volumes in memory and of the procedural ones.
+#include "field/volume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "field/analytic.h"
+
+namespace thaum::field {
+namespace {
+
+TEST(Volume, TheOriginOfItsFrameIsTheMiddleOfItsSamples) {
+    Volume v{.count = {3, 2, 4}, .spacing = {0.5, 2, 0.25}, .components = 3};
+    for (int n = 0; n < 3 * 2 * 4; ++n) {
+        for (int c = 0; c < 3; ++c) v.samples.push_back(static_cast<float>(100 * c + n));
+    }
+    EXPECT_EQ(v.extent(), vec3(1, 2, 0.75));
+    EXPECT_EQ(v.place(0, 0, 0), vec3(-0.5, -1, -0.375));
+    EXPECT_EQ(v.place(2, 1, 3), vec3(0.5, 1, 0.375));
+    for (const Kernel kernel : {Kernel::linear, Kernel::catmull_rom}) {
+        const StaggeredGrid grid = v.vector_grid(kernel);
+        for (int k = 0; k < 4; ++k) {
+            for (int j = 0; j < 2; ++j) {
+                for (int i = 0; i < 3; ++i) {
+                    const int n = i + 3 * (j + 2 * k);
+                    EXPECT_EQ(grid(v.place(i, j, k)).value, vec3(n, 100 + n, 200 + n));
+                    EXPECT_EQ(v.grid(kernel, 2)(v.place(i, j, k)).value, 200 + n);
+                }
+            }
+        }
+    }
+}
+
+TEST(Volume, MissingComponentsReadAsZero) {
+    const Volume v{.count = {1, 1, 1}, .samples = {7}};
+    EXPECT_EQ(v.grid()(vec3(3)).value, 7);
+    EXPECT_EQ(v.grid(Kernel::linear, 1)(vec3(0)).value, 0);
+    EXPECT_EQ(v.grid(Kernel::linear, -1)(vec3(0)).value, 0);
+    EXPECT_EQ(v.vector_grid()(vec3(0)).value, vec3(0));
+    EXPECT_EQ(Volume{}.grid()(vec3(0)).value, 0);
+}
+
+TEST(Volume, ItsRangeIgnoresSamplesThatAreNoNumbers) {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    const Volume v{.count = {5, 1, 1}, .samples = {none, 3, -2, HUGE_VALF, 1}};
+    EXPECT_EQ(range_of(v).low, -2);
+    EXPECT_EQ(range_of(v).high, 3);
+    EXPECT_EQ(range_of(Volume{.count = {1, 1, 1}, .samples = {none}}).high, 0);
+}
+
+TEST(Volume, AScanHoldsTheVolumeOfTheBody) {
+    const double radius = 0.07;
+    const Sphere sphere{.radius = radius};
+    const Volume v = scanned(field_of<Scalar>(sphere), {32, 24, 40}, {0.006, 0.008, 0.005});
+    double sum = 0;
+    for (const float sample : v.samples) {
+        sum += sample / 255;
+        EXPECT_EQ(sample, std::round(sample));
+    }
+    const double exact = 4.0 / 3 * pi * radius * radius * radius;
+    EXPECT_NEAR(sum * 0.006 * 0.008 * 0.005, exact, 0.002 * exact);
+    EXPECT_EQ(range_of(v).low, 0);
+    EXPECT_EQ(range_of(v).high, 255);
+    EXPECT_EQ(v.stored_as, SampleType::uint8);
+}
+
+TEST(MadeVolume, EveryNameMakesAVolumeThatTheSeedRepeats) {
+    for (const std::string_view name : volume_names()) {
+        const auto a = make_volume(name, 12, 1), again = make_volume(name, 12, 1);
+        ASSERT_TRUE(a && again) << name;
+        EXPECT_EQ(a->name, name);
+        EXPECT_EQ(a->samples, again->samples) << name;
+        EXPECT_EQ(a->samples.size(), static_cast<std::size_t>(12 * 12 * 12 * a->components));
+        EXPECT_NEAR(a->extent().x, made_extent, 1e-15);
+        EXPECT_LT(range_of(*a).low, range_of(*a).high) << name;
+    }
+    for (const std::string_view name : {"gyroid", "vortices"})
+        EXPECT_NE(make_volume(name, 12, 1)->samples, make_volume(name, 12, 2)->samples) << name;
+}
+
+TEST(MadeVolume, WrongNamesAndSizesAreRefusedInOneLine) {
+    EXPECT_EQ(make_volume("cube", 12, 1).error().message,
+              "no volume is called 'cube'; there are: sphere, gyroid, vortices, beltrami");
+    for (const int count : {-1, 0, 1, 513, 2'000'000'000})
+        EXPECT_NE(make_volume("sphere", count, 1).error().message.find("2 to 512"), std::string::npos);
+    EXPECT_NE(make_volume("vortices", 512, 1).error().message.find("too large"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace thaum::field
