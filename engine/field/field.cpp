@@ -6,6 +6,18 @@
 namespace thaum::field {
 namespace {
 
+/// A position between the first and the last sample along an axis, counted in samples.
+struct Cell {
+    int low{};   ///< number of the sample at or below the position
+    double t{};  ///< distance from that sample, within [0, 1]
+};
+
+Cell cell_at(double x, int count) {
+    x = std::clamp(x, 0.0, static_cast<double>(count - 1));
+    const int low = std::min(static_cast<int>(x), count - 2);
+    return {low, x - low};
+}
+
 /// Up to four samples along an axis, with their weights for the value and the slope.
 struct Taps {
     std::array<std::ptrdiff_t, 4> offset{};
@@ -46,9 +58,7 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.value[0] = 1;
         return taps;
     }
-    x = std::clamp(x, 0.0, static_cast<double>(count - 1));
-    const int low = std::min(static_cast<int>(x), count - 2);
-    const double t = x - low;
+    const auto [low, t] = cell_at(x, count);
     if (kernel == Kernel::linear || count == 2) {
         taps.count = 2;
         taps.offset = {low * stride, (low + 1) * stride};
@@ -70,10 +80,51 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
     return taps;
 }
 
+/// Value between the eight samples around `at`, which is counted in samples. In the order of additions of
+/// Grid::operator(), so that both give the same bits. Needs two samples along each axis.
+double trilinear(const Grid& grid, vec3 at) {
+    const Cell x = cell_at(at.x, grid.count[0]), y = cell_at(at.y, grid.count[1]);
+    const Cell z = cell_at(at.z, grid.count[2]);
+    const float* low =
+        grid.first + (z.low * grid.stride[2] + y.low * grid.stride[1] + x.low * grid.stride[0]);
+    const float* high = low + grid.stride[2];
+    const auto along = [&](const float* row) { return (1 - x.t) * row[0] + x.t * row[grid.stride[0]]; };
+    const auto across = [&](const float* plane) {
+        return (1 - y.t) * along(plane) + y.t * along(plane + grid.stride[1]);
+    };
+    return (1 - z.t) * across(low) + z.t * across(high);
+}
+
+bool can_read(const Grid& grid, vec3 place) {
+    return grid.first != nullptr && *std::ranges::min_element(grid.count) >= 1 && is_finite(place);
+}
+
 }  // namespace
 
+double Grid::value(vec3 place) const {
+    if (!can_read(*this, place)) return 0;
+    const vec3 at = (place - origin) / spacing;
+    if (kernel == Kernel::linear && *std::ranges::min_element(count) >= 2) return trilinear(*this, at);
+    const Taps x = taps_at(at.x, count[0], stride[0], 1, kernel);
+    const Taps y = taps_at(at.y, count[1], stride[1], 1, kernel);
+    const Taps z = taps_at(at.z, count[2], stride[2], 1, kernel);
+    double result = 0;
+    for (std::size_t k = 0; k < z.count; ++k) {
+        double across = 0;
+        for (std::size_t j = 0; j < y.count; ++j) {
+            const float* row = first + (z.offset[k] + y.offset[j]);
+            double along = 0;
+            for (std::size_t i = 0; i < x.count; ++i)
+                along += x.value[i] * static_cast<double>(row[x.offset[i]]);
+            across += y.value[j] * along;
+        }
+        result += z.value[k] * across;
+    }
+    return result;
+}
+
 Scalar Grid::operator()(vec3 place) const {
-    if (first == nullptr || *std::ranges::min_element(count) < 1 || !is_finite(place)) return {};
+    if (!can_read(*this, place)) return {};
     const vec3 at = (place - origin) / spacing;
     const vec3 per_metre = 1.0 / spacing;
     const Taps x = taps_at(at.x, count[0], stride[0], per_metre.x, kernel);

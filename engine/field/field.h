@@ -80,6 +80,8 @@ struct Grid {
     Kernel kernel{Kernel::catmull_rom};
 
     Scalar operator()(vec3 place) const;
+    /// The same value, to the last bit, without the gradient and in less time.
+    double value(vec3 place) const;
 };
 
 /// A vector field with one grid per component. The grids may be staggered on cell faces, as in a flow, or
@@ -88,6 +90,10 @@ struct StaggeredGrid {
     std::array<Grid, 3> component{};
 
     Vector operator()(vec3 place) const;
+    /// The same value without the gradient.
+    vec3 value(vec3 place) const {
+        return {component[0].value(place), component[1].value(place), component[2].value(place)};
+    }
 };
 
 }  // namespace thaum::field

@@ -195,6 +195,23 @@ TEST(Field, NaNAndMissingSamplesGiveZeros) {
     EXPECT_EQ(flat({1, 1, 1}).value, 0);
 }
 
+TEST(Field, TheValueAloneHasTheSameBits) {
+    Random random = random_stream(5, 5);
+    for (const Kernel kernel : kernels) {
+        for (const std::array<int, 3> count :
+             {std::array{6, 7, 5}, std::array{2, 2, 2}, std::array{1, 3, 2}}) {
+            const Stored s = stored(count, {0.1, 0.2, 0.3}, {0.5, 0.3, 0.7}, kernel,
+                                    [&](vec3) { return random.uniform(-1, 1); });
+            for (int i = 0; i < 300; ++i) {
+                const vec3 place = random_place(random, vec3(-1), vec3(4));
+                EXPECT_EQ(s.grid.value(place), s.grid(place).value);
+            }
+            EXPECT_EQ(s.grid.value(vec3(HUGE_VAL)), 0);
+        }
+    }
+    EXPECT_EQ(Grid{}.value({1, 1, 1}), 0);
+}
+
 TEST(Field, OneSampleIsAConstantAndTwoALine) {
     for (const Kernel kernel : kernels) {
         const Stored s = stored({1, 2, 4}, {}, vec3(1), kernel, [](vec3 p) { return 2 + 3 * p.y - p.z; });
