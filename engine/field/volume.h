@@ -7,7 +7,7 @@
 //
 // Volume's frame: its origin is the middle of the box that the samples span, and its axes are those of the
 // samples. The placement takes it to the frame of the file or of the world. Samples are floats, which hold
-// every integer of 8 or 16 bits exactly.
+// every integer of 8 or 16 bits exactly and round a double.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@
 namespace thaum::field {
 
 /// Type of a sample in a file.
-enum class SampleType : std::uint8_t { int8, uint8, int16, uint16, float32 };
+enum class SampleType : std::uint8_t { int8, uint8, int16, uint16, float32, float64 };
 
 /// Largest number of samples times components of a volume that is read or made: 512 along each axis.
 inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
@@ -38,6 +38,8 @@ struct Volume {
     std::vector<float> samples{};
     std::string name{};   ///< what the volume shows, for lists; may be empty
     std::string units{};  ///< unit of the samples, such as "HU"; may be empty
+    /// The axes of the parent frame point to a patient's left, back and head, as a medical file says.
+    bool is_of_patient{false};
 
     /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
     Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;

@@ -11,10 +11,6 @@ namespace thaum::app {
 /// Largest file, and largest text after unpacking (bytes).
 inline constexpr std::size_t most_stroke_bytes = std::size_t{1} << 30U;
 
-/// Unpacks a gzip file, which may have several members. The error says what is wrong: not gzip, cut off, damaged, or
-/// larger than `limit` bytes unpacked.
-Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
-
 /// Reads a text file. A file that starts as gzip does is unpacked, whatever its name.
 Expected<std::string> load_text(const std::filesystem::path& path);
 

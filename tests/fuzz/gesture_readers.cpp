@@ -1,12 +1,13 @@
 // Readers of strokes, gestures and networks. What is accepted must be recognised without a fault.
 #include <cmath>
 
+#include "core/gzip.h"
 #include "core/text.h"
 #include "fuzz/fuzz.h"
-#include "game/app/stroke_files.h"
 #include "game/match/own_gestures.h"
 #include "gesture/gesture_file.h"
 #include "gesture/recogniser.h"
+#include "gesture/stroke_csv.h"
 #include "gesture/stroke_networks.h"
 
 namespace thaum::fuzz {
@@ -79,7 +80,7 @@ Outcome read_network_file(const std::string& input, const Places&) {
 
 Outcome read_gzip(const std::string& input, const Places&) {
     const auto bytes = std::as_bytes(std::span(input.data(), input.size()));
-    const auto unpacked = app::unpack_gzip(bytes, 1U << 16U);
+    const auto unpacked = unpack_gzip(bytes, 1U << 16U);
     if (!unpacked) return {.refusal = unpacked.error().message};
     return {.accepted = true};
 }

@@ -1,9 +1,8 @@
 // Files of strokes, sessions, labels and gestures: what is read, and how faults are told.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
-#include "game/app/stroke_files.h"
 #include "gesture/gesture_file.h"
+#include "gesture/stroke_csv.h"
 #include "gesture/stroke_recorder.h"
 #include "unit/gesture_shapes.h"
 
@@ -132,40 +131,6 @@ TEST(GestureFile, FaultsNameTheColumn) {
     EXPECT_NE(gesture_fault("t = [1, 0]\nx = [0, 1]\ny = [0, 1]\n").find("backwards"), std::string::npos);
     EXPECT_NE(gesture_fault("t = [0]\nx = [0]\ny = [0]\n").find("two points"), std::string::npos);
     EXPECT_NE(gesture_fault("t = [0, nan]\nx = [0, 1]\ny = [0, 1]\n"), "none");
-}
-
-std::string gzipped(std::string words) {
-    z_stream stream{};
-    EXPECT_EQ(deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY), Z_OK);
-    std::string out(words.size() + 1000, '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(words.data());
-    stream.avail_in = static_cast<uInt>(words.size());
-    stream.next_out = reinterpret_cast<Bytef*>(out.data());
-    stream.avail_out = static_cast<uInt>(out.size());
-    EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
-    out = out.substr(0, out.size() - stream.avail_out);
-    deflateEnd(&stream);
-    return out;
-}
-
-Expected<std::string> unpacked(std::string_view packed, std::size_t limit = 1U << 20U) {
-    return app::unpack_gzip(std::as_bytes(std::span(packed.data(), packed.size())), limit);
-}
-
-TEST(GestureGzip, UnpacksOneMemberOrSeveral) {
-    const std::string words(300'000, 'x');
-    EXPECT_EQ(unpacked(gzipped(words)).value_or(""), words);
-    EXPECT_EQ(unpacked(gzipped(words) + gzipped("end")).value_or(""), words + "end");
-}
-
-TEST(GestureGzip, RefusesWhatIsCutOffDamagedOrTooLarge) {
-    auto packed = gzipped(std::string(300'000, 'x'));
-    EXPECT_FALSE(unpacked(packed, 299'999));
-    EXPECT_TRUE(unpacked(packed, 300'000));
-    for (std::size_t length = 0; length < packed.size(); length += 7)
-        EXPECT_FALSE(unpacked(std::string_view(packed).substr(0, length))) << length;
-    packed[packed.size() - 6] ^= 1;  // checksum
-    EXPECT_FALSE(unpacked(packed));
 }
 
 }  // namespace

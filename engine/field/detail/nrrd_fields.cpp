@@ -1,0 +1,251 @@
+#include "field/detail/nrrd_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/one_line.h"
+#include "core/text.h"
+
+namespace thaum::field {
+namespace {
+
+constexpr std::size_t longest_header = 1U << 16U;
+constexpr std::size_t shown = 60;  ///< bytes of a value in a message
+constexpr std::string_view magic = "NRRD000";
+
+/// Fields of the format, without blanks, that are read or skipped.
+constexpr std::array<std::string_view, 31> known_fields{"type",
+                                                        "dimension",
+                                                        "sizes",
+                                                        "encoding",
+                                                        "endian",
+                                                        "spacings",
+                                                        "units",
+                                                        "kinds",
+                                                        "space",
+                                                        "spacedimension",
+                                                        "spacedirections",
+                                                        "spaceorigin",
+                                                        "spaceunits",
+                                                        "content",
+                                                        "datafile",
+                                                        "byteskip",
+                                                        "measurementframe",
+                                                        "sampleunits",
+                                                        "blocksize",
+                                                        "number",
+                                                        "min",
+                                                        "max",
+                                                        "oldmin",
+                                                        "oldmax",
+                                                        "thicknesses",
+                                                        "axismins",
+                                                        "axismaxs",
+                                                        "labels",
+                                                        "centers",
+                                                        "centerings",
+                                                        "lineskip"};
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
+    while (!s.empty() && (is_blank(s.back()) || s.back() == '\r')) s.remove_suffix(1);
+    return s;
+}
+
+/// "Data File" -> "datafile".
+std::string without_blanks(std::string_view name) {
+    std::string out;
+    for (const char c : name) {
+        if (!is_blank(c)) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return out;
+}
+
+std::vector<std::string_view> split(std::string_view s) {
+    std::vector<std::string_view> words;
+    while (!(s = trimmed(s)).empty()) {
+        const std::size_t end = std::min(s.find_first_of(" \t"), s.size());
+        words.push_back(s.substr(0, end));
+        s.remove_prefix(end);
+    }
+    return words;
+}
+
+double number_of(std::string_view word) {
+    word = trimmed(word);
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
+    return whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Takes "none" or "(x,y,z)" from the front. Returns false if the text begins with neither.
+bool take_vector(std::string_view& s, std::optional<vec3>& out) {
+    s = trimmed(s);
+    if (s.starts_with("none")) {
+        s.remove_prefix(4);
+        return true;
+    }
+    const std::size_t end = s.find(')');
+    if (!s.starts_with('(') || end == std::string_view::npos) return false;
+    std::string_view inner = s.substr(1, end - 1);
+    s.remove_prefix(end + 1);
+    vec3 v(0);
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = i < 2 ? inner.find(',') : inner.size();
+        if (comma == std::string_view::npos) return false;
+        v[i] = number_of(inner.substr(0, comma));
+        inner.remove_prefix(std::min(inner.size(), comma + 1));
+    }
+    out = v;
+    return is_finite(v);
+}
+
+}  // namespace
+
+Error NrrdFields::at_line(std::size_t number, std::string_view message) const {
+    return {in_one_line(text(name_, ":", number, ": ", message))};
+}
+
+Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
+    if (line.starts_with('#')) return {};
+    const std::size_t colon = line.find(':');
+    const bool is_field = colon != std::string_view::npos && colon > 0;
+    if (is_field && line.substr(colon).starts_with(":=")) return {};
+    if (!is_field)
+        return tl::unexpected(at_line(
+            number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'")));
+    const std::string field = without_blanks(line.substr(0, colon));
+    if (std::ranges::find(known_fields, field) == known_fields.end())
+        return tl::unexpected(
+            at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'")));
+    const bool added =
+        fields_.emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number}).second;
+    if (!added)
+        return tl::unexpected(at_line(number, text("field '", field, "' stands in the header twice")));
+    return {};
+}
+
+Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) {
+    NrrdFields result(std::move(name));
+    if (!file.starts_with(magic) || file.size() <= magic.size())
+        return fail(text(result.name_, ": not an NRRD file, which begins with ", magic));
+    if (file[magic.size()] < '1' || file[magic.size()] > '5')
+        return fail(
+            text(result.name_, ": a version of NRRD that is not known; convert the file to NRRD0005"));
+    std::size_t at = 0, number = 1;
+    for (;; ++number) {
+        const std::size_t end = std::min(file.find('\n', at), file.size());
+        if (end > longest_header)
+            return fail(text(result.name_, ": the header is longer than ", longest_header, " bytes"));
+        std::string_view line = file.substr(at, end - at);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.empty() && end < file.size()) {
+            result.end_ = end + 1;
+            return result;
+        }
+        if (number > 1 && !line.empty()) {
+            if (auto added = result.add(line, number); !added) return tl::unexpected(added.error());
+        }
+        if (end == file.size()) return result;
+        at = end + 1;
+    }
+}
+
+std::string_view NrrdFields::text_of(std::string_view field) const {
+    const auto found = fields_.find(field);
+    return found == fields_.end() ? std::string_view() : found->second.value;
+}
+
+void NrrdFields::report(std::string_view field, std::string_view message) {
+    if (fault_) return;
+    const auto found = fields_.find(field);
+    if (found == fields_.end()) {
+        fault_ = Error{in_one_line(text(name_, ": the header has no field '", field, "'; ", message))};
+    } else {
+        fault_ = at_line(found->second.number, text("field '", field, "': ", message));
+    }
+}
+
+Expected<void> NrrdFields::check() const {
+    if (fault_) return tl::unexpected(*fault_);
+    return {};
+}
+
+long NrrdFields::integer(std::string_view field, long low, long high, long fallback) {
+    if (!has(field)) return fallback;
+    const std::string_view value = text_of(field);
+    long number = 0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error == std::errc() && end == value.data() + value.size() && number >= low && number <= high)
+        return number;
+    report(field, text("'", printable(value, shown), "' is not a whole number from ", low, " to ", high));
+    return fallback;
+}
+
+std::vector<std::string_view> NrrdFields::words(std::string_view field) const {
+    return split(text_of(field));
+}
+
+std::vector<double> NrrdFields::numbers(std::string_view field, std::size_t count) {
+    std::vector<double> result;
+    for (const std::string_view word : words(field)) result.push_back(number_of(word));
+    if (result.size() != count)
+        report(field, text(result.size(), " numbers for ", count, " axes; give one for each axis"));
+    result.resize(count, std::numeric_limits<double>::quiet_NaN());
+    return result;
+}
+
+std::vector<std::string> NrrdFields::quoted(std::string_view field, std::size_t count) {
+    std::vector<std::string> result;
+    std::string_view rest = text_of(field);
+    while (!(rest = trimmed(rest)).empty()) {
+        const bool in_quotes = rest.starts_with('"');
+        if (in_quotes) rest.remove_prefix(1);
+        const std::size_t end = std::min(rest.find_first_of(in_quotes ? "\"" : " \t"), rest.size());
+        result.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(rest.size(), end + 1));
+    }
+    if (result.size() != count)
+        report(field, text(result.size(), " units for ", count, " axes; give one in quotes for each"));
+    result.resize(count);
+    return result;
+}
+
+std::vector<std::optional<vec3>> NrrdFields::vectors(std::string_view field, std::size_t count) {
+    std::vector<std::optional<vec3>> result;
+    std::string_view rest = text_of(field);
+    while (!(rest = trimmed(rest)).empty() && result.size() <= count) {
+        result.emplace_back();
+        if (!take_vector(rest, result.back())) {
+            report(field, text("'", printable(text_of(field), shown),
+                               "' does not consist of vectors of three numbers, such as (1,0,0)"));
+            break;
+        }
+    }
+    if (result.size() != count) report(field, text("not one vector for each of ", count, " axes"));
+    result.resize(count);
+    return result;
+}
+
+std::size_t NrrdFields::choice(std::string_view field, std::string_view names_for_message,
+                               const std::vector<std::vector<std::string_view>>& names) {
+    const std::string value(text_of(field));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::ranges::find(names[i], value) != names[i].end()) return i;
+    }
+    if (has(field)) {
+        report(field, text("'", printable(value, shown), "' cannot be read; convert to ", names_for_message));
+    } else {
+        report(field, text("it says ", names_for_message));
+    }
+    return 0;
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,250 @@
+#include "field/nrrd.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/file.h"
+#include "core/file_writer.h"
+#include "core/gzip.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "field/detail/nrrd_header.h"
+#include "field/detail/samples.h"
+
+namespace thaum::field {
+namespace {
+
+constexpr std::size_t most_header_bytes = 1U << 17U;
+/// Deflate packs at most 1032 bytes into one.
+constexpr std::size_t most_packed = 1040;
+/// Share of an axis across the others from which on it counts as turned, and from which on as skewed.
+constexpr double is_turned = 1e-6, is_skewed = 1e-3;
+
+using Path = std::filesystem::path;
+
+tl::unexpected<Error> fail_file(const Path& path, std::string_view message) {
+    return fail(in_one_line(text(path.string(), ": ", message)));
+}
+
+// ---- reading ----------------------------------------------------------------------------------------------
+
+/// How the axes of a file become those of a volume.
+struct Arrangement {
+    std::array<std::size_t, 3> from{0, 1, 2};  ///< axis of the file for each axis of the volume
+    std::array<bool, 3> is_reversed{};
+    vec3 spacing{};
+    mat3 turn{1.0};
+};
+
+/// Arrangement of axes that lie along those of space; std::nullopt: they do not.
+std::optional<Arrangement> along_space(const std::array<vec3, 3>& direction) {
+    Arrangement a;
+    std::array<bool, 3> used{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const vec3 d = direction[axis], size = glm::abs(d);
+        const int main = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+        const auto to = static_cast<std::size_t>(main);
+        vec3 rest = d;
+        rest[main] = 0;
+        if (used[to] || glm::length(rest) > is_turned * size[main]) return {};
+        used[to] = true;
+        a.from[to] = axis;
+        a.is_reversed[to] = d[main] < 0;
+        a.spacing[main] = size[main];
+    }
+    return a;
+}
+
+/// Arrangement of axes at right angles; std::nullopt: they are not.
+std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
+    Arrangement a;
+    std::array<vec3, 3> unit{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        a.spacing[static_cast<int>(axis)] = glm::length(direction[axis]);
+        unit[axis] = direction[axis] / a.spacing[static_cast<int>(axis)];
+    }
+    const double skew = std::max({std::abs(glm::dot(unit[0], unit[1])), std::abs(glm::dot(unit[1], unit[2])),
+                                  std::abs(glm::dot(unit[2], unit[0]))});
+    if (!(skew <= is_skewed)) return {};
+    const vec3 y = glm::normalize(unit[1] - glm::dot(unit[0], unit[1]) * unit[0]);
+    const vec3 z = glm::cross(unit[0], y);
+    a.turn = mat3(unit[0], y, z);
+    a.is_reversed[2] = glm::dot(z, unit[2]) < 0;
+    return a;
+}
+
+std::size_t promised_bytes(const NrrdHeader& header) {
+    std::size_t size = size_of(header.type) * static_cast<std::size_t>(header.components);
+    for (const int n : header.sizes) size *= static_cast<std::size_t>(n);
+    return size;
+}
+
+std::span<const std::byte> bytes_of(std::string_view s) { return std::as_bytes(std::span(s)); }
+
+/// The samples as bytes: a part of `data`, or unpacked from it into `unpacked`.
+Expected<std::span<const std::byte>> samples_of(const NrrdHeader& header, std::span<const std::byte> data,
+                                                const Path& path, std::string& unpacked) {
+    const std::size_t promised = promised_bytes(header);
+    if (header.packing == Packing::gzip) {
+        if (promised / most_packed > data.size())
+            return fail_file(path, text("the header promises ", promised, " bytes of samples, but ",
+                                        data.size(), " bytes cannot hold them; copy the file again"));
+        auto words = unpack_gzip(data, promised);
+        if (!words) return fail_file(path, words.error().message);
+        unpacked = std::move(*words);
+        data = bytes_of(unpacked);
+    } else if (header.skip >= 0) {
+        data = data.subspan(std::min(data.size(), static_cast<std::size_t>(header.skip)));
+    } else if (data.size() > promised) {
+        data = data.last(promised);
+    }
+    if (data.size() != promised)
+        return fail_file(path, text("the header promises ", promised, " bytes of samples, but there are ",
+                                    data.size(), "; correct the sizes or copy the file again"));
+    return data;
+}
+
+/// Turns vector values from the file's frame to the volume's. Values of the same frame keep their bits; turned
+/// integers are stored as floats from then on.
+void turn_values(const mat3& to_own, Volume& volume) {
+    bool same = true;
+    for (int i = 0; i < 3; ++i) same = same && glm::length(to_own[i] - mat3(1.0)[i]) < is_turned;
+    if (same) return;
+    if (volume.stored_as < SampleType::float32) volume.stored_as = SampleType::float32;
+    for (std::size_t at = 0; at + 3 <= volume.samples.size(); at += 3) {
+        const vec3 v = to_own * vec3(volume.samples[at], volume.samples[at + 1], volume.samples[at + 2]);
+        for (int i = 0; i < 3; ++i)
+            volume.samples[at + static_cast<std::size_t>(i)] = static_cast<float>(v[i]);
+    }
+}
+
+Volume volume_of(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples) {
+    Volume volume{.spacing = a.spacing,
+                  .components = header.components,
+                  .stored_as = header.type,
+                  .name = header.name,
+                  .units = header.units,
+                  .is_of_patient = header.is_of_patient};
+    StoredOrder order{.component_stride = header.component_stride};
+    vec3 half(0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t from = a.from[axis];
+        const int last = header.sizes[from] - 1;
+        volume.count[axis] = last + 1;
+        order.stride[axis] = a.is_reversed[axis] ? -header.stride[from] : header.stride[from];
+        order.first += a.is_reversed[axis] ? last * header.stride[from] : 0;
+        half += 0.5 * (static_cast<double>(last) * header.direction[from]);
+    }
+    volume.placement.turn = a.turn;
+    if (header.first) volume.placement.origin = *header.first + half;
+    decode(samples, order, header.big_endian, volume);
+    if (header.of_values != mat3(0.0)) turn_values(glm::transpose(a.turn) * header.of_values, volume);
+    return volume;
+}
+
+// ---- writing ----------------------------------------------------------------------------------------------
+
+/// Vectors of a header, in m.
+struct WrittenSpace {
+    std::array<vec3, 3> direction{};
+    vec3 first{};
+};
+
+WrittenSpace space_of(const Volume& volume) {
+    const Placement& p = volume.placement;
+    WrittenSpace space;
+    for (int i = 0; i < 3; ++i)
+        space.direction[static_cast<std::size_t>(i)] = p.turn[i] * (volume.spacing[i] * p.scale);
+    space.first = p.origin - p.turn * (p.scale * (0.5 * volume.extent()));
+    return space;
+}
+
+/// The number of mm that reads as exactly this length; std::nullopt: there is none.
+std::optional<double> mm_of(double metres) {
+    const double mm = metres * 1000;
+    for (const double one : {mm, std::nextafter(mm, HUGE_VAL), std::nextafter(mm, -HUGE_VAL)}) {
+        if (one / 1000 == metres) return one;
+    }
+    return {};
+}
+
+bool is_exact_in_mm(vec3 v) { return mm_of(v.x) && mm_of(v.y) && mm_of(v.z); }
+
+void append_vector(std::string& out, vec3 v, bool mm) {
+    const auto number = [mm](double metres) { return mm ? mm_of(metres).value_or(metres) : metres; };
+    append_text(out, text('(', number(v.x), ',', number(v.y), ',', number(v.z), ')'));
+}
+
+std::string header_of(const Volume& volume, Packing packing) {
+    const WrittenSpace space = space_of(volume);
+    const bool mm = is_exact_in_mm(space.first) && std::ranges::all_of(space.direction, is_exact_in_mm);
+    const bool vectors = volume.components == 3;
+    std::string out = text("NRRD0005\ntype: ", name_of(volume.stored_as), "\ndimension: ", vectors ? 4 : 3);
+    if (const std::string name = printable(volume.name, 200); !name.empty())
+        append_text(out, text("\ncontent: ", name));
+    append_text(out, volume.is_of_patient ? "\nspace: left-posterior-superior" : "\nspace: 3D-right-handed");
+    append_text(out, vectors ? "\nsizes: 3" : "\nsizes:");
+    for (const int n : volume.count) append_text(out, text(' ', n));
+    append_text(out, vectors ? "\nspace directions: none" : "\nspace directions:");
+    for (const vec3 d : space.direction) append_vector(out += ' ', d, mm);
+    append_vector(out += "\nspace origin: ", space.first, mm);
+    append_text(out, mm ? "\nspace units: \"mm\" \"mm\" \"mm\"" : "\nspace units: \"m\" \"m\" \"m\"");
+    if (vectors) {
+        append_text(out, "\nmeasurement frame:");
+        for (int i = 0; i < 3; ++i) append_vector(out += ' ', volume.placement.turn[i], false);
+    }
+    append_text(out, vectors ? "\nkinds: vector domain domain domain" : "\nkinds: domain domain domain");
+    if (const std::string units = printable(volume.units, 60); !units.empty())
+        append_text(out, text("\nsample units: ", units));
+    append_text(out, "\nendian: little");
+    append_text(out, packing == Packing::gzip ? "\nencoding: gzip\n\n" : "\nencoding: raw\n\n");
+    return out;
+}
+
+}  // namespace
+
+Expected<Volume> read_nrrd(const Path& path, std::size_t limit) {
+    const std::size_t most_bytes = limit * size_of(SampleType::float64) + most_header_bytes;
+    auto file = read_file(path, most_bytes);
+    if (!file) return tl::unexpected(file.error());
+    const std::string_view characters(reinterpret_cast<const char*>(file->data()), file->size());
+    const auto header = parse_nrrd_header(characters, path.string(), limit);
+    if (!header) return tl::unexpected(header.error());
+    const auto space = along_space(header->direction);
+    const auto arrangement = space ? space : turned(header->direction);
+    if (!arrangement)
+        return fail_file(path, "its axes are not at right angles; resample the volume to a straight box");
+    Path data_path = path;
+    std::span<const std::byte> data(*file);
+    if (header->data_file.empty()) {
+        data = data.subspan(header->data_at);
+    } else {
+        data_path = path.parent_path() / header->data_file;
+        file = read_file(data_path, most_bytes);
+        if (!file) return tl::unexpected(Error{in_one_line(file.error().message)});
+        data = *file;
+    }
+    std::string unpacked;
+    const auto samples = samples_of(*header, data, data_path, unpacked);
+    if (!samples) return tl::unexpected(samples.error());
+    return volume_of(*header, *arrangement, *samples);
+}
+
+Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packing) {
+    std::size_t size = static_cast<std::size_t>(volume.components);
+    for (const int n : volume.count) size *= static_cast<std::size_t>(n);
+    THAUM_ASSERT(size == volume.samples.size(), "a volume's samples do not match its count");
+    auto file = FileWriter::create(path);
+    if (!file) return tl::unexpected(file.error());
+    file->write(header_of(volume, packing));
+    const Bytes samples = encode(volume);
+    if (packing == Packing::gzip) {
+        file->write(pack_gzip(samples));
+    } else {
+        file->write(samples);
+    }
+    return file->close();
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,85 @@
+#include "field/volume_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/config.h"
+#include "core/file.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "field/detail/samples.h"
+#include "field/nrrd.h"
+
+namespace thaum::field {
+namespace {
+
+constexpr std::size_t most_description = 1U << 16U;  ///< largest TOML file (bytes)
+
+struct RawDescription {
+    Volume volume;
+    std::string file;
+    bool big_endian{};
+    std::size_t bytes{};  ///< size of the file of samples
+};
+
+/// Reads sizes and returns their product with the components, or reports that they are wrong.
+std::size_t read_sizes(const ConfigTable& root, std::size_t limit, Volume& volume) {
+    const vec3 sizes = root.vector("sizes", {1, 1e6});
+    auto product = static_cast<std::size_t>(volume.components);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = sizes[static_cast<int>(axis)];
+        if (size != std::floor(size)) root.report("sizes", "must be whole numbers");
+        volume.count[axis] = static_cast<int>(size);
+        if (static_cast<std::size_t>(size) > limit / product) {
+            root.report("sizes", text("more than ", limit, " samples; make the volume smaller"));
+            return 1;
+        }
+        product *= static_cast<std::size_t>(size);
+    }
+    return product;
+}
+
+Expected<RawDescription> parse_raw(std::string_view toml, const std::string& name, std::size_t limit) {
+    const auto config = Config::parse(toml, name, 1);
+    if (!config) return tl::unexpected(config.error());
+    const ConfigTable root = config->root();
+    RawDescription raw;
+    const auto names = sample_type_names();
+    raw.file = root.string("file");
+    raw.volume.stored_as = static_cast<SampleType>(root.choice("type", {names.begin(), names.end()}));
+    raw.big_endian = root.choice("endian", {"little", "big"}, 0) == 1;
+    raw.volume.components = static_cast<int>(root.integer("components", {1, 3}, 1));
+    if (raw.volume.components == 2) root.report("components", "must be 1 or 3");
+    raw.volume.spacing = root.vector("spacing_mm", {1e-6, 1e6}) / 1000.0;
+    raw.volume.name = printable(root.string("name", ""), 200);
+    raw.volume.units = printable(root.string("units", ""), 60);
+    raw.bytes = read_sizes(root, limit, raw.volume) * size_of(raw.volume.stored_as);
+    if (auto checked = config->check(); !checked) return tl::unexpected(checked.error());
+    return raw;
+}
+
+}  // namespace
+
+Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) {
+    const auto toml = read_text_file(path, most_description);
+    if (!toml) return tl::unexpected(toml.error());
+    auto raw = parse_raw(*toml, path.string(), limit);
+    if (!raw) return tl::unexpected(raw.error());
+    const auto data_path = path.parent_path() / raw->file;
+    const auto bytes = read_file(data_path, limit * size_of(SampleType::float64));
+    if (!bytes) return tl::unexpected(Error{in_one_line(bytes.error().message)});
+    if (bytes->size() != raw->bytes)
+        return fail(in_one_line(text(data_path.string(), ": ", bytes->size(), " bytes, but ", path.string(),
+                                     " describes ", raw->bytes, "; correct sizes and type")));
+    decode(*bytes, plain_order(raw->volume.count, raw->volume.components), raw->big_endian, raw->volume);
+    return std::move(raw->volume);
+}
+
+Expected<Volume> read_volume(const std::filesystem::path& path, std::size_t limit) {
+    const std::string ending = path.extension().string();
+    if (ending == ".nrrd" || ending == ".nhdr") return read_nrrd(path, limit);
+    if (ending == ".toml") return read_raw(path, limit);
+    return fail(text(path.string(), ": volumes are files that end in .nrrd, .nhdr or .toml"));
+}
+
+}  // namespace thaum::field
