@@ -1,0 +1,292 @@
+#include "field/filters.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+
+namespace thaum::field {
+namespace {
+
+constexpr std::array<std::string_view, 7> names_of_filters{"magnitude", "gradient", "curl",  "divergence",
+                                                           "scale",     "clamp",    "smooth"};
+
+std::string_view name_of(FilterKind kind) { return names_of_filters[static_cast<std::size_t>(kind)]; }
+
+const FilterStage& stage_of(const void* what) { return *static_cast<const FilterStage*>(what); }
+
+template <bool quick>
+const AnyField& input_of(const FilterStage& stage) {
+    return quick ? stage.quick_input : stage.input;
+}
+
+// ---- reading ----------------------------------------------------------------------------------------------
+
+/// Places one sample before and behind a place along an axis. Near the outermost samples, the nearer of them.
+struct Neighbours {
+    vec3 low, high;
+    double per_metre;  ///< 1 / their distance
+};
+
+Neighbours neighbours_of(const FilterStage& stage, vec3 place, int axis) {
+    Neighbours n{place, place, 0};
+    const double reach = stage.reach[axis];
+    n.low[axis] -= stage.step[axis];
+    n.high[axis] += stage.step[axis];
+    if (std::abs(place[axis]) <= reach) {
+        n.low[axis] = std::max(n.low[axis], -reach);
+        n.high[axis] = std::min(n.high[axis], reach);
+    }
+    const double distance = n.high[axis] - n.low[axis];
+    n.per_metre = distance > 0 ? 1 / distance : 0;
+    return n;
+}
+
+/// Derivatives of a vector that `value` computes at a place, by differences.
+template <class Value>
+std::array<vec3, 3> derivatives(const FilterStage& stage, vec3 place, Value value) {
+    std::array<vec3, 3> result{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Neighbours n = neighbours_of(stage, place, axis);
+        const vec3 slope = (value(n.high) - value(n.low)) * n.per_metre;
+        for (int i = 0; i < 3; ++i) result[static_cast<std::size_t>(i)][axis] = slope[i];
+    }
+    return result;
+}
+
+template <bool quick>
+Scalar read_magnitude(const void* what, vec3 place) {
+    const Vector v = input_of<quick>(stage_of(what)).vector(place);
+    const double length = glm::length(v.value);
+    if (!(length > 0)) return {length, {}};
+    vec3 slope(0);
+    for (int i = 0; i < 3; ++i) slope += v.value[i] * v.gradient[static_cast<std::size_t>(i)];
+    return {length, slope / length};
+}
+
+template <bool quick>
+Vector read_gradient(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    const auto value = [&](vec3 at) { return stage.input.scalar(at).gradient; };
+    if constexpr (quick) return {value(place), {}};
+    return {value(place), derivatives(stage, place, value)};
+}
+
+template <bool quick>
+Vector read_curl(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    const auto value = [&](vec3 at) { return curl(stage.input.vector(at)); };
+    if constexpr (quick) return {value(place), {}};
+    return {value(place), derivatives(stage, place, value)};
+}
+
+template <bool quick>
+Scalar read_divergence(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    const auto value = [&](vec3 at) { return divergence(stage.input.vector(at)); };
+    Scalar result{value(place), {}};
+    if constexpr (quick) return result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Neighbours n = neighbours_of(stage, place, axis);
+        result.gradient[axis] = (value(n.high) - value(n.low)) * n.per_metre;
+    }
+    return result;
+}
+
+template <bool quick>
+Scalar read_scaled(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    const Scalar s = input_of<quick>(stage).scalar(place);
+    return {stage.filter.a * s.value + stage.filter.b, stage.filter.a * s.gradient};
+}
+
+template <bool quick>
+Vector read_scaled_vector(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    Vector v = input_of<quick>(stage).vector(place);
+    v.value *= stage.filter.a;
+    for (vec3& slope : v.gradient) slope *= stage.filter.a;
+    return v;
+}
+
+template <bool quick>
+Scalar read_clamped(const void* what, vec3 place) {
+    const FilterStage& stage = stage_of(what);
+    const Scalar s = input_of<quick>(stage).scalar(place);
+    if (s.value < stage.filter.a) return {stage.filter.a, {}};
+    if (s.value > stage.filter.b) return {stage.filter.b, {}};
+    return s;
+}
+
+Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
+Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
+
+/// The field that a stage gives.
+template <bool quick>
+AnyField output_of(const FilterStage& stage) {
+    const bool vector = stage.input.is_vector();
+    switch (stage.filter.kind) {
+        case FilterKind::magnitude: return {{&stage, read_magnitude<quick>}, {}};
+        case FilterKind::gradient: return {{}, {&stage, read_gradient<quick>}};
+        case FilterKind::curl: return {{}, {&stage, read_curl<quick>}};
+        case FilterKind::divergence: return {{&stage, read_divergence<quick>}, {}};
+        case FilterKind::scale:
+            if (vector) return {{}, {&stage, read_scaled_vector<quick>}};
+            return {{&stage, read_scaled<quick>}, {}};
+        case FilterKind::clamp: return {{&stage, read_clamped<quick>}, {}};
+        case FilterKind::smooth:
+            if (vector) return {{}, {&stage, read_smoothed_vector}};
+            return {{&stage, read_smoothed}, {}};
+    }
+    return {};
+}
+
+// ---- smoothing --------------------------------------------------------------------------------------------
+
+/// Weights of a sample and of those at 1, 2 ... samples to each side. Their sum over both sides is 1.
+std::vector<double> gaussian(double deviation) {
+    std::vector<double> weights(static_cast<std::size_t>(std::ceil(4 * deviation)) + 1);
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const double x = static_cast<double>(i) / deviation;
+        weights[i] = det::exp(-0.5 * x * x);
+        sum += (i == 0 ? 1 : 2) * weights[i];
+    }
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+/// Smooths the `count` samples from `first` on, `stride` apart. `line` has room for them.
+void smooth_line(float* first, std::ptrdiff_t stride, int count, std::span<const double> weights,
+                 std::vector<double>& line) {
+    for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i)] = first[i * stride];
+    const auto at = [&](int i) { return line[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };
+    for (int i = 0; i < count; ++i) {
+        double sum = weights[0] * at(i);
+        for (std::size_t n = 1; n < weights.size(); ++n)
+            sum += weights[n] * (at(i - static_cast<int>(n)) + at(i + static_cast<int>(n)));
+        first[i * stride] = static_cast<float>(sum);
+    }
+}
+
+std::uint64_t key_of(std::uint64_t key, double number) {
+    return hash_combine(key, std::bit_cast<std::uint64_t>(number));
+}
+
+std::uint64_t key_of(const FilterSource& source) {
+    std::uint64_t key = hash_combine(source.version, static_cast<std::uint64_t>(source.kernel));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        key = hash_combine(key, static_cast<std::uint64_t>(source.count[axis]));
+        key = key_of(key, source.spacing[static_cast<int>(axis)]);
+    }
+    return hash_combine(key, source.field.is_vector() ? 1 : 0);
+}
+
+/// Points a stage at the smoothed samples of its input. Takes them from `old` if it has them.
+void use_smoothed(FilterStage& stage, const FilterSource& source, std::uint64_t key,
+                  std::vector<std::unique_ptr<SmoothedSamples>>& old, FilteredField& out) {
+    const auto found =
+        std::ranges::find_if(old, [key](const auto& samples) { return samples && samples->key == key; });
+    if (found != old.end()) {
+        out.smoothed.push_back(std::move(*found));
+    } else {
+        Volume volume = stage.input.is_vector()
+                            ? sampled(stage.quick_input.vector, source.count, source.spacing)
+                            : sampled(stage.quick_input.scalar, source.count, source.spacing);
+        smooth(volume, stage.filter.a);
+        out.smoothed.push_back(std::make_unique<SmoothedSamples>());
+        *out.smoothed.back() = {key, std::move(volume)};
+        ++out.smoothings;
+    }
+    const Volume& volume = out.smoothed.back()->volume;
+    if (volume.components == 3) {
+        stage.smoothed = volume.vector_grid(source.kernel);
+    } else {
+        stage.smoothed.component[0] = volume.grid(source.kernel);
+    }
+}
+
+/// What is wrong with the parameters of a filter; empty: nothing.
+std::string fault_of(const Filter& filter, bool takes_vector) {
+    switch (filter.kind) {
+        case FilterKind::scale:
+            if (!std::isfinite(filter.a) || !std::isfinite(filter.b)) return "has a factor that is no number";
+            if (takes_vector && filter.b != 0) return "adds a number to a vector; set b to 0";
+            return {};
+        case FilterKind::clamp:
+            return filter.a <= filter.b ? "" : "has limits in the wrong order, or one that is no number";
+        case FilterKind::smooth:
+            if (filter.a >= 0 && filter.a <= most_smoothing) return {};
+            return text("has a deviation that is not from 0 to ", most_smoothing, " samples");
+        default: return {};
+    }
+}
+
+}  // namespace
+
+std::span<const std::string_view> filter_names() { return names_of_filters; }
+
+Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector) {
+    if (filters.size() > most_filters)
+        return fail(text(filters.size(), " filters, more than ", most_filters));
+    bool vector = source_is_vector;
+    for (std::size_t i = 0; i < filters.size(); ++i) {
+        const FilterKind kind = filters[i].kind;
+        const auto named = [&] { return text("filter ", i + 1, " (", name_of(kind), ") "); };
+        const bool wants_vector =
+            kind == FilterKind::magnitude || kind == FilterKind::curl || kind == FilterKind::divergence;
+        const bool wants_scalar = kind == FilterKind::gradient || kind == FilterKind::clamp;
+        if (wants_vector && !vector) return fail(text(named(), "needs a vector, but gets a scalar"));
+        if (wants_scalar && vector) return fail(text(named(), "needs a scalar, but gets a vector"));
+        if (const std::string fault = fault_of(filters[i], vector); !fault.empty())
+            return fail(text(named(), fault));
+        if (wants_vector || wants_scalar) vector = kind == FilterKind::gradient || kind == FilterKind::curl;
+    }
+    return vector;
+}
+
+Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters) {
+    if (const auto checked = checked_filters(filters, source.field.is_vector()); !checked)
+        return tl::unexpected(checked.error());
+    auto old = std::move(out.smoothed);
+    out.smoothed.clear();
+    out.field = out.quick = source.field;
+    const vec3 count(source.count[0], source.count[1], source.count[2]);
+    std::uint64_t key = key_of(source);
+    for (std::size_t i = 0; i < filters.size(); ++i) {
+        FilterStage& stage = out.stages[i];
+        stage = {.filter = filters[i],
+                 .input = out.field,
+                 .quick_input = out.quick,
+                 .step = source.spacing,
+                 .reach = 0.5 * source.spacing * (count - vec3(1))};
+        key = hash_combine(key, static_cast<std::uint64_t>(filters[i].kind));
+        key = key_of(key_of(key, filters[i].a), filters[i].b);
+        if (filters[i].kind == FilterKind::smooth) use_smoothed(stage, source, key, old, out);
+        out.field = output_of<false>(stage);
+        out.quick = output_of<true>(stage);
+    }
+    return {};
+}
+
+void smooth(Volume& volume, double deviation) {
+    if (!(deviation > 0)) return;
+    const std::vector<double> weights = gaussian(std::min(deviation, most_smoothing));
+    std::vector<double> line(static_cast<std::size_t>(*std::ranges::max_element(volume.count)));
+    std::array<std::ptrdiff_t, 3> stride{volume.components, volume.components * volume.count[0],
+                                         volume.components * volume.count[0] * volume.count[1]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
+        for (int j = 0; j < volume.count[b]; ++j) {
+            for (int k = 0; k < volume.count[c]; ++k) {
+                for (int component = 0; component < volume.components; ++component)
+                    smooth_line(volume.samples.data() + component + j * stride[b] + k * stride[c],
+                                stride[axis], volume.count[axis], weights, line);
+            }
+        }
+    }
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,109 @@
+// field/filters.h: filters between the data and whoever reads them, such as a haptic mode or a picture.
+//
+//     source --> magnitude --> smooth --> clamp --> field
+//
+//     filter        of            gives     value
+//     magnitude     vector        scalar    length
+//     gradient      scalar        vector    gradient (1/m)
+//     curl          vector        vector    curl (1/m)
+//     divergence    vector        scalar    divergence (1/m)
+//     scale         either        same      a x + b; of a vector, b is 0
+//     clamp         scalar        scalar    at least a, at most b
+//     smooth        either        same      Gaussian average, a = standard deviation in samples (0 to 16)
+//
+// All but `smooth` work where they are read and need no memory. `smooth` averages samples of its input once,
+// and again only if its input or its parameter has changed.
+//
+// Derivatives of the results are exact for magnitude, scale and clamp, by the chain rule. Those of gradient,
+// curl and divergence are second derivatives of the source. They are central differences over one sample to
+// each side: of order h^2 with the cubic kernel, h with the linear one. The second derivatives of the kernels
+// themselves would be worse: of order h and with jumps between cells, and none at all for the linear kernel.
+// A difference takes 7 reads of the input; `FilteredField::quick` leaves it out where only the value is
+// wanted.
+//
+// Frame: that of the source. Reading does not allocate.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "field/field.h"
+#include "field/volume.h"
+
+namespace thaum::field {
+
+enum class FilterKind : std::uint8_t { magnitude, gradient, curl, divergence, scale, clamp, smooth };
+
+/// Names of all kinds, in their order.
+std::span<const std::string_view> filter_names();
+
+struct Filter {
+    FilterKind kind{};
+    double a{}, b{};  ///< parameters as in the table above; unused ones are ignored
+};
+
+inline constexpr std::size_t most_filters = 8;
+inline constexpr double most_smoothing = 16;  ///< largest standard deviation (samples)
+
+/// A scalar or a vector field.
+struct AnyField {
+    ScalarField scalar{};
+    VectorField vector{};
+
+    bool is_vector() const { return vector.read != nullptr; }
+};
+
+/// Data that are filtered: a field, and the samples at which it is smoothed and over which it is
+/// differentiated. They lie about the origin, as those of a Volume.
+struct FilterSource {
+    AnyField field{};
+    std::array<int, 3> count{};
+    vec3 spacing{1};                     ///< m
+    std::uint64_t version{};             ///< changes whenever the data change
+    Kernel kernel{Kernel::catmull_rom};  ///< between smoothed samples
+};
+
+/// One filter that is ready to be read.
+struct FilterStage {
+    Filter filter{};
+    AnyField input{}, quick_input{};
+    vec3 step{}, reach{};      ///< spacing and half of the extent of the samples (m)
+    StaggeredGrid smoothed{};  ///< views of smoothed samples; a scalar uses the first
+};
+
+/// Samples that a filter has smoothed.
+struct SmoothedSamples {
+    std::uint64_t key{};  ///< hash of everything that they depend on
+    Volume volume{};
+};
+
+/// A source behind its filters. Fields refer to this object, which therefore stays where it is.
+struct FilteredField {
+    AnyField field{};  ///< value and gradient
+    AnyField quick{};  ///< the same value; gradients that would need differences are 0
+    std::array<FilterStage, most_filters> stages{};
+    std::vector<std::unique_ptr<SmoothedSamples>> smoothed{};
+    std::uint64_t smoothings{};  ///< number of times that samples were smoothed so far
+
+    FilteredField() = default;
+    FilteredField(const FilteredField&) = delete;
+    FilteredField& operator=(const FilteredField&) = delete;
+};
+
+/// Checks that each filter can take what the one before gives. Returns whether the last one gives a vector.
+/// The error names the filter.
+Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector);
+
+/// Puts filters behind a source. Costs next to nothing unless something must be smoothed. The error is that of
+/// `checked_filters`, and then nothing has changed.
+Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters);
+
+/// Averages samples with Gaussian weights along each axis, up to 4 standard deviations (in samples) away.
+/// Beyond the samples the outermost ones continue. A sample that is not a number spreads as far.
+void smooth(Volume& volume, double deviation);
+
+}  // namespace thaum::field
