@@ -174,6 +174,7 @@ void field(const Options& options, Report& report) {
     }
     read_all(scalars, options, report);
     read_all(vectors, options, report);
+    field_samples(options, report);
 }
 
 }  // namespace thaum::bench
