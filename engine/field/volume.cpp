@@ -49,6 +49,7 @@ float share_inside(const ScalarField& depth, vec3 place, vec3 size) {
 struct Maker {
     std::string_view name;
     std::string_view units;
+    int components;
     Volume (*make)(std::array<int, 3> count, vec3 spacing, std::uint64_t seed);
 };
 
@@ -75,8 +76,9 @@ Volume make_beltrami(std::array<int, 3> count, vec3 spacing, std::uint64_t) {
     return sampled(field_of<Vector>(flow), count, spacing);
 }
 
-constexpr std::array makers{Maker{"sphere", "", make_sphere}, Maker{"gyroid", "", make_gyroid},
-                            Maker{"vortices", "m/s", make_vortices}, Maker{"beltrami", "m/s", make_beltrami}};
+constexpr std::array makers{Maker{"sphere", "", 1, make_sphere}, Maker{"gyroid", "", 1, make_gyroid},
+                            Maker{"vortices", "m/s", 3, make_vortices},
+                            Maker{"beltrami", "m/s", 3, make_beltrami}};
 
 constexpr auto names = [] {
     std::array<std::string_view, makers.size()> result{};
@@ -150,8 +152,7 @@ Expected<Volume> make_volume(std::string_view name, int count, std::uint64_t see
     if (count < 2 || count > 512)
         return fail(text("a volume of ", count, " samples along each axis; take 2 to 512"));
     const std::size_t n = static_cast<std::size_t>(count);
-    const std::size_t components = maker->units.empty() ? 1 : 3;
-    if (n * n * n * components > most_samples)
+    if (n * n * n * static_cast<std::size_t>(maker->components) > most_samples)
         return fail(text("'", name, "' with ", count, " samples along each axis is too large; take fewer"));
     Volume volume = maker->make({count, count, count}, vec3(made_extent / (count - 1)), seed);
     volume.name = name;

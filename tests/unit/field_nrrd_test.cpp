@@ -111,7 +111,7 @@ TEST_F(VolumeFiles, EveryTypeWithItsExtremes) {
         EXPECT_EQ(v->samples[1], static_cast<float>(high)) << type;
     };
     one("signed char", std::int8_t{-128}, std::int8_t{127});
-    one("uchar", std::uint8_t{0}, std::uint8_t{255});
+    one("UChar", std::uint8_t{0}, std::uint8_t{255});
     one("int16_t", std::int16_t{-32768}, std::int16_t{32767});
     one("unsigned short", std::uint16_t{0}, std::uint16_t{65535});
     one("float", -1.5F, 3e38F);

@@ -57,12 +57,18 @@ std::string_view trimmed(std::string_view s) {
     return s;
 }
 
-/// "Data File" -> "datafile".
-std::string without_blanks(std::string_view name) {
-    std::string out;
-    for (const char c : name) {
-        if (!is_blank(c)) out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+std::string in_lower_case(std::string_view s) {
+    std::string out(s);
+    for (char& c : out) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
+    return out;
+}
+
+/// "Data File" -> "datafile".
+std::string name_of_field(std::string_view name) {
+    std::string out = in_lower_case(name);
+    std::erase_if(out, is_blank);
     return out;
 }
 
@@ -121,7 +127,7 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
     if (!is_field)
         return tl::unexpected(at_line(
             number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'")));
-    const std::string field = without_blanks(line.substr(0, colon));
+    const std::string field = name_of_field(line.substr(0, colon));
     if (std::ranges::find(known_fields, field) == known_fields.end())
         return tl::unexpected(
             at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'")));
@@ -236,9 +242,10 @@ std::vector<std::optional<vec3>> NrrdFields::vectors(std::string_view field, std
 
 std::size_t NrrdFields::choice(std::string_view field, std::string_view names_for_message,
                                const std::vector<std::vector<std::string_view>>& names) {
-    const std::string value(text_of(field));
+    const std::string_view value = text_of(field);
+    const auto is_value = [&](std::string_view name) { return in_lower_case(name) == in_lower_case(value); };
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::ranges::find(names[i], value) != names[i].end()) return i;
+        if (std::ranges::any_of(names[i], is_value)) return i;
     }
     if (has(field)) {
         report(field, text("'", printable(value, shown), "' cannot be read; convert to ", names_for_message));

@@ -34,7 +34,7 @@ public:
     std::vector<std::string> quoted(std::string_view field, std::size_t count);
     /// Reads vectors of three numbers: none (1,0,0) (0,1,0) (0,0,1). Reports a wrong count or form.
     std::vector<std::optional<vec3>> vectors(std::string_view field, std::size_t count);
-    /// Reads one of the names, and returns its index. Reports a missing field or another name.
+    /// Reads one of the names in any case, and returns its index. Reports a missing field or another name.
     std::size_t choice(std::string_view field, std::string_view names_for_message,
                        const std::vector<std::vector<std::string_view>>& names);
 
