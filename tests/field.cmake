@@ -3,3 +3,6 @@ thaum_test(test_field
         accuracy/field_test.cpp accuracy/field_filters_test.cpp accuracy/field_volume_test.cpp unit/field_transfer_test.cpp
         unit/field_nrrd_test.cpp unit/field_volume_test.cpp
     LINK thaum_field thaum_fluid)
+thaum_test(test_carving
+    SOURCES unit/voxels_test.cpp
+    LINK thaum_field)

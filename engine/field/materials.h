@@ -1,0 +1,45 @@
+// field/materials.h: the materials that voxels refer to by an index (paper 003, section 3).
+//
+//     version = 1
+//     [[material]]
+//     name = "skin"
+//     stiffness = 250                N/m
+//     viscosity = 1.5                N s/m
+//     opacity = 0.3                  0: not drawn, but still felt; 1: hides everything behind it
+//     colour = [224, 172, 140]       red, green, blue, each from 0 to 255
+//
+// The table is fixed while a body is carved. An edit changes the index of a voxel, never a material: that would
+// change the whole body at once.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+#include "field/voxels.h"
+
+namespace thaum::field {
+
+struct Material {
+    std::string name;
+    double stiffness{};  ///< N/m
+    double viscosity{};  ///< N s/m
+    double opacity{};    ///< from 0 to 1
+    Rgb8 colour{};
+};
+
+/// At most 256 materials. The index of a material is its place in the file.
+using Materials = std::vector<Material>;
+
+inline constexpr std::int64_t materials_file_version = 1;
+
+/// The error names file, line and fault, such as two materials of one name.
+Expected<Materials> read_materials(const Config& config);
+
+std::optional<std::uint8_t> material_index(const Materials& materials, std::string_view name);
+
+/// Reads three whole numbers from 0 to 255.
+Rgb8 read_colour(const ConfigTable& table, std::string_view key);
+
+}  // namespace thaum::field

@@ -1,0 +1,146 @@
+// field/voxels.h: a body made of voxels that can be felt, seen and carved (paper 003, section 3).
+//
+//     Voxels (owns) -- view --> VoxelView --> edit (field/carving.h)
+//        |                          |
+//        |                          '-- Bricks: which parts have changed, for readers that keep copies
+//        '-- density_grid --> Grid --> value and gradient at any place (field/field.h)
+//
+// Each property is an array of its own, because feel reads only the density and pictures mostly do. Voxel
+// (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be blobs of a World: a
+// VoxelView refers to them in the same way.
+//
+// The paper stores a gradient in each voxel, too: 3 bytes of magnitude and direction. Here Grid computes it
+// from the density. A stored gradient would have to be recomputed around each edit, in every undo and in every
+// snapshot. Its 8 bits of magnitude and 16 bits of direction would also disagree with the surface that is drawn.
+//
+// Bricks are blocks of 8 x 8 x 8 voxels; those at the far ends may be smaller. Lengths are in m, in the body's
+// own frame: its origin is the middle of all voxels.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/maths.h"
+#include "field/field.h"
+
+namespace thaum::field {
+
+struct Rgb8 {
+    std::uint8_t r{}, g{}, b{};
+
+    bool operator==(const Rgb8&) const = default;
+};
+
+/// Voxels low <= (i, j, k) < high. The default has none.
+struct VoxelBox {
+    std::array<int, 3> low{}, high{};
+
+    bool empty() const { return low[0] >= high[0] || low[1] >= high[1] || low[2] >= high[2]; }
+    bool operator==(const VoxelBox&) const = default;
+};
+
+/// Smallest box around both boxes.
+VoxelBox around(const VoxelBox& a, const VoxelBox& b);
+/// Voxels in both boxes.
+VoxelBox overlap(const VoxelBox& a, const VoxelBox& b);
+
+/// Voxels along each edge of a brick.
+inline constexpr int brick_size = 8;
+inline constexpr int voxels_of_brick = brick_size * brick_size * brick_size;
+
+/// Changes of a body, brick by brick. A reader keeps the value of `newest` at its last look. Later it reads again
+/// only bricks whose version is above that value.
+///
+/// The versions are no part of the body's state. They never go back, not even when an older state is restored.
+/// Otherwise a reader could not tell two futures of one state apart.
+struct Bricks {
+    std::array<int, 3> count{};
+    std::vector<std::uint32_t> version{};  ///< value of `newest` at the last change of each brick
+    std::uint32_t newest = 1;              ///< 1 after the body was made: every brick is new to a reader at 0
+
+    std::size_t at(int i, int j, int k) const {
+        return static_cast<std::size_t>(i) +
+               static_cast<std::size_t>(count[0]) *
+                   (static_cast<std::size_t>(j) +
+                    static_cast<std::size_t>(count[1]) * static_cast<std::size_t>(k));
+    }
+};
+
+/// Bricks for this many voxels. All of them have version 1.
+Bricks make_bricks(std::array<int, 3> voxels);
+
+/// A body whose arrays belong to someone else.
+struct VoxelView {
+    std::array<int, 3> count{};
+    vec3 spacing{1};            ///< distance between voxels along each axis (m)
+    float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    std::span<float> density{};
+    std::span<Rgb8> colour{};
+    std::span<std::uint8_t> material{};  ///< index into a table of materials (field/materials.h)
+    Bricks* bricks{};
+
+    std::size_t at(int i, int j, int k) const {
+        return static_cast<std::size_t>(i) +
+               static_cast<std::size_t>(count[0]) *
+                   (static_cast<std::size_t>(j) +
+                    static_cast<std::size_t>(count[1]) * static_cast<std::size_t>(k));
+    }
+    VoxelBox all() const { return {{}, count}; }
+    /// Place of voxel (0, 0, 0) (m).
+    vec3 first_place() const { return -0.5 * spacing * vec3(count[0] - 1, count[1] - 1, count[2] - 1); }
+    double voxel_volume() const { return spacing.x * spacing.y * spacing.z; }
+};
+
+/// A body that owns its arrays.
+struct Voxels {
+    std::array<int, 3> count{};
+    vec3 spacing{1};            ///< distance between voxels along each axis (m)
+    float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    std::vector<float> density{};
+    std::vector<Rgb8> colour{};
+    std::vector<std::uint8_t> material{};
+    Bricks bricks{};
+
+    VoxelView view() { return {count, spacing, empty, full, density, colour, material, &bricks}; }
+};
+
+/// The greatest number of voxels of a body: 1,024 along each axis.
+inline constexpr std::size_t most_voxels = std::size_t{1} << 30U;
+
+/// A body of empty voxels: density 0, white, material 0. Each count must be positive, their product at most
+/// `most_voxels`.
+Voxels make_voxels(std::array<int, 3> count, vec3 spacing);
+
+/// Voxels of the brick (i, j, k).
+VoxelBox brick_box(std::array<int, 3> voxels, std::array<int, 3> brick);
+
+/// Bricks that hold voxels of the box, as a box of bricks.
+VoxelBox bricks_around(const VoxelBox& box);
+
+/// Calls visit(brick, number) for each of these bricks, x fastest.
+template <class Visit>
+void for_each_brick(const Bricks& bricks, const VoxelBox& some, Visit visit) {
+    for (int k = some.low[2]; k < some.high[2]; ++k) {
+        for (int j = some.low[1]; j < some.high[1]; ++j) {
+            for (int i = some.low[0]; i < some.high[0]; ++i) visit(std::array{i, j, k}, bricks.at(i, j, k));
+        }
+    }
+}
+
+/// Calls visit(first, row) for each row of voxels of the box. `first` is the index of its first voxel, `row`
+/// counts the rows from 0.
+template <class Visit>
+void for_each_row(const VoxelView& body, const VoxelBox& box, Visit visit) {
+    std::size_t row = 0;
+    for (int k = box.low[2]; k < box.high[2]; ++k) {
+        for (int j = box.low[1]; j < box.high[1]; ++j) visit(body.at(box.low[0], j, k), row++);
+    }
+}
+
+/// Marks every brick of the box as changed.
+void mark_changed(Bricks& bricks, const VoxelBox& box);
+
+}  // namespace thaum::field
