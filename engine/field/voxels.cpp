@@ -3,6 +3,29 @@
 #include "core/assert.h"
 
 namespace thaum::field {
+namespace {
+
+vec3 first_place_of(std::array<int, 3> count, vec3 spacing) {
+    return -0.5 * spacing * vec3(count[0] - 1, count[1] - 1, count[2] - 1);
+}
+
+Grid grid_of(std::span<const float> density, std::array<int, 3> count, vec3 spacing, Kernel kernel) {
+    const std::ptrdiff_t row = count[0], plane = row * count[1];
+    return {.first = density.data(),
+            .count = count,
+            .stride = {1, row, plane},
+            .origin = first_place_of(count, spacing),
+            .spacing = spacing,
+            .kernel = kernel};
+}
+
+}  // namespace
+
+vec3 VoxelView::first_place() const { return first_place_of(count, spacing); }
+
+Grid VoxelView::density_grid(Kernel kernel) const { return grid_of(density, count, spacing, kernel); }
+
+Grid Voxels::density_grid(Kernel kernel) const { return grid_of(density, count, spacing, kernel); }
 
 VoxelBox around(const VoxelBox& a, const VoxelBox& b) {
     if (a.empty()) return b;

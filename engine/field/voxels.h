@@ -3,7 +3,7 @@
 //     Voxels (owns) -- view --> VoxelView --> edit (field/carving.h)
 //        |                          |
 //        |                          '-- Bricks: which parts have changed, for readers that keep copies
-//        '-- density_grid --> Grid --> value and gradient at any place (field/field.h)
+//        '-- density_grid --> Grid --> Placed --> value and gradient at any place of the world
 //
 // Each property is an array of its own, because feel reads only the density and pictures mostly do. Voxel
 // (i, j, k) is element i + count[0] (j + count[1] k) of each array. The arrays may also be blobs of a World: a
@@ -25,6 +25,7 @@
 
 #include "core/maths.h"
 #include "field/field.h"
+#include "field/placement.h"
 
 namespace thaum::field {
 
@@ -89,8 +90,10 @@ struct VoxelView {
                     static_cast<std::size_t>(count[1]) * static_cast<std::size_t>(k));
     }
     VoxelBox all() const { return {{}, count}; }
+    /// The density at any place of the body's frame. Valid as long as the arrays.
+    Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;
     /// Place of voxel (0, 0, 0) (m).
-    vec3 first_place() const { return -0.5 * spacing * vec3(count[0] - 1, count[1] - 1, count[2] - 1); }
+    vec3 first_place() const;
     double voxel_volume() const { return spacing.x * spacing.y * spacing.z; }
 };
 
@@ -103,8 +106,11 @@ struct Voxels {
     std::vector<Rgb8> colour{};
     std::vector<std::uint8_t> material{};
     Bricks bricks{};
+    Placement placement{};  ///< from the body's frame to the parent's
 
     VoxelView view() { return {count, spacing, empty, full, density, colour, material, &bricks}; }
+    /// The density at any place of the body's frame. Valid until the body is destroyed or moved.
+    Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;
 };
 
 /// The greatest number of voxels of a body: 1,024 along each axis.

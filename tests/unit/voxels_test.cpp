@@ -175,7 +175,7 @@ TEST(VoxelSnapshot, CutOrForeignBytesAreRefused) {
     EXPECT_EQ(restore(other.view(), foreign).error().message, "the saved voxels are not those of this body");
 }
 
-Expected<Materials> read(std::string_view toml) {
+Expected<Materials> materials_from(std::string_view toml) {
     const auto config = Config::parse(toml, "m.toml", materials_file_version);
     return config ? read_materials(*config) : tl::unexpected(config.error());
 }
@@ -187,7 +187,7 @@ constexpr std::string_view skin =
 TEST(MaterialFiles, TheShippedTableHasAnInvisibleMaterialThatIsFelt) {
     const auto file = read_text_file(THAUM_SOURCE_DIR "/assets/materials.toml", 1U << 20U);
     ASSERT_TRUE(file.has_value());
-    const auto materials = read(*file);
+    const auto materials = materials_from(*file);
     ASSERT_TRUE(materials.has_value()) << materials.error().message;
     const auto index = material_index(*materials, "invisible");
     ASSERT_TRUE(index.has_value());
@@ -197,7 +197,7 @@ TEST(MaterialFiles, TheShippedTableHasAnInvisibleMaterialThatIsFelt) {
 }
 
 TEST(MaterialFiles, ReadsEachValue) {
-    const auto materials = read(skin);
+    const auto materials = materials_from(skin);
     ASSERT_TRUE(materials.has_value()) << materials.error().message;
     const Material& m = materials->at(0);
     EXPECT_EQ(m.name, "skin");
@@ -210,14 +210,16 @@ TEST(MaterialFiles, ReadsEachValue) {
 TEST(MaterialFiles, FaultsNameTheLine) {
     const std::string once(skin);
     const std::string twice = once + once.substr(once.find('['));
-    EXPECT_EQ(read(twice).error().message, "m.toml:9: material 'skin' stands here for the second time");
-    EXPECT_EQ(read("version = 1\n").error().message, "m.toml:1: there is no [[material]]; add one");
-    EXPECT_EQ(read(once + "hardness = 3\n").error().message, "m.toml:8: unknown key 'material.hardness'");
+    EXPECT_EQ(materials_from(twice).error().message,
+              "m.toml:9: material 'skin' stands here for the second time");
+    EXPECT_EQ(materials_from("version = 1\n").error().message, "m.toml:1: there is no [[material]]; add one");
+    EXPECT_EQ(materials_from(once + "hardness = 3\n").error().message,
+              "m.toml:8: unknown key 'material.hardness'");
     std::string part = once;
     part.replace(part.find("224"), 3, "2.5");
-    EXPECT_EQ(read(part).error().message, "m.toml:7: 'colour' must be three whole numbers");
+    EXPECT_EQ(materials_from(part).error().message, "m.toml:7: 'colour' must be three whole numbers");
     part.replace(part.find("2.5"), 3, "256");
-    EXPECT_EQ(read(part).error().message, "m.toml:7: 'colour' is 256, must be from 0 to 255");
+    EXPECT_EQ(materials_from(part).error().message, "m.toml:7: 'colour' is 256, must be from 0 to 255");
 }
 
 }  // namespace

@@ -1,0 +1,221 @@
+#include "field/carving.h"
+
+#include <bit>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/hash.h"
+#include "field/carving_extent.h"
+
+namespace thaum::field {
+namespace {
+
+constexpr double close_enough = 0x1.0p-20;  // part of the range from empty to full
+constexpr double half_covered = 0.5;        // weight from which a constant sets colour and material
+
+/// An operation at one place.
+struct Cast {
+    const Operation* operation;
+    Footprint footprint;
+    double amount;       ///< rate of a filter times its time
+    std::uint64_t seed;  ///< for the rounding of colours
+};
+
+struct Casts {
+    std::array<Cast, most_operations * most_places> items;
+    std::size_t count = 0;
+};
+
+/// Number of places along the motion, at most half the smallest half edge apart.
+int places_along(const VoxelView& body, const Extent& extent, vec3 motion) {
+    const vec3 way = extent.in_metres ? motion : motion / body.spacing;
+    const double smallest = std::min({extent.half.x, extent.half.y, extent.half.z});
+    const double steps = std::ceil(glm::length(way) / (0.5 * smallest));
+    return steps > 1 ? static_cast<int>(std::min(steps, double{most_places})) : 1;  // NaN: 1
+}
+
+void add_casts(const VoxelView& body, const Operation& operation, const Dab& dab, Casts& casts) {
+    const bool filter = operation.method == Method::filter;
+    const double amount = filter ? std::min(operation.rate * dab.seconds, most_amount) : 1;
+    if (!(amount > 0) || !is_finite(dab.motion)) return;
+    const Extent& extent = operation.extent;
+    const bool plate = extent.shape == ExtentShape::plate;
+    const int places = plate ? 1 : places_along(body, extent, dab.motion);
+    for (int i = 0; i < places; ++i) {
+        const vec3 place = dab.place - dab.motion * (static_cast<double>(places - 1 - i) / places);
+        const Footprint footprint = plate ? plate_of(body, extent, place, dab.motion, dab.turn)
+                                          : footprint_of(body, extent, place, dab.turn);
+        if (footprint.box.empty()) continue;
+        casts.items[casts.count++] = {&operation, footprint, amount / places,
+                                      hash_combine(dab.seed, static_cast<std::uint64_t>(i))};
+    }
+}
+
+void check(const Tool& tool) {
+    int density = 0, colour = 0, material = 0;
+    for (const Operation& o : tool.operations) {
+        density += o.changes.density ? 1 : 0;
+        colour += o.changes.colour ? 1 : 0;
+        material += o.changes.material ? 1 : 0;
+    }
+    THAUM_ASSERT(tool.operations.size() <= most_operations && density <= 1 && colour <= 1 && material <= 1,
+                 "two operations of a carving tool change one property");
+}
+
+void collect(const VoxelView& body, const Tool& tool, const Dab& dab, Casts& casts) {
+    check(tool);
+    for (const Operation& operation : tool.operations) add_casts(body, operation, dab, casts);
+}
+
+VoxelBox box_around(const Casts& casts) {
+    VoxelBox box;
+    for (std::size_t i = 0; i < casts.count; ++i) box = around(box, casts.items[i].footprint.box);
+    return box;
+}
+
+/// The weight of a constant; for a filter the part by which the density moves towards the constant.
+float next_density(const VoxelView& body, const Cast& cast, float now, double weight) {
+    const double range = static_cast<double>(body.full) - static_cast<double>(body.empty);
+    const double empty = static_cast<double>(body.empty), target = empty + cast.operation->density * range;
+    const double d = std::isfinite(now) ? static_cast<double>(now) : empty;
+    if (cast.operation->method == Method::filter) {
+        const double next = d + weight * (target - d);
+        return static_cast<float>(std::abs(next - target) <= close_enough * range ? target : next);
+    }
+    // The rim of the shape bounds the density from both sides, so that applying it again changes nothing.
+    const double solid = (d - empty) / range, constant = cast.operation->density;
+    const double low = constant * weight, high = constant + (1 - weight) * (1 - constant);
+    if (solid >= low && solid <= high) return static_cast<float>(d);
+    return static_cast<float>(empty + std::clamp(solid, low, high) * range);
+}
+
+/// A step of `share` from a byte to another, rounded at random: `dice` in [0, 1).
+std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share, double dice) {
+    const double exact = from + share * (to - from);
+    return static_cast<std::uint8_t>(std::clamp(std::floor(exact + dice), 0.0, 255.0));
+}
+
+Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 now, double weight) {
+    const Rgb8 to = cast.operation->colour;
+    if (cast.operation->method == Method::constant) return weight >= half_covered ? to : now;
+    const std::uint64_t dice = hash_combine(cast.seed, voxel);
+    const auto part = [&](unsigned shift) {
+        return static_cast<double>((dice >> shift) & 0xffffU) * 0x1.0p-16;
+    };
+    return {mixed(now.r, to.r, weight, part(0)), mixed(now.g, to.g, weight, part(16)),
+            mixed(now.b, to.b, weight, part(32))};
+}
+
+/// Returns true if one of the six neighbours lies on the other side of the surface.
+bool is_at_surface(const VoxelView& body, std::array<int, 3> voxel) {
+    const float level = 0.5F * (body.empty + body.full);
+    const bool inside = body.density[body.at(voxel[0], voxel[1], voxel[2])] >= level;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const int side : {-1, 1}) {
+            auto next = voxel;
+            next[axis] += side;
+            if (next[axis] < 0 || next[axis] >= body.count[axis]) continue;
+            if ((body.density[body.at(next[0], next[1], next[2])] >= level) != inside) return true;
+        }
+    }
+    return false;
+}
+
+/// Changes one voxel. Returns true if a bit of it changed.
+bool change(const VoxelView& body, const Cast& cast, std::size_t voxel, double weight, Edit& sums) {
+    const Properties& changes = cast.operation->changes;
+    bool changed = false;
+    if (changes.density) {
+        float& density = body.density[voxel];
+        const float next = next_density(body, cast, density, weight);
+        if (next != density) {  // also if it was not a number
+            const double was =
+                std::isfinite(density) ? static_cast<double>(density) : static_cast<double>(body.empty);
+            const double more = static_cast<double>(next) - was;
+            (more > 0 ? sums.added : sums.removed) += std::abs(more);
+            density = next;
+            changed = true;
+        }
+    }
+    if (changes.colour) {
+        const Rgb8 next = next_colour(cast, voxel, body.colour[voxel], weight);
+        changed = changed || next != body.colour[voxel];
+        body.colour[voxel] = next;
+    }
+    if (changes.material && weight >= half_covered) {
+        changed = changed || body.material[voxel] != cast.operation->material;
+        body.material[voxel] = cast.operation->material;
+    }
+    return changed;
+}
+
+/// A bit for each changed voxel of a brick: a byte for each row.
+using Changed = std::array<std::uint8_t, brick_size * brick_size>;
+
+void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Changed& changed, Edit& sums) {
+    const VoxelBox part = overlap(brick, cast.footprint.box);
+    if (part.empty()) return;
+    PartWeights weights;
+    const std::size_t count = weigh(cast.footprint, part, weights);
+    if (cast.operation->method == Method::filter) to_shares(cast.amount, count, weights);
+    std::size_t at = 0;
+    for (int k = part.low[2]; k < part.high[2]; ++k) {
+        for (int j = part.low[1]; j < part.high[1]; ++j) {
+            std::uint8_t& row =
+                changed[static_cast<std::size_t>((k % brick_size) * brick_size + j % brick_size)];
+            for (int i = part.low[0]; i < part.high[0]; ++i) {
+                const double weight = weights[at++];
+                if (!(weight > 0)) continue;
+                if (cast.operation->surface_only && !is_at_surface(body, {i, j, k})) continue;
+                if (change(body, cast, body.at(i, j, k), weight, sums))
+                    row = static_cast<std::uint8_t>(row | (1U << static_cast<unsigned>(i % brick_size)));
+            }
+        }
+    }
+}
+
+/// Adds the changed voxels of a brick to the result.
+void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) {
+    const std::size_t before = result.voxels;
+    for (int row = 0; row < brick_size * brick_size; ++row) {
+        const unsigned bits = changed[static_cast<std::size_t>(row)];
+        if (bits == 0) continue;
+        const int j = brick.low[1] + row % brick_size, k = brick.low[2] + row / brick_size;
+        const int first = brick.low[0] + std::countr_zero(bits), end = brick.low[0] + std::bit_width(bits);
+        result.changed = around(result.changed, {{first, j, k}, {end, j + 1, k + 1}});
+        result.voxels += static_cast<std::size_t>(std::popcount(bits));
+    }
+    if (result.voxels > before) ++result.bricks;
+}
+
+}  // namespace
+
+VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab) {
+    Casts casts;
+    collect(body, tool, dab, casts);
+    return box_around(casts);
+}
+
+Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab) {
+    Casts casts;
+    collect(body, tool, dab, casts);
+    Edit result;
+    Bricks& bricks = *body.bricks;
+    const std::uint32_t version = bricks.newest + 1;
+    for_each_brick(bricks, bricks_around(box_around(casts)),
+                   [&](std::array<int, 3> brick, std::size_t number) {
+                       const VoxelBox box = brick_box(body.count, brick);
+                       const std::size_t before = result.bricks;
+                       Changed changed{};
+                       for (std::size_t i = 0; i < casts.count; ++i)
+                           apply(body, casts.items[i], box, changed, result);
+                       count_changed(changed, box, result);
+                       if (result.bricks > before) bricks.version[number] = version;
+                   });
+    if (result.bricks > 0) bricks.newest = version;
+    result.removed *= body.voxel_volume();
+    result.added *= body.voxel_volume();
+    return result;
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,47 @@
+// field/carving.h: applies a tool to a body of voxels (paper 003, section 6).
+//
+// An edit reads and writes only the voxels that the tool reaches, so its time does not depend on the size of the
+// body. Voxels are changed brick by brick. The result depends on the body, the tool and the dab alone.
+//
+// Density that is not finite, as in some scans, counts as empty. A filter that comes within a millionth of its
+// constant sets it: otherwise a melted voxel would never become empty, and its density would end as a
+// denormal number, which takes many times as long to compute with.
+//
+// Colours have 8 bits, so a weak filter would change nothing after rounding. The fraction is therefore rounded up
+// or down at random, with the right mean. The paper reports this as the limit of its rate of edits.
+#pragma once
+#include "field/carving_tools.h"
+#include "field/voxels.h"
+
+namespace thaum::field {
+
+/// One use of a tool, in the body's frame.
+struct Dab {
+    vec3 place{};          ///< place of the tool (m)
+    vec3 motion{};         ///< way of the tool since the last dab (m)
+    mat3 turn{1.0};        ///< tool frame to body frame, for boxes, plates and stamps
+    double seconds{};      ///< time since the last dab (s): strength of filters
+    std::uint64_t seed{};  ///< differs from dab to dab, such as the tick: for the rounding of colours
+};
+
+/// What an edit did.
+struct Edit {
+    VoxelBox changed{};      ///< smallest box of the changed voxels
+    std::size_t voxels = 0;  ///< number of changed voxels
+    std::size_t bricks = 0;  ///< number of bricks with a changed voxel
+    double removed = 0;      ///< integral of the density taken away (density m^3)
+    double added = 0;        ///< integral of the density brought in (density m^3)
+};
+
+/// Most places at which one dab is applied along its motion.
+inline constexpr int most_places = 32;
+
+/// Voxels that the tool may change. A motion longer than half a radius is walked in steps of that length, as far
+/// as `most_places` allow, so that a quick stroke leaves no gaps.
+VoxelBox reach(const VoxelView& body, const Tool& tool, const Dab& dab);
+
+/// Changes the body and the versions of its changed bricks. No allocation. A dab outside the body, or with a
+/// number that is not finite, changes nothing.
+Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab);
+
+}  // namespace thaum::field

@@ -1,0 +1,94 @@
+// field/carving_tools.h: tools that change voxels, as data files describe them (paper 003, section 6, table 2).
+//
+//     version = 1
+//     name = "squirt"
+//     [[operation]]                  1 to 3; no property may be changed by two operations of one tool
+//     method = "filter"              filter | constant
+//     extent = "gaussian"            sphere | box | gaussian | plate | stamp
+//     radius = 3                     voxels; or radius_m = 0.01 (m)
+//     properties = "density"         some of: density colour material
+//     filter = "construct"           melt | construct | mix; only with method = "filter"
+//     rate = 6                       1/s; only with method = "filter"
+//     density = 1                    0 is empty, 1 is solid; for density, except with melt
+//     colour = [255, 0, 0]           for colour
+//     material = "wax"               for material; a name of the table of materials
+//     only = "surface"               optional; not together with density
+//
+// A filter moves a property towards its constant D: d' = a D + (1 - a) d. Melting has D = 0. For a time t,
+// a = 1 - exp(-rate w t), where w is the weight of the extent at the voxel. So two edits of t / 2 give the same
+// as one of t. A constant sets the property, and does the same however often it is applied.
+//
+// Extents and their keys:
+//
+//     sphere     radius            weight 1, falling to 0 over two voxels at the rim
+//     box        half = [x, y, z]  half edges along the tool's axes, with the same rim
+//     gaussian   radius            the bell exp(-4.5 (r / radius)^2), less its value at the rim: exactly 0 there
+//     plate      half = [x, y, z]  a box whose z axis follows the motion, for cuts; x is half the thickness
+//     stamp      radius, cells = [x, y, z], shape: a small body of cells; its longest half edge is the radius
+//
+// `half` is in voxels, `half_m` in m. The shape of a stamp has a character for each cell: . or 0 is nothing, # is
+// solid, 1 to 9 are tenths. x runs fastest, then y, then z. Spaces and line ends do not count.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "field/materials.h"
+#include "field/voxels.h"
+
+namespace thaum::field {
+
+enum class Method : std::uint8_t { constant, filter };
+enum class ExtentShape : std::uint8_t { sphere, box, gaussian, plate, stamp };
+
+/// Weights of a stamp from 0 to 1, x fastest. They fill the box of the extent's half edges.
+struct Stamp {
+    std::array<int, 3> cells{};
+    std::vector<float> weight{};
+};
+
+/// Voxels that an operation reaches, and how strongly.
+struct Extent {
+    ExtentShape shape{};
+    vec3 half{};             ///< half edges along the tool's axes; a radius three times (voxels or m)
+    bool in_metres = false;  ///< unit of `half`
+    Stamp stamp{};           ///< for ExtentShape::stamp
+};
+
+/// Properties of a voxel.
+struct Properties {
+    bool density = false, colour = false, material = false;
+
+    bool operator==(const Properties&) const = default;
+};
+
+struct Operation {
+    Method method{};
+    Extent extent{};
+    Properties changes{};
+    double rate = 0;     ///< strength of a filter at weight 1 (1/s)
+    double density = 0;  ///< constant, from 0 (empty) to 1 (solid)
+    Rgb8 colour{};
+    std::uint8_t material = 0;
+    bool surface_only = false;  ///< change only voxels that have a neighbour on the other side of the surface
+};
+
+struct Tool {
+    std::string name;
+    std::vector<Operation> operations{};
+};
+
+inline constexpr std::int64_t tool_file_version = 1;
+inline constexpr std::size_t most_operations = 3;  // as many as there are properties
+inline constexpr std::size_t most_tool_bytes = std::size_t{1} << 20U;
+
+/// The error names file, line and fault. If two operations change one property, it names both.
+Expected<Tool> read_tool(const Config& config, const Materials& materials);
+Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials);
+
+/// A stamp of what lies in the box: weight 0 for empty voxels, 1 for solid ones.
+Stamp stamp_of(const VoxelView& body, const VoxelBox& box);
+
+}  // namespace thaum::field
