@@ -1,0 +1,168 @@
+#include "field/carving_history.h"
+
+#include <cstring>
+#include <type_traits>
+
+#include "core/assert.h"
+
+namespace thaum::field {
+namespace {
+
+VoxelBox box_of(const VoxelView& body, std::uint32_t brick) {
+    const auto& count = body.bricks->count;
+    const int n = static_cast<int>(brick);
+    return brick_box(body.count, {n % count[0], n / count[0] % count[1], n / (count[0] * count[1])});
+}
+
+/// Calls visit(of the copy, of the body, number) for each row of each property of the brick.
+template <class Copy, class Visit>
+void for_each_run(Copy& copy, const VoxelView& body, Visit visit) {
+    const VoxelBox box = box_of(body, copy.brick);
+    const auto width = static_cast<std::size_t>(box.high[0] - box.low[0]);
+    for_each_row(body, box, [&](std::size_t first, std::size_t row) {
+        const std::size_t at = row * width;
+        visit(&copy.density[at], &body.density[first], width);
+        visit(&copy.colour[at], &body.colour[first], width);
+        visit(&copy.material[at], &body.material[first], width);
+    });
+}
+
+BrickCopy& copy_at(CarvingHistory& history, std::uint64_t number) {
+    return history.ring[static_cast<std::size_t>(number % history.capacity)];
+}
+
+/// A new copy at the end of the ring. The ring grows up to its capacity, so that unused memory is never touched.
+BrickCopy& new_copy(CarvingHistory& history) {
+    const std::uint64_t number = history.next++;
+    if (number % history.capacity == history.ring.size()) history.ring.emplace_back();
+    return copy_at(history, number);
+}
+
+void store(BrickCopy& copy, const VoxelView& body, std::size_t brick) {
+    copy.brick = static_cast<std::uint32_t>(brick);
+    for_each_run(copy, body, [](auto* kept, const auto* now, std::size_t n) { std::copy_n(now, n, kept); });
+}
+
+void exchange(BrickCopy& copy, const VoxelView& body) {
+    for_each_run(copy, body,
+                 [](auto* kept, auto* now, std::size_t n) { std::swap_ranges(kept, kept + n, now); });
+}
+
+/// Compares bits: a density that is not a number is equal to itself.
+bool is_unchanged(const BrickCopy& copy, const VoxelView& body) {
+    bool same = true;
+    for_each_run(copy, body, [&](const auto* kept, const auto* now, std::size_t n) {
+        same = same && std::memcmp(kept, now, n * sizeof *kept) == 0;
+    });
+    return same;
+}
+
+void forget_all(CarvingHistory& history) {
+    history.steps.clear();
+    history.done = 0;
+    history.open = false;
+}
+
+void open_step(CarvingHistory& history) {
+    history.steps.resize(history.done);
+    history.next = history.steps.empty() ? 0 : history.steps.back().first + history.steps.back().count;
+    history.steps.push_back({history.next, 0});
+    history.done = history.steps.size();
+    history.open = true;
+    ++history.mark;
+}
+
+std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& body, const VoxelBox& bricks) {
+    std::uint64_t missing = 0;
+    for_each_brick(*body.bricks, bricks, [&](std::array<int, 3>, std::size_t brick) {
+        missing += history.kept_in[brick] == history.mark ? 0 : 1;
+    });
+    return missing;
+}
+
+/// Forgets the oldest steps until this many copies fit. Returns false if that takes the open step itself.
+bool make_room(CarvingHistory& history, std::uint64_t copies) {
+    while (history.next - history.steps.front().first + copies > history.capacity) {
+        if (history.steps.size() == 1) return false;
+        history.steps.pop_front();
+        --history.done;
+    }
+    return true;
+}
+
+/// Exchanges a step's copies with the body.
+VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelView& body) {
+    VoxelBox changed;
+    Bricks& bricks = *body.bricks;
+    ++bricks.newest;
+    for (std::uint64_t n = step.first; n < step.first + step.count; ++n) {
+        BrickCopy& copy = copy_at(history, n);
+        exchange(copy, body);
+        bricks.version[copy.brick] = bricks.newest;
+        changed = around(changed, box_of(body, copy.brick));
+    }
+    return changed;
+}
+
+}  // namespace
+
+CarvingHistory make_history(const VoxelView& body, std::size_t bytes) {
+    CarvingHistory history{.capacity = std::max<std::size_t>(bytes / sizeof(BrickCopy), 1)};
+    history.ring.reserve(history.capacity);
+    history.kept_in.assign(body.bricks->version.size(), history.mark);
+    return history;
+}
+
+void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box) {
+    THAUM_ASSERT(history.kept_in.size() == body.bricks->version.size(), "a history of another body");
+    if (box.empty()) return;
+    const VoxelBox bricks = bricks_around(box);
+    if (!history.open) open_step(history);
+    if (!make_room(history, missing_copies(history, body, bricks))) {
+        forget_all(history);
+        open_step(history);
+        if (!make_room(history, missing_copies(history, body, bricks))) return forget_all(history);
+    }
+    for_each_brick(*body.bricks, bricks, [&](std::array<int, 3>, std::size_t brick) {
+        if (history.kept_in[brick] == history.mark) return;
+        history.kept_in[brick] = history.mark;
+        store(new_copy(history), body, brick);
+        ++history.steps.back().count;
+    });
+}
+
+void end_step(CarvingHistory& history, const VoxelView& body) {
+    if (!history.open) return;
+    history.open = false;
+    CarvingStep& step = history.steps.back();
+    std::uint64_t changed = 0;
+    for (std::uint64_t n = step.first; n < step.first + step.count; ++n) {
+        if (is_unchanged(copy_at(history, n), body)) continue;
+        if (step.first + changed != n) copy_at(history, step.first + changed) = copy_at(history, n);
+        ++changed;
+    }
+    step.count = changed;
+    history.next = step.first + changed;
+    if (changed > 0) return;
+    history.steps.pop_back();
+    --history.done;
+}
+
+Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history) {
+    keep(history, body, reach(body, tool, dab));
+    return edit(body, tool, dab);
+}
+
+VoxelBox undo(CarvingHistory& history, const VoxelView& body) {
+    end_step(history, body);
+    if (!can_undo(history)) return {};
+    return exchange(history, history.steps[--history.done], body);
+}
+
+VoxelBox redo(CarvingHistory& history, const VoxelView& body) {
+    end_step(history, body);
+    if (!can_redo(history)) return {};
+    return exchange(history, history.steps[history.done++], body);
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,73 @@
+// field/carving_history.h: undo and redo of carving, equal in every bit.
+//
+//     edit(body, tool, dab, history)     any number of edits: a stroke
+//     end_step(history, body)            the stroke ends
+//     undo(history, body)                the body as before the stroke
+//
+// A step holds a copy of each brick as it was before the step's first change there. Undo exchanges the copies with
+// the bricks of the body, so the same step then serves for redo. Storing the edits instead would need less memory,
+// but a filter has no inverse.
+//
+// A copied brick takes 4 KB. If memory runs out, the oldest steps are forgotten. If a stroke alone needs more than
+// all the memory, its beginning is forgotten, too: undo then returns to some moment within the stroke.
+#pragma once
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "field/carving.h"
+#include "field/voxels.h"
+
+namespace thaum::field {
+
+/// A brick's voxels, x fastest. A smaller brick at the far end leaves the rest unused.
+struct BrickCopy {
+    std::uint32_t brick{};
+    std::array<float, voxels_of_brick> density{};
+    std::array<Rgb8, voxels_of_brick> colour{};
+    std::array<std::uint8_t, voxels_of_brick> material{};
+};
+
+/// Copies that belong to one stroke: a run in the ring of copies.
+struct CarvingStep {
+    std::uint64_t first{};  ///< number of the first copy, counted over the whole life of the history
+    std::uint64_t count{};
+};
+
+/// History of one body. Only the functions below change it.
+struct CarvingHistory {
+    std::vector<BrickCopy> ring{};         ///< copy n stands at n modulo the capacity
+    std::uint64_t capacity{};              ///< number of copies that fit
+    std::uint64_t next{};                  ///< number of the next copy
+    std::deque<CarvingStep> steps{};       ///< steps that can be undone, then steps that can be redone
+    std::size_t done{};                    ///< number of steps that can be undone
+    bool open = false;                     ///< true while edits belong to step `done` - 1
+    std::uint32_t mark{};                  ///< differs from step to step
+    std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
+};
+
+inline constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;
+
+/// `bytes` limits the memory for copies. It is reserved at once, but used only as steps need it.
+CarvingHistory make_history(const VoxelView& body, std::size_t bytes = usual_history_bytes);
+
+/// Ends the open step, if there is one. Copies of bricks that did not change are dropped, and the step with them if
+/// none is left.
+void end_step(CarvingHistory& history, const VoxelView& body);
+
+/// Copies the bricks of the box that the open step has not copied yet. Opens a step if none is open; steps that could
+/// be redone are then forgotten.
+void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
+
+/// Applies a tool (field/carving.h) within the open step.
+Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history);
+
+/// Takes back or repeats a step. Returns a box around all changed voxels: empty if there is no such step. Ends an
+/// open step first.
+VoxelBox undo(CarvingHistory& history, const VoxelView& body);
+VoxelBox redo(CarvingHistory& history, const VoxelView& body);
+
+inline bool can_undo(const CarvingHistory& history) { return history.done > 0; }
+inline bool can_redo(const CarvingHistory& history) { return history.done < history.steps.size(); }
+
+}  // namespace thaum::field
