@@ -1,0 +1,35 @@
+#include "field/voxel_overlap.h"
+
+#include "core/assert.h"
+
+namespace thaum::field {
+
+VoxelOverlap overlap_with(const VoxelView& body, std::span<const float> wanted, float threshold) {
+    THAUM_ASSERT(wanted.size() == body.density.size(), "the wanted body has another number of voxels");
+    VoxelOverlap overlap{.count = body.count, .threshold = threshold};
+    overlap.inside.reserve(wanted.size());
+    for (const float density : wanted) {
+        overlap.inside.push_back(density >= threshold ? 2 : 0);
+        overlap.either += density >= threshold ? 1 : 0;
+    }
+    recount(overlap, body, body.all());
+    return overlap;
+}
+
+void recount(VoxelOverlap& overlap, const VoxelView& body, const VoxelBox& changed) {
+    THAUM_ASSERT(overlap.count == body.count, "the overlap of another body");
+    const auto width = static_cast<std::size_t>(std::max(changed.high[0] - changed.low[0], 0));
+    for_each_row(body, changed, [&](std::size_t first, std::size_t) {
+        for (std::size_t i = first; i < first + width; ++i) {
+            const unsigned was = overlap.inside[i], wanted = was & 2U;
+            const unsigned now = wanted | (body.density[i] >= overlap.threshold ? 1U : 0U);
+            overlap.both += now == 3 ? 1 : 0;
+            overlap.both -= was == 3 ? 1 : 0;
+            overlap.either += now != 0 ? 1 : 0;
+            overlap.either -= was != 0 ? 1 : 0;
+            overlap.inside[i] = static_cast<std::uint8_t>(now);
+        }
+    });
+}
+
+}  // namespace thaum::field
