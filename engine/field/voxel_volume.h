@@ -1,0 +1,36 @@
+// field/voxel_volume.h: bodies of voxels from volumes, and back into volumes for files (field/volume.h).
+//
+// A volume holds one property. Density, colour and material are therefore three volumes, each with the count,
+// spacing and placement of the body. They give back every bit of it.
+#pragma once
+#include <optional>
+
+#include "core/error.h"
+#include "field/volume.h"
+#include "field/voxels.h"
+
+namespace thaum::field {
+
+/// Densities of nothing and of solid material.
+struct DensityRange {
+    float empty = 0, full = 1;
+};
+
+/// A body with the samples of a scalar volume as its densities, white and of material 0. Without a range, its least
+/// and greatest finite samples are the densities of nothing and of solid material. The error says what is wrong
+/// with the volume or the range.
+Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range = std::nullopt);
+
+/// The densities, stored as float32.
+Volume density_volume(const Voxels& body);
+/// The colours: three components of 8 bits.
+Volume colour_volume(const Voxels& body);
+/// The indices of the materials, in 8 bits.
+Volume material_volume(const Voxels& body);
+
+/// Takes colours or materials from a volume of the same count. The samples must be whole numbers from 0 to 255. On
+/// an error the body is as before.
+Expected<void> set_colours(Voxels& body, const Volume& volume);
+Expected<void> set_materials(Voxels& body, const Volume& volume);
+
+}  // namespace thaum::field
