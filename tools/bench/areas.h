@@ -31,6 +31,8 @@ void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
 /// Part of the area `field`: volumes.
 void field_samples(const Options& options, Report& report);
+/// Part of the area `field`: edits of voxels.
+void carving(const Options& options, Report& report);
 /// Surface of the brew.
 void surface(const Options& options, Report& report);
 void tactile_mixer(const Options& options, Report& report);
