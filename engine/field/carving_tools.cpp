@@ -163,6 +163,7 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
         const Operation next = read_operation(table, materials);
         check_properties(table, tool.operations, next);
         tool.operations.push_back(next);
+        if (tool.operations.size() > most_operations) break;  // two of them change one property
     }
     if (tool.operations.empty()) root.report("name", "the tool has no [[operation]]; add one");
     check_surface(root, tool.operations);

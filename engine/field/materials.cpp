@@ -35,8 +35,10 @@ Expected<Materials> read_materials(const Config& config) {
         Material m = read_material(table);
         if (material_index(materials, m.name))
             table.report("name", text("material '", m.name, "' stands here for the second time"));
-        if (materials.size() == most_materials)
+        if (materials.size() == most_materials) {
             table.report("name", text("there are more than ", most_materials, " materials"));
+            break;
+        }
         materials.push_back(std::move(m));
     }
     if (materials.empty()) root.report("", "there is no [[material]]; add one");
