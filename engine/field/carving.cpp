@@ -181,7 +181,8 @@ void count_changed(const Changed& changed, const VoxelBox& brick, Edit& result) 
         const unsigned bits = changed[static_cast<std::size_t>(row)];
         if (bits == 0) continue;
         const int j = brick.low[1] + row % brick_size, k = brick.low[2] + row / brick_size;
-        const int first = brick.low[0] + std::countr_zero(bits), end = brick.low[0] + std::bit_width(bits);
+        const int first = brick.low[0] + std::countr_zero(bits);
+        const int end = brick.low[0] + static_cast<int>(std::bit_width(bits));
         result.changed = around(result.changed, {{first, j, k}, {end, j + 1, k + 1}});
         result.voxels += static_cast<std::size_t>(std::popcount(bits));
     }

@@ -21,7 +21,7 @@ vec3 margin_of(const Footprint& f) {
 
 /// Voxels around the centre, cut at the body's ends. Numbers are cut before they become integers.
 VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
-    vec3 reach = f.half + margin_of(f);
+    vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));  // a turn of infinity would not be a number
     if (!is_round(f.shape)) {
         const mat3 size(glm::abs(f.turn[0]), glm::abs(f.turn[1]), glm::abs(f.turn[2]));
         reach = size * reach;
@@ -139,7 +139,7 @@ Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, 
     f.step = extent.in_metres ? body.spacing : vec3(1);
     f.rim = rim_voxels * std::max({f.step.x, f.step.y, f.step.z});
     f.centre = (place - body.first_place()) / body.spacing;
-    f.box = box_of(f, body.all());
+    if (is_finite(f.centre)) f.box = box_of(f, body.all());
     return f;
 }
 

@@ -26,7 +26,8 @@ TEST(CarvingHostile, UndoIsExactUnderTenThousandRandomEdits) {
     };
     Random random = random_stream(24, 10);
     for (int i = 0; i < 10'000; ++i) {
-        edit(body.view(), random_tool(random), random_dab(body, random), history);
+        const Tool tool = random_tool(random);
+        edit(body.view(), tool, random_dab(body, random), history);
         if (random.below(3) != 0) continue;
         end();
         for (auto back = random.below(3); back > 0 && can_undo(history); --back) {
@@ -56,7 +57,8 @@ TEST(CarvingHostile, UndoIsExactWithLittleMemory) {
     std::vector<std::uint64_t> seen{hash_of(body)};  // after each edit
     Random random = random_stream(24, 11);
     for (int i = 0; i < 3000; ++i) {
-        edit(body.view(), random_tool(random), random_dab(body, random), history);
+        const Tool tool = random_tool(random);
+        edit(body.view(), tool, random_dab(body, random), history);
         seen.push_back(hash_of(body));
         if (random.below(3) == 0) end_step(history, body.view());
         if (random.below(10) != 0) continue;
@@ -129,6 +131,25 @@ TEST(CarvingHostile, HugeExtentsChangeTheWholeBody) {
     }
 }
 
+TEST(CarvingHostile, HugeNumbersTogetherGiveNoUndefinedResult) {
+    const double huge[] = {1e150, 1e300, 1.7e308};
+    for (const double spacing : {1e-200, 1.0, 1e100}) {
+        for (const double radius : huge) {
+            for (const double far : huge) {
+                for (int shape = 0; shape < 5; ++shape) {
+                    Voxels body = block({9, 10, 11}, 1, spacing);
+                    Extent extent = round_extent(static_cast<ExtentShape>(shape), radius);
+                    extent.in_metres = far > radius;
+                    extent.stamp = {{1, 1, 1}, {1}};
+                    edit(body.view(), density_constant(extent, 0),
+                         {.place = vec3(far), .motion = vec3(-far)});
+                    for (const float density : body.density) ASSERT_TRUE(density >= 0 && density <= 1);
+                }
+            }
+        }
+    }
+}
+
 TEST(CarvingHostile, ALongMotionIsWalkedInFewSteps) {
     Voxels body = block({40, 9, 9}, 1);
     const Edit e = edit(body.view(), density_filter(0.5, 0), {.motion = {1e6, 0, 0}, .seconds = 1});
@@ -163,7 +184,8 @@ TEST(CarvingHostile, DensityStaysBetweenItsOldValueAndTheConstant) {
     Voxels body = random_block({25, 17, 24}, 4);
     Random random = random_stream(24, 12);
     for (int i = 0; i < 2000; ++i) {
-        const Edit e = edit(body.view(), random_tool(random), random_dab(body, random));
+        const Tool tool = random_tool(random);
+        const Edit e = edit(body.view(), tool, random_dab(body, random));
         EXPECT_TRUE(std::isfinite(e.removed) && std::isfinite(e.added));
     }
     for (const float density : body.density) ASSERT_TRUE(density >= 0 && density <= 1);

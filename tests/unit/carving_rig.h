@@ -9,6 +9,9 @@
 
 namespace thaum::field {
 
+/// Number of calls of `new` so far, in any thread.
+std::size_t allocations();
+
 inline Extent round_extent(ExtentShape shape, double radius) {
     return {.shape = shape, .half = vec3(radius)};
 }
@@ -93,10 +96,10 @@ inline Tool random_tool(Random& random) {
 
 /// A dab in or near a body of about 25 voxels along each axis.
 inline Dab random_dab(Voxels& body, Random& random) {
-    const vec3 voxel(random.uniform(-5, 30), random.uniform(-5, 30), random.uniform(-5, 30));
-    const vec3 axis = glm::normalize(vec3(random.uniform(-1, 1), random.uniform(-1, 1), 0.7));
+    const vec3 voxel{random.uniform(-5, 30), random.uniform(-5, 30), random.uniform(-5, 30)};
+    const vec3 axis = glm::normalize(vec3{random.uniform(-1, 1), random.uniform(-1, 1), 0.7});
     return {.place = place_of(body, voxel),
-            .motion = 0.05 * vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)),
+            .motion = 0.05 * vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
             .turn = glm::mat3_cast(rotation(axis, random.uniform(0, 6))),
             .seconds = random.uniform(0, 0.1),
             .seed = random.next()};

@@ -176,6 +176,30 @@ TEST(Carving, ACutGoesThroughAlongTheMotion) {
     }
 }
 
+TEST(Carving, EveryBuildGivesTheSameBits) {
+    Voxels body = random_block({25, 17, 24}, 6);
+    Random random = random_stream(24, 15);
+    for (int i = 0; i < 500; ++i) {
+        const Tool tool = random_tool(random);
+        edit(body.view(), tool, random_dab(body, random));
+    }
+    EXPECT_EQ(hash_of(body), 0xb23435e9cac81844U);
+}
+
+TEST(Carving, AnEditDoesNotAllocate) {
+    Voxels body = random_block({40, 40, 40}, 5);
+    Random random = random_stream(24, 14);
+    std::size_t changed = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Tool tool = random_tool(random);
+        const Dab dab = random_dab(body, random);
+        const std::size_t before = allocations();
+        changed += edit(body.view(), tool, dab).voxels;
+        ASSERT_EQ(allocations(), before) << i;
+    }
+    EXPECT_GT(changed, 1000U);
+}
+
 TEST(Carving, TwoOperationsOfOnePropertyAreOurMistake) {
     Voxels body = block({8, 8, 8}, 1);
     Tool tool = density_filter(3, 0);

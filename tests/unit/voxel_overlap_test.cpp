@@ -37,7 +37,8 @@ TEST(VoxelOverlap, CountsAfterEditsAndUndoAreThoseOfAFullCount) {
         ASSERT_EQ(overlap.inside, full.inside);
     };
     for (int i = 0; i < 300; ++i) {
-        const Edit e = edit(body.view(), random_tool(random), random_dab(body, random), history);
+        const Tool tool = random_tool(random);
+        const Edit e = edit(body.view(), tool, random_dab(body, random), history);
         recount(overlap, body.view(), e.changed);
         expect_full();
         if (random.below(3) == 0) end_step(history, body.view());

@@ -207,6 +207,20 @@ TEST(MaterialFiles, ReadsEachValue) {
     EXPECT_EQ(m.colour, (Rgb8{224, 172, 140}));
 }
 
+TEST(MaterialFiles, AnIndexOfAByteReachesEachMaterial) {
+    std::string table = "version = 1\n";
+    const auto add = [&](int i) {
+        table += "[[material]]\nname = \"m" + std::to_string(i) +
+                 "\"\nstiffness = 1\nviscosity = 1\nopacity = 1\ncolour = [0, 0, 0]\n";
+    };
+    for (int i = 0; i < 256; ++i) add(i);
+    const auto materials = materials_from(table);
+    ASSERT_TRUE(materials.has_value()) << materials.error().message;
+    EXPECT_EQ(material_index(*materials, "m255"), 255);
+    add(256);
+    EXPECT_EQ(materials_from(table).error().message, "m.toml:1539: there are more than 256 materials");
+}
+
 TEST(MaterialFiles, FaultsNameTheLine) {
     const std::string once(skin);
     const std::string twice = once + once.substr(once.find('['));
