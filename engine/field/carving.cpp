@@ -108,14 +108,13 @@ Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 now, double weight) {
 
 /// Returns true if one of the six neighbours lies on the other side of the surface.
 bool is_at_surface(const VoxelView& body, std::array<int, 3> voxel) {
-    const float level = 0.5F * (body.empty + body.full);
-    const bool inside = body.density[body.at(voxel[0], voxel[1], voxel[2])] >= level;
+    const bool inside = body.density[body.at(voxel[0], voxel[1], voxel[2])] >= body.surface;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const int side : {-1, 1}) {
             auto next = voxel;
             next[axis] += side;
             if (next[axis] < 0 || next[axis] >= body.count[axis]) continue;
-            if ((body.density[body.at(next[0], next[1], next[2])] >= level) != inside) return true;
+            if ((body.density[body.at(next[0], next[1], next[2])] >= body.surface) != inside) return true;
         }
     }
     return false;
@@ -161,8 +160,8 @@ void apply(const VoxelView& body, const Cast& cast, const VoxelBox& brick, Chang
     std::size_t at = 0;
     for (int k = part.low[2]; k < part.high[2]; ++k) {
         for (int j = part.low[1]; j < part.high[1]; ++j) {
-            std::uint8_t& row =
-                changed[static_cast<std::size_t>((k % brick_size) * brick_size + j % brick_size)];
+            const int row_in_brick = (k % brick_size) * brick_size + j % brick_size;
+            std::uint8_t& row = changed[static_cast<std::size_t>(row_in_brick)];
             for (int i = part.low[0]; i < part.high[0]; ++i) {
                 const double weight = weights[at++];
                 if (!(weight > 0)) continue;

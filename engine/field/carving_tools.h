@@ -12,7 +12,7 @@
 //     density = 1                    0 is empty, 1 is solid; for density, except with melt
 //     colour = [255, 0, 0]           for colour
 //     material = "wax"               for material; a name of the table of materials
-//     only = "surface"               optional; not together with density
+//     only = "surface"               optional: voxels beside the surface; not together with density
 //
 // A filter moves a property towards its constant D: d' = a D + (1 - a) d. Melting has D = 0. For a time t,
 // a = 1 - exp(-rate w t), where w is the weight of the extent at the voxel. So two edits of t / 2 give the same
@@ -72,7 +72,7 @@ struct Operation {
     double density = 0;  ///< constant, from 0 (empty) to 1 (solid)
     Rgb8 colour{};
     std::uint8_t material = 0;
-    bool surface_only = false;  ///< change only voxels that have a neighbour on the other side of the surface
+    bool surface_only = false;  ///< change only voxels beside the body's surface
 };
 
 struct Tool {

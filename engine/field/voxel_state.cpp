@@ -50,7 +50,7 @@ void write_brick(const VoxelView& body, const VoxelBox& box, const BrickVoxels& 
     });
 }
 
-enum class Packing : std::uint8_t { equal, full };
+enum class BrickPacking : std::uint8_t { equal, full };
 
 bool all_equal(const BrickVoxels& brick) {
     return std::ranges::all_of(brick.used(), [&](const Voxel& v) { return v == brick.items[0]; });
@@ -59,9 +59,9 @@ bool all_equal(const BrickVoxels& brick) {
 BrickVoxels unpack(ByteReader& saved, std::size_t count) {
     BrickVoxels brick;
     brick.count = count;
-    const auto packing = saved.get<Packing>();
-    if (packing > Packing::full) saved.reject();
-    const std::size_t stored = packing == Packing::equal ? 1 : count;
+    const auto packing = saved.get<BrickPacking>();
+    if (packing > BrickPacking::full) saved.reject();
+    const std::size_t stored = packing == BrickPacking::equal ? 1 : count;
     const auto bytes = saved.get_bytes(stored * sizeof(Voxel));
     if (!saved.ok()) return brick;
     std::memcpy(brick.items.data(), bytes.data(), bytes.size());
@@ -90,7 +90,7 @@ void save(const VoxelView& body, Bytes& out) {
     for_each_brick(*body.bricks, {{}, body.bricks->count}, [&](std::array<int, 3> brick, std::size_t) {
         const BrickVoxels voxels = read_brick(body, brick_box(body.count, brick));
         const bool equal = all_equal(voxels);
-        writer.put(equal ? Packing::equal : Packing::full);
+        writer.put(equal ? BrickPacking::equal : BrickPacking::full);
         writer.put_bytes(std::as_bytes(voxels.used().first(equal ? 1 : voxels.count)));
     });
 }

@@ -58,6 +58,7 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
     body.placement = volume.placement;
     body.empty = used.empty;
     body.full = used.full;
+    body.surface = used.empty + 0.5F * (used.full - used.empty);
     body.density = volume.samples;
     return body;
 }

@@ -16,9 +16,9 @@ struct DensityRange {
     float empty = 0, full = 1;
 };
 
-/// A body with the samples of a scalar volume as its densities, white and of material 0. Without a range, its least
-/// and greatest finite samples are the densities of nothing and of solid material. The error says what is wrong
-/// with the volume or the range.
+/// A body with the samples of a scalar volume as its densities, white and of material 0. Without a range, its
+/// least and greatest finite samples are the densities of nothing and of solid material. The surface is half-way
+/// between them. The error says what is wrong with the volume or the range.
 Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> range = std::nullopt);
 
 /// The densities, stored as float32.

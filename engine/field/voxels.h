@@ -78,6 +78,7 @@ struct VoxelView {
     std::array<int, 3> count{};
     vec3 spacing{1};            ///< distance between voxels along each axis (m)
     float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    float surface = 0.5F;       ///< density at the body's surface, for tools that draw on it
     std::span<float> density{};
     std::span<Rgb8> colour{};
     std::span<std::uint8_t> material{};  ///< index into a table of materials (field/materials.h)
@@ -102,13 +103,14 @@ struct Voxels {
     std::array<int, 3> count{};
     vec3 spacing{1};            ///< distance between voxels along each axis (m)
     float empty = 0, full = 1;  ///< densities of nothing and of solid material; full > empty
+    float surface = 0.5F;       ///< density at the body's surface, for tools that draw on it
     std::vector<float> density{};
     std::vector<Rgb8> colour{};
     std::vector<std::uint8_t> material{};
     Bricks bricks{};
     Placement placement{};  ///< from the body's frame to the parent's
 
-    VoxelView view() { return {count, spacing, empty, full, density, colour, material, &bricks}; }
+    VoxelView view() { return {count, spacing, empty, full, surface, density, colour, material, &bricks}; }
     /// The density at any place of the body's frame. Valid until the body is destroyed or moved.
     Grid density_grid(Kernel kernel = Kernel::catmull_rom) const;
 };

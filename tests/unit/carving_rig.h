@@ -1,7 +1,7 @@
 // Bodies, tools and comparisons that the tests of carving share.
 #pragma once
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "core/random.h"
 #include "field/carving.h"
@@ -62,8 +62,10 @@ inline std::uint64_t hash_of(Voxels& body) {
 
 /// Returns true if a bit of this voxel differs.
 inline bool differs(const Voxels& a, const Voxels& b, std::size_t voxel) {
-    return std::memcmp(&a.density[voxel], &b.density[voxel], sizeof(float)) != 0 ||
-           a.colour[voxel] != b.colour[voxel] || a.material[voxel] != b.material[voxel];
+    const auto bits = [voxel](const Voxels& body) {
+        return std::bit_cast<std::uint32_t>(body.density[voxel]);
+    };
+    return bits(a) != bits(b) || a.colour[voxel] != b.colour[voxel] || a.material[voxel] != b.material[voxel];
 }
 
 /// Sum of the densities times the volume of a voxel (density m^3).

@@ -130,6 +130,8 @@ TEST(Carving, AnAnnotationStaysOnTheSurface) {
     EXPECT_EQ(body.material[body.view().at(8, 8, 7)], 3);
     EXPECT_EQ(body.colour[body.view().at(8, 8, 8)], (Rgb8{9, 8, 7}));
     EXPECT_EQ(body.material[body.view().at(8, 8, 9)], 0);
+    body.surface = 2;  // no voxel is inside
+    EXPECT_EQ(edit(body.view(), tool, {.place = {0, 0, 0.02}}).voxels, 0U);
 }
 
 TEST(Carving, AStampOfAPartGivesThePartBack) {

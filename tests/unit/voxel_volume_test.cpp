@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/file.h"
+#include "field/nrrd.h"
 #include "unit/carving_rig.h"
 
 namespace thaum::field {
@@ -31,6 +33,7 @@ TEST(VoxelVolume, AScanGivesItsDensitiesAndItsFrame) {
     EXPECT_EQ(body->placement.scale, 4);
     EXPECT_EQ(body->empty, -1024);
     EXPECT_EQ(body->full, 3071);
+    EXPECT_EQ(body->surface, 1023.5F);
     EXPECT_TRUE(std::isnan(body->density[1]));
     EXPECT_EQ(body->density[3], 3071);
     EXPECT_EQ(body->colour[0], (Rgb8{255, 255, 255}));
@@ -58,6 +61,25 @@ TEST(VoxelVolume, ThreeVolumesGiveTheBodyBack) {
     EXPECT_EQ(hash_of(*again), hash_of(body));
     EXPECT_EQ(again->placement.turn, body.placement.turn);
     EXPECT_EQ(again->bricks.newest, 3U);  // readers see both changes
+}
+
+TEST(VoxelVolume, ACarvedBodyIsTheSameAfterSavingAndReading) {
+    const auto scanned = voxels_of(scan({-1024, 40, 300, 3071}));
+    ASSERT_TRUE(scanned.has_value());
+    Voxels body = random_block({17, 9, 12}, 8);
+    body.spacing = scanned->spacing;
+    body.placement = scanned->placement;
+    edit(body.view(), density_filter(4, 0), {.seconds = 0.1});
+    const TemporaryFolder folder;
+    const auto path = [&](const char* name) { return folder.path() / name; };
+    ASSERT_TRUE(write_nrrd(path("d.nrrd"), density_volume(body)).has_value());
+    ASSERT_TRUE(write_nrrd(path("c.nrrd"), colour_volume(body)).has_value());
+    ASSERT_TRUE(write_nrrd(path("m.nrrd"), material_volume(body)).has_value());
+    auto again = voxels_of(*read_nrrd(path("d.nrrd")), DensityRange{body.empty, body.full});
+    ASSERT_TRUE(again.has_value()) << again.error().message;
+    ASSERT_TRUE(set_colours(*again, *read_nrrd(path("c.nrrd"))).has_value());
+    ASSERT_TRUE(set_materials(*again, *read_nrrd(path("m.nrrd"))).has_value());
+    EXPECT_EQ(hash_of(*again), hash_of(body));
 }
 
 TEST(VoxelVolume, EachVolumeIsStoredInItsType) {

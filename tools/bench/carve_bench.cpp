@@ -62,8 +62,8 @@ Voxels ball(int n) {
     Voxels body = field::make_voxels({n, n, n}, vec3(0.6 / n));
     const double middle = 0.5 * (n - 1), radius = 0.45 * n;
     field::for_each_row(body.view(), body.view().all(), [&](std::size_t first, std::size_t row) {
-        const double j = static_cast<double>(row % static_cast<std::size_t>(n)) - middle;
-        const double k = static_cast<double>(row / static_cast<std::size_t>(n)) - middle;
+        const int rows = static_cast<int>(row), layer = rows / n;
+        const double j = rows % n - middle, k = layer - middle;
         for (int i = 0; i < n; ++i) {
             const double r = glm::length(vec3(i - middle, j, k));
             body.density[first + static_cast<std::size_t>(i)] =
@@ -127,7 +127,8 @@ private:
     }
 
     double at(const Voxels& body, int i, int j, int k) const {
-        return static_cast<double>(body.density[static_cast<std::size_t>(i + n_ * (j + n_ * k))]);
+        const int voxel = i + n_ * (j + n_ * k);
+        return static_cast<double>(body.density[static_cast<std::size_t>(voxel)]);
     }
 
     int n_;
