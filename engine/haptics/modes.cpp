@@ -1,0 +1,76 @@
+#include "haptics/modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::haptics {
+namespace {
+
+std::vector<Mode>& registered() {
+    static std::vector<Mode> all;  // made at the first use, because registrations run in any order
+    return all;
+}
+
+}  // namespace
+
+ModeRegistration::ModeRegistration(const Mode& mode) {
+    auto& all = registered();
+    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
+    all.insert(std::ranges::find_if(all, [&](const Mode& m) { return mode.name < m.name; }), mode);
+}
+
+std::span<const Mode> modes() { return registered(); }
+
+const Mode* find_mode(std::string_view name) {
+    const auto all = modes();
+    const auto found = std::ranges::find(all, name, &Mode::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::vector<const Mode*> modes_for(FieldKind kind) {
+    std::vector<const Mode*> result;
+    for (const Mode& mode : modes()) {
+        if (mode.reads == kind) result.push_back(&mode);
+    }
+    return result;
+}
+
+std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept {
+    std::size_t left_out = 0;
+    for (const ModeUse& use : uses) {
+        const bool fits = use.mode != nullptr && use.mode->reads == use.field.kind &&
+                          set.items().size() + use.mode->primitives <= primitive_capacity;
+        if (fits)
+            use.mode->add(use.field, use.settings, input, set);
+        else
+            ++left_out;
+    }
+    return left_out;
+}
+
+Direction direction_of(vec3 v) noexcept {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 1e-300) || !is_finite(v)) return {};
+    const vec3 scaled = v / largest;  // so that no square overflows
+    const double length = glm::length(scaled);
+    return {scaled / length, std::min(length * largest, 1e300)};
+}
+
+double strength_at(const field::TransferFunction& strength, double x) noexcept {
+    const double found = std::isfinite(x) ? strength(x) : 0;
+    return std::isfinite(found) ? std::clamp(found, -primitive_limit, primitive_limit) : 0;
+}
+
+void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept {
+    if (set.add(primitive) != PrimitiveFault::none) set.add({.kind = PrimitiveKind::point});
+}
+
+void add_turned(PrimitiveSet& set, Primitive primitive) noexcept {
+    if (primitive.strength < 0) {
+        primitive.strength = -primitive.strength;
+        primitive.direction = -primitive.direction;
+    }
+    add_or_rest(set, primitive);
+}
+
+}  // namespace thaum::haptics

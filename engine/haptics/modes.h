@@ -1,0 +1,129 @@
+// haptics/modes.h: haptic modes, the building blocks of what a volume feels like (Lundin, Cooper, Persson,
+// Evestedt, Ynnerman 2007, "Enabling design and interactive selection of haptic modes", section 3).
+//
+//     field (scalar or vector) --.
+//     settings (strength, ...) --+--> mode --> primitives at the proxy of the last tick --> balance
+//     proxy of the last tick ----'
+//
+// A mode reads a field at the proxy of the last tick and adds haptic primitives there. A transfer function maps the
+// property that the mode reads to the strength of its primitives. Modes are independent of each other, so any of
+// them act together, up to primitive_capacity primitives.
+//
+// A mode always adds the same number of primitives, because the servo takes another number for a switch. Where it
+// has nothing to push with, they have no strength: a gradient or vector of length zero, a field that is not finite,
+// a strength that is not finite or, for point and line, negative. Then directions are arbitrary.
+//
+// Whoever chooses other modes or settings gives HapticModel::set_number a new value, so that the servo fades from
+// one feel to the other.
+//
+// A mode is one .cpp in haptics/modes that registers a Mode. Link to thaum_modes, which keeps all of them.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "field/field.h"
+#include "field/transfer.h"
+#include "haptics/primitives.h"
+
+namespace thaum::haptics {
+
+/// State of the hand in the last tick, as modes see it (device frame).
+struct ModeInput {
+    vec3 proxy{};           ///< position of the proxy (m)
+    vec3 tip{};             ///< position of the tip (m)
+    vec3 step{};            ///< motion of the tip until the primitives act, as far as it can be foreseen (m)
+    double stiffness{300};  ///< stiffness of the spring between tip and proxy (N/m)
+
+    /// Force of the spring on the hand (N).
+    vec3 pull() const { return stiffness * (proxy - tip); }
+};
+
+/// Settings of a mode. A mode ignores those that it has no use for.
+struct ModeSettings {
+    /// Strength of the primitives by the mode's property (N). A negative strength turns a direction that the field
+    /// gives, such as the side from which a surface is felt.
+    field::TransferFunction strength{};
+    /// Coefficient of friction. Surface: by the field's value. Isosurface: by the depth of the tip (m).
+    field::TransferFunction friction{};
+    double level{};      ///< isosurface: value of the field on the surface
+    bool solid_below{};  ///< isosurface: the solid has smaller values than the level, not larger ones
+    double magnet{};  ///< isosurface: strength with which it holds a proxy that is outside, within reach (N)
+    /// Isosurface: depth at which it lets the proxy through, and distance at which it is sought. Snap modes: distance
+    /// within which they act (m).
+    double reach{0.002};
+    double pitch{0.01};  ///< snap to grid: distance between its points (m)
+};
+
+/// Fields that modes read.
+enum class FieldKind : std::uint32_t { scalar, vector };
+
+/// A field of either kind; the other one is empty.
+struct AnyField {
+    FieldKind kind{};
+    field::ScalarField scalar{};
+    field::VectorField vector{};
+};
+inline AnyField any_field(field::ScalarField field) { return {FieldKind::scalar, field, {}}; }
+inline AnyField any_field(field::VectorField field) { return {FieldKind::vector, {}, field}; }
+
+/// A kind of mode, as its .cpp registers it.
+struct Mode {
+    std::string_view name{};      ///< "follow"
+    std::string_view about{};     ///< what the hand feels, for a menu
+    std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
+    FieldKind reads{};
+    std::uint32_t primitives{};  ///< number of primitives that it adds
+    /// Whether it creates no energy in any field: it pushes nothing and only resists.
+    bool passive{};
+    /// Adds the primitives. There is room for them.
+    void (*add)(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+                PrimitiveSet& set){};
+};
+
+/// Registers a mode when the program starts.
+struct ModeRegistration {
+    explicit ModeRegistration(const Mode& mode);
+};
+
+/// All modes, sorted by name.
+std::span<const Mode> modes();
+
+/// Mode of this name; null if there is none.
+const Mode* find_mode(std::string_view name);
+
+/// Modes that read fields of this kind, sorted by name.
+std::vector<const Mode*> modes_for(FieldKind kind);
+
+/// A chosen mode with its field and settings. The field must outlive it.
+struct ModeUse {
+    const Mode* mode{};
+    AnyField field{};
+    ModeSettings settings{};
+};
+
+/// Adds the primitives of all modes, in their order. A mode without room for its primitives, and one that does not
+/// read its field's kind, adds none. Returns the number of modes that were left out. No allocation.
+std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept;
+
+// ---- for the modes themselves -----------------------------------------------------------------------------
+
+/// Length and direction of a vector. If it is zero or not finite, the length is 0 and the direction arbitrary.
+struct Direction {
+    vec3 unit{1, 0, 0};
+    double length{};
+};
+Direction direction_of(vec3 v) noexcept;
+
+/// Strength by a transfer function at x (N): within +- primitive_limit, and 0 if x or the result is not finite.
+double strength_at(const field::TransferFunction& strength, double x) noexcept;
+
+/// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added without
+/// strength, so that the number of primitives stays the same.
+void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept;
+
+/// Adds a directed force or a plane; a negative strength turns it round.
+void add_turned(PrimitiveSet& set, Primitive primitive) noexcept;
+
+}  // namespace thaum::haptics

@@ -1,0 +1,23 @@
+// The hand slides along the vector and meets resistance across it: a line through the proxy (paper 001, eq. 12).
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+const ModeRegistration registration({
+    .name = "follow",
+    .about = "free along the flow, held across it, like a bead on a wire",
+    .property = "length of the vector",
+    .reads = FieldKind::vector,
+    .primitives = 1,
+    .passive = true,
+    .add =
+        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+            const Direction along = direction_of(field.vector(input.proxy).value);
+            const double strength = along.length > 0 ? strength_at(settings.strength, along.length) : 0;
+            add_or_rest(set, {PrimitiveKind::line, input.proxy, along.unit, strength});
+        },
+});
+
+}  // namespace
+}  // namespace thaum::haptics

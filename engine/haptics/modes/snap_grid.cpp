@@ -1,0 +1,28 @@
+// The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag).
+#include <cmath>
+
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+void add_snap(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+              PrimitiveSet& set) {
+    const vec3 nearest = settings.pitch * glm::round(input.proxy / settings.pitch);
+    const bool near = settings.pitch > 0 && glm::distance(nearest, input.proxy) <= settings.reach;
+    const double strength = near ? strength_at(settings.strength, field.scalar(nearest).value) : 0;
+    add_or_rest(set, {PrimitiveKind::point, near ? nearest : vec3(0), {}, strength});
+}
+
+const ModeRegistration registration({
+    .name = "snap_grid",
+    .about = "draws the hand to the nearest point of a grid",
+    .property = "value of the field at that point",
+    .reads = FieldKind::scalar,
+    .primitives = 1,
+    .passive = false,
+    .add = add_snap,
+});
+
+}  // namespace
+}  // namespace thaum::haptics

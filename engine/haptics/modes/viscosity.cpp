@@ -1,0 +1,22 @@
+// The space resists motion of the proxy: a point at its old place (paper 001, eq. 9).
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+const ModeRegistration registration({
+    .name = "viscosity",
+    .about = "thick where the field is strong; holds the hand back in every direction",
+    .property = "value of the field",
+    .reads = FieldKind::scalar,
+    .primitives = 1,
+    .passive = true,
+    .add =
+        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+            const double strength = strength_at(settings.strength, field.scalar(input.proxy).value);
+            add_or_rest(set, {PrimitiveKind::point, input.proxy, {}, strength});
+        },
+});
+
+}  // namespace
+}  // namespace thaum::haptics

@@ -1,0 +1,24 @@
+// The hand is pulled towards the core of a vortex, along (curl V) x V (paper 001, eq. 2 with a positive factor).
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+const ModeRegistration registration({
+    .name = "vortex_core",
+    .about = "pulls the hand into the core of a vortex",
+    .property = "length of (curl V) x V",
+    .reads = FieldKind::vector,
+    .primitives = 1,
+    .passive = false,
+    .add =
+        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+            const field::Vector here = field.vector(input.proxy);
+            const Direction inward = direction_of(glm::cross(curl(here), here.value));
+            const double strength = inward.length > 0 ? strength_at(settings.strength, inward.length) : 0;
+            add_turned(set, {PrimitiveKind::directed, {}, inward.unit, strength});
+        },
+});
+
+}  // namespace
+}  // namespace thaum::haptics

@@ -1,0 +1,25 @@
+// Walls round a vortex: leaving its core meets resistance (paper 001, eq. 13). The vector (curl V) x V points to the
+// core of a vortex. Eq. 2 puts a minus before it, which would push away from the core.
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+const ModeRegistration registration({
+    .name = "vortex_tube",
+    .about = "tubes round vortices: free towards the core and along it, held on the way out",
+    .property = "length of (curl V) x V",
+    .reads = FieldKind::vector,
+    .primitives = 1,
+    .passive = true,
+    .add =
+        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+            const field::Vector here = field.vector(input.proxy);
+            const Direction inward = direction_of(glm::cross(curl(here), here.value));
+            const double strength = inward.length > 0 ? strength_at(settings.strength, inward.length) : 0;
+            add_turned(set, {PrimitiveKind::plane, input.proxy, inward.unit, strength});
+        },
+});
+
+}  // namespace
+}  // namespace thaum::haptics
