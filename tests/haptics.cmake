@@ -13,3 +13,14 @@ thaum_test(test_haptics
         stability/fluid_touch_hostile_test.cpp
     LINK thaum_haptics thaum_fluid
     NOT_SANITIZED HapticsSwitches.TenThousand* HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore* RoundBodies.NoProxyStays*)
+
+thaum_test(test_haptic_modes
+    SOURCES
+        accuracy/haptics_modes_test.cpp accuracy/haptics_implicit_test.cpp accuracy/haptics_volume_test.cpp
+        stability/haptics_modes_hostile_test.cpp
+    LINK thaum_modes)
+
+# A mode that only this program has: one .cpp.
+thaum_test(test_own_mode
+    SOURCES own_mode/homing.cpp own_mode/own_mode_test.cpp
+    LINK thaum_modes)

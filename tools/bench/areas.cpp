@@ -14,7 +14,7 @@ std::span<const Area> areas() {
         Area{"render", render},
         Area{"coupling", coupling},
         Area{"primitives", primitives},
-        Area{"haptics", haptics},
+        Area{"haptics", haptics, haptics_stress},
         Area{"fluid", fluid, fluid_stress},
         Area{"surface", surface},
         Area{"field", field},

@@ -24,6 +24,11 @@ void haptics(const Options& options, Report& report);
 /// Parts of the area `haptics`.
 void surfaces(const Options& options, Report& report);
 void round_bodies(const Options& options, Report& report);
+/// Haptic modes, and surfaces of scanned volumes.
+void modes(const Options& options, Report& report);
+void modes_hostile(const Options& options, Report& report);
+/// Stress test of the area `haptics`.
+void haptics_stress(const Options& options, Report& report);
 void passivity(Report& report);
 void switches(const Options& options, Report& report);
 void arms(const Options& options, Report& report);

@@ -263,6 +263,8 @@ void haptics(const Options& options, Report& report) {
     servo_steps(options, report);
     surfaces(options, report);
     round_bodies(options, report);
+    modes(options, report);
+    modes_hostile(options, report);
     passivity(report);
     switches(options, report);
     stirring_passivity(options, report);

@@ -1,0 +1,51 @@
+// Haptic modes stay within the caps and passive in faulty fields, with any strengths and any motion. The long run of
+// the same is `thaum bench haptics --stress`.
+#include <gtest/gtest.h>
+
+#include "tools/bench/hostile_modes.h"
+
+namespace thaum::haptics {
+namespace {
+
+using bench::HostileFields;
+using bench::HostileHand;
+using bench::HostileResult;
+
+/// Energy that passive sources may create (haptics.md, "Energy") (J).
+constexpr double most_created = 0.02;
+
+TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {
+    for (const std::uint32_t faults : {0U, 200U}) {
+        HostileFields fields(7, faults);
+        HostileHand hand(fields, 7, false);
+        HostileResult result;
+        for (int run = 0; run < 25; ++run) {
+            hand.run(2000, result);
+            hand.choose_modes();
+        }
+        EXPECT_EQ(result.ticks, 50'000U);
+        EXPECT_EQ(result.not_finite, 0U);
+        EXPECT_EQ(result.left_out, 0U);
+        EXPECT_LE(result.largest, hand.cap() * (1 + 1e-12));
+        EXPECT_GT(result.felt, 0.2 * static_cast<double>(result.ticks));
+        // Pushing modes are active sources: half a joule a second at most, and what the hand had stored.
+        EXPECT_LE(result.most_created, active_budget + 2 * switch_energy);
+    }
+}
+
+TEST(HapticModesHostile, PassiveModesCreateNoEnergy) {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        HostileFields fields(seed, seed % 2 == 0 ? 0 : 1000);
+        HostileHand hand(fields, seed, true);
+        HostileResult result;
+        hand.run(12'000, result);
+        EXPECT_EQ(result.not_finite, 0U);
+        EXPECT_LE(result.largest, hand.cap() * (1 + 1e-12));
+        EXPECT_GT(result.felt, 0) << seed;
+        EXPECT_LE(result.most_created, most_created) << seed;
+        EXPECT_LE(result.observed, most_created) << seed;
+    }
+}
+
+}  // namespace
+}  // namespace thaum::haptics

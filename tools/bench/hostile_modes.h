@@ -1,0 +1,196 @@
+// tools/bench/hostile_modes.h: haptic modes in fields with faults, felt through the servo by a simulated hand. Used by
+// the stress test and by tests.
+//
+// The fields have samples that are not finite, edges as hard as they get and jumps. Strengths reach 10^6 N with either
+// sign and jump with the data. The hand darts about, inside the volume and outside. The work that the forces do on
+// the hand is summed here, from the device's own motion, and not by the servo's observer.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/random.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+#include "haptics/volume_feel.h"
+#include "tools/bench/scanned_volumes.h"
+
+namespace thaum::bench {
+
+/// A strength within what a device can render, or any (N). Forces beyond all bounds shut a device off.
+inline double hostile_strength(Random& random, bool bounded) {
+    switch (random.below(8)) {
+        case 0: return bounded ? random.uniform(0, 8) : 1e6;
+        case 1: return bounded ? random.uniform(-4, 0) : -1e6;
+        case 2: return 0;
+        case 3: return bounded ? random.uniform(0, 1) : random.uniform(-20, 20);
+        default: return random.uniform(0, 2);
+    }
+}
+
+/// A function with jumps at four places.
+inline field::TransferFunction hostile_function(Random& random, double from, double to, bool bounded) {
+    std::array<vec2, 8> points{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x =
+            from + (to - from) * std::floor(static_cast<double>(i) / 2) / 3;  // two points at each x
+        points[i] = {x, hostile_strength(random, bounded)};
+    }
+    return field::transfer_function(points).value_or(field::constant(1));
+}
+
+struct HostileFields {
+    static constexpr int n = 32;
+    static constexpr double spacing = 0.0025;  // m; a cube of 8 cm
+
+    ScannedVolume density = scanned(haptics::Ball{{}, 0.025}, n, spacing);
+    std::array<ScannedVolume, 3> flow{density, density, density};
+    haptics::SmoothGrid smooth{};
+    field::StaggeredGrid vectors{};
+
+    /// One sample in `faults_every` is NaN or infinite; 0: none.
+    HostileFields(std::uint64_t seed, std::uint32_t faults_every) {
+        Random random = random_stream(seed, 1);
+        for (ScannedVolume& part : flow) {
+            for (float& sample : part.samples) sample = static_cast<float>(random.uniform(-1, 1));
+        }
+        if (faults_every != 0) spoil(random, faults_every);
+        smooth = density.smooth();
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            vectors.component[axis] = flow[axis].grid(field::Kernel::catmull_rom);
+    }
+    HostileFields(const HostileFields&) = delete;
+    HostileFields& operator=(const HostileFields&) = delete;
+    ~HostileFields() = default;
+
+private:
+    void spoil(Random& random, std::uint32_t faults_every) {
+        constexpr std::array faults{std::numeric_limits<float>::quiet_NaN(),
+                                    std::numeric_limits<float>::infinity(), -3e38F};
+        for (ScannedVolume* part : {&density, flow.data(), &flow[1], &flow[2]}) {
+            for (float& sample : part->samples) {
+                if (random.below(faults_every) == 0) sample = faults[random.below(faults.size())];
+            }
+        }
+    }
+};
+
+/// What a run found.
+struct HostileResult {
+    std::uint64_t ticks{};
+    std::uint64_t not_finite{};  ///< ticks with a force that is not finite
+    double largest{};            ///< largest force (N)
+    /// Largest energy that the forces gave to the hand beyond what the stretched spring had taken up (J).
+    double most_created{};
+    double felt{};             ///< share of the ticks with a force
+    double observed{};         ///< most energy created by the servo's own account (J)
+    std::uint64_t left_out{};  ///< modes that found no room, over all ticks
+};
+
+/// A hand on a simulated device that feels modes.
+class HostileHand {
+public:
+    HostileHand(HostileFields& fields, std::uint64_t seed, bool passive_only)
+        : fields_(&fields), random_(random_stream(seed, 2)), passive_only_(passive_only) {
+        choose_modes();
+    }
+
+    double cap() const { return servo_.limits.cap; }
+
+    /// Chooses other settings, which is a switch.
+    void choose_modes() {
+        uses_.clear();
+        const bool bounded = random_.below(2) == 0;
+        for (const haptics::Mode& mode : haptics::modes()) {
+            if (passive_only_ && !mode.passive) continue;
+            haptics::ModeUse use{
+                &mode, haptics::any_field(field::field_of<field::Scalar>(fields_->smooth)), {}};
+            if (mode.reads == haptics::FieldKind::vector)
+                use.field = haptics::any_field(field::field_of<field::Vector>(fields_->vectors));
+            const double range = mode.reads == haptics::FieldKind::vector ? 2 : 255;
+            use.settings.strength = hostile_function(random_, 0, range, bounded);
+            use.settings.friction =
+                hostile_function(random_, 0, mode.name == "isosurface" ? 0.01 : range, bounded);
+            use.settings.level = 127.5;
+            use.settings.magnet = bounded ? 0.5 : 1e6;
+            use.settings.reach = 0.003;
+            uses_.push_back(use);
+        }
+        ++model_.set_number;
+    }
+
+    void run(std::uint64_t ticks, HostileResult& result) {
+        for (std::uint64_t i = 0; i < ticks; ++i) tick(result);
+        result.observed = state_.energy.most_created;
+    }
+
+private:
+    void move_target() {
+        if (random_.below(400) == 0)
+            aim_ = {random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07)};
+        const double rate = random_.below(400) == 0 ? 1.0 : 0.01;  // now and then a dash
+        target_ += rate * (aim_ - target_);
+    }
+
+    void tick(HostileResult& result) {
+        const vec3 place = haptics::measured_position(device_, hand_);
+        const haptics::ModeInput input{state_.samples == 0 ? place : state_.proxy, before_,
+                                       before_ - before_last_, model_.coupling.stiffness};
+        model_.primitives.clear();
+        model_.rearm = result.ticks % 40 < 20;  // forces beyond all bounds shut the device off
+        result.left_out += haptics::add_modes(uses_, input, model_.primitives);
+        const vec3 force = haptics::servo_step(servo_, state_, model_, {place, 0});
+        before_last_ = state_.samples < 2 ? place : before_;
+        before_ = place;
+        move_target();
+        const vec3 from = hand_.position;
+        hand_ = haptics::step(device_, hand_, target_, force);
+        // What was dissipated earlier gives no right to create energy later.
+        created_ = std::max(created_ + glm::dot(hand_.force, hand_.position - from), -stored());
+        ++result.ticks;
+        result.not_finite += is_finite(force) ? 0 : 1;
+        result.largest = std::max(result.largest, glm::length(force));
+        result.most_created = std::max(result.most_created, created_);
+        result.felt += force != vec3(0) ? 1 : 0;
+    }
+
+    /// Energy of the spring between tip and proxy, of which the cap lets no more force through (J).
+    double stored() const {
+        const double stretch = glm::distance(state_.proxy, hand_.position), k = model_.coupling.stiffness;
+        const double most = cap() / k;
+        return stretch < most ? k * stretch * stretch / 2 : cap() * (stretch - most / 2);
+    }
+
+    static haptics::DeviceSpec spec() {
+        return {.name = "touch",
+                .sensed = 3,
+                .actuated = 3,
+                .peak_force = 3.3,
+                .continuous_force = 0.88,
+                .max_stiffness = 400,
+                .max_damping = 3,
+                .workspace = vec3(0.16, 0.12, 0.12),
+                .position_quantum = 5.5e-5,
+                .mass = 0.045,
+                .damping = 0.2,
+                .coulomb_friction = 0.26,
+                .update_rate = 1000,
+                .latency = 1};
+    }
+
+    HostileFields* fields_;
+    Random random_;
+    bool passive_only_;
+    std::vector<haptics::ModeUse> uses_{};
+    haptics::Servo servo_ = haptics::servo_of(spec(), 1);
+    haptics::SimulatedDevice device_ = haptics::simulated_device(spec(), haptics::Hand{});
+    haptics::SimulatedState hand_ = haptics::resting_at({});
+    haptics::ServoState state_{};
+    haptics::HapticModel model_{};
+    vec3 target_{}, aim_{}, before_{}, before_last_{};
+    double created_{};
+};
+
+}  // namespace thaum::bench

@@ -1,0 +1,57 @@
+// Haptic modes under attack (tools/bench/hostile_modes.h): within the caps, finite and passive. As a part of the
+// benchmark and, for a million ticks, as its stress test.
+#include "core/text.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/hostile_modes.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr std::uint64_t switch_every = 2000;  // ticks
+
+Row attack(bool passive_only, std::uint64_t ticks, std::uint32_t faults_every, std::uint64_t seed) {
+    HostileFields fields(seed, faults_every);
+    HostileHand hand(fields, seed, passive_only);
+    HostileResult result;
+    const double us = us_of([&] {
+        while (result.ticks < ticks) {
+            hand.run(std::min(switch_every, ticks - result.ticks), result);
+            if (!passive_only) hand.choose_modes();
+        }
+    });
+    const double mean = us / static_cast<double>(ticks);
+    return {.area = "haptics",
+            .name = passive_only ? "modes_passive" : "modes_hostile",
+            .setting = {{"faulty_samples", text(faults_every == 0 ? "none" : "one in ",
+                                                faults_every == 0 ? "" : text(faults_every))},
+                        {"seed", static_cast<std::int64_t>(seed)}},
+            .time_us = Times{mean, mean, mean},
+            .metrics = {{"ticks", static_cast<double>(result.ticks)},
+                        {"not_finite", static_cast<double>(result.not_finite)},
+                        {"largest_of_cap", result.largest / hand.cap()},
+                        {"felt_share", result.felt / static_cast<double>(result.ticks)},
+                        {"created_j", result.most_created},
+                        {"left_out", static_cast<double>(result.left_out)}}};
+}
+
+void attack_all(std::uint64_t ticks, Report& report) {
+    for (const std::uint32_t faults_every : {0U, 200U}) {
+        for (const std::uint64_t seed : {1U, 2U}) {
+            report.rows.push_back(attack(false, ticks, faults_every, seed));
+            report.rows.push_back(attack(true, ticks, faults_every, seed));
+        }
+    }
+}
+
+}  // namespace
+
+void modes_hostile(const Options& options, Report& report) {
+    attack_all(options.quick ? 5'000 : 50'000, report);
+}
+
+void haptics_stress(const Options& options, Report& report) {
+    attack_all(options.ticks.value_or(1'000'000), report);
+}
+
+}  // namespace thaum::bench

@@ -1,0 +1,112 @@
+// tools/bench/scanned_volumes.h: volumes as a scanner gives them, and a tip that touches them, for the bench and tests.
+//
+// A sample is the share of its voxel that the object covers, in 255 steps. The edge is as hard as partial volumes allow:
+// a real scanner blurs it further, which only helps.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "haptics/balance.h"
+#include "haptics/implicit.h"
+#include "haptics/modes.h"
+#include "haptics/smooth_grid.h"
+
+namespace thaum::bench {
+
+/// A cube of samples in the middle of the device's space.
+struct ScannedVolume {
+    int n{};           ///< samples along each edge
+    double spacing{};  ///< m
+    std::vector<float> samples{};
+
+    /// Place of the first sample; the middle of the cube is a little off the origin, so that nothing is symmetrical.
+    vec3 origin() const { return vec3(-spacing * (n - 1) / 2) + spacing * vec3(0.21, 0.37, -0.13); }
+    field::Grid grid(field::Kernel kernel) const {
+        const std::ptrdiff_t row = n;
+        return {samples.data(), {n, n, n}, {1, row, row * row}, origin(), vec3(spacing), kernel};
+    }
+    haptics::SmoothGrid smooth() const { return {grid(field::Kernel::catmull_rom)}; }
+};
+
+/// Share of the voxel at a place that lies in the object, by 8 x 8 x 8 places. |f| is at most the distance.
+template <class Object>
+double covered_share(const Object& object, vec3 place, double spacing) {
+    const double here = object(place).value;
+    if (std::abs(here) > 0.9 * spacing) return here < 0 ? 1 : 0;
+    constexpr int parts = 8;
+    int inside = 0;
+    for (int k = 0; k < parts; ++k) {
+        for (int j = 0; j < parts; ++j) {
+            for (int i = 0; i < parts; ++i) {
+                const vec3 at = place + spacing * ((vec3(i, j, k) + vec3(0.5)) / double{parts} - vec3(0.5));
+                inside += object(at).value < 0 ? 1 : 0;
+            }
+        }
+    }
+    return inside / double{parts * parts * parts};
+}
+
+/// Scans an object with a potential that is negative inside and at most the distance to its surface.
+template <class Object>
+ScannedVolume scanned(const Object& object, int n, double spacing) {
+    ScannedVolume volume{n, spacing, {}};
+    volume.samples.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n) *
+                           static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k) {
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                const double share =
+                    covered_share(object, volume.origin() + spacing * vec3(i, j, k), spacing);
+                volume.samples.push_back(static_cast<float>(std::round(255 * share)));
+            }
+        }
+    }
+    return volume;
+}
+
+/// A block turned against the axes.
+struct TurnedBlock {
+    haptics::Block block{};
+    mat3 turn{1.0};  ///< block's frame to device frame
+
+    field::Scalar operator()(vec3 place) const {
+        field::Scalar here = block(place * turn);
+        here.gradient = turn * here.gradient;
+        return here;
+    }
+};
+
+/// A tip that a bench or test moves, with the modes that act on it. As in a match, modes know the tick before.
+struct TouchedModes {
+    std::vector<haptics::ModeUse> uses{};
+    double stiffness{300};  ///< N/m
+    vec3 proxy{}, tip{}, before{};
+
+    void start(vec3 place) { proxy = tip = before = place; }
+    haptics::ModeInput input() const { return {proxy, tip, tip - before, stiffness}; }
+
+    /// Moves the tip and returns the force on the hand (N).
+    vec3 move(vec3 to) {
+        haptics::PrimitiveSet set;
+        haptics::add_modes(uses, input(), set);
+        return settle(set, to);
+    }
+    vec3 settle(const haptics::PrimitiveSet& set, vec3 to) {
+        before = tip;
+        tip = to;
+        const haptics::Balance found = haptics::balance(set, {tip, stiffness});
+        proxy = found.proxy;
+        return stiffness * (proxy - tip);
+    }
+};
+
+/// Direction i of n that cover the sphere evenly (unit).
+inline vec3 even_direction(int i, int n) {
+    const double y = 1 - (2 * i + 1.0) / n, turn = i * pi * (3 - std::sqrt(5.0));
+    const double across = std::sqrt(1 - y * y);
+    return {across * det::cos(turn), y, across * det::sin(turn)};
+}
+
+}  // namespace thaum::bench
