@@ -121,6 +121,13 @@ vec3 onto_three(std::span<const ContactPlane> p, vec3 x) {
                    volume;
 }
 
+/// Moves a plane back if the place on the first plane is behind it. All planes then have that place in common, so
+/// that planes of a rough field cannot wedge the proxy out and away from the tip.
+ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
+    if (behind(plane, first.place, 0)) plane.place = first.place;
+    return plane;
+}
+
 }  // namespace
 
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
@@ -153,8 +160,10 @@ LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) 
     const Reading here = search.read(proxy);
     auto plane = search.near(proxy, here);
     if (!plane && !here.solid()) plane = search.between(proxy, target);
+    contact.behind = plane && behind(*plane, proxy, short_step * surface.reach);
     while (plane && contact.count < contact.planes.size()) {
-        contact.planes[contact.count++] = *plane;
+        contact.planes[contact.count] = contact.count == 0 ? *plane : in_front(*plane, contact.planes[0]);
+        ++contact.count;
         if (contact.count == contact.planes.size() || !is_finite(target)) break;
         const vec3 landing = landing_of(contact, target);
         const Reading there = search.read(landing);

@@ -36,6 +36,8 @@ struct LevelContact {
     std::array<ContactPlane, 3>
         planes{};  ///< the first `count` are in use; the first one is nearest to the proxy
     std::uint32_t count{};
+    /// Whether the proxy lies behind the surface, so that the first plane has to move it and not only to hold it.
+    bool behind{};
     std::uint32_t reads{};  ///< number of times that the field was read
 };
 

@@ -119,6 +119,11 @@ Direction direction_of(vec3 v) noexcept;
 /// Strength by a transfer function at x (N): within +- primitive_limit, and 0 if x or the result is not finite.
 double strength_at(const field::TransferFunction& strength, double x) noexcept;
 
+/// Largest strength of a primitive whose point, line or plane is not at the proxy (N), beyond what any device
+/// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without bounds, would
+/// throw it to where their planes meet, metres away.
+inline constexpr double most_pull = 10;
+
 /// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added without
 /// strength, so that the number of primitives stays the same.
 void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept;

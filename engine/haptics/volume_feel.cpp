@@ -40,10 +40,9 @@ void feel_shell(const DensityShell& shell, double density, VolumeFelt& felt) {
 /// Adds S as a plane at which the spring has just that force. It faces against the gradient, or along it if S pulls
 /// towards larger densities.
 void add_stiffness(double stiff, const Direction& up, const ModeInput& input, PrimitiveSet& set) {
-    const double strength = up.length > 0 ? std::min(std::abs(stiff), primitive_limit) : 0;
+    const double strength = up.length > 0 ? std::min(std::abs(stiff), most_pull) : 0;
     const vec3 way = stiff < 0 ? up.unit : -up.unit;
-    const vec3 ahead = input.tip + input.step;
-    add_or_rest(set, {PrimitiveKind::plane, ahead + strength / input.stiffness * way, way, strength});
+    add_or_rest(set, {PrimitiveKind::plane, input.tip + strength / input.stiffness * way, way, strength});
 }
 
 void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
@@ -51,8 +50,10 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
     for (std::size_t i = 0; i < std::min<std::size_t>(feel.guide_count, most_guides); ++i) {
         const GuidePlane& guide = feel.guides[i];
-        add_or_rest(set, {PrimitiveKind::plane, guide.place, guide.normal, guide.strength});
-        add_or_rest(set, {PrimitiveKind::plane, guide.place, -guide.normal, guide.strength});
+        add_or_rest(set,
+                    {PrimitiveKind::plane, guide.place, guide.normal, std::min(guide.strength, most_pull)});
+        add_or_rest(set,
+                    {PrimitiveKind::plane, guide.place, -guide.normal, std::min(guide.strength, most_pull)});
     }
 }
 
@@ -68,7 +69,8 @@ bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& 
         contact.count == 0
             ? 0
             : material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
-    const double strength = std::clamp(finite_or_zero(wall.strength * factor), 0.0, primitive_limit);
+    const double strength =
+        std::clamp(finite_or_zero(wall.strength * factor), 0.0, contact.behind ? most_pull : primitive_limit);
     for (std::size_t i = 0; i < contact.planes.size(); ++i) {
         const bool used = i < contact.count;
         add_or_rest(set, {PrimitiveKind::plane, used ? contact.planes[i].place : vec3(0),
@@ -91,13 +93,13 @@ std::size_t primitives_of(const VolumeFeel& feel) noexcept {
 VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, PrimitiveSet& set) noexcept {
     VolumeFelt felt;
     if (set.items().size() + primitives_of(feel) > primitive_capacity) return felt;
-    const field::Scalar here = feel.density(input.tip + input.step);
+    const field::Scalar here = feel.density(input.tip);
     const Direction up = direction_of(here.gradient);
     if (std::isfinite(here.value)) {
         feel_opacity(feel.opacity, here, up.length, felt);
         feel_shell(feel.shell, here.value, felt);
     }
-    const MaterialFeel material = material_at(feel, input.tip + input.step, felt.material);
+    const MaterialFeel material = material_at(feel, input.tip, felt.material);
     felt.stiff = finite_or_zero(felt.stiff * material.stiffness);
     felt.viscosity = std::max(0.0, finite_or_zero(felt.viscosity * material.viscosity));
     add_stiffness(felt.stiff, up, input, set);

@@ -77,13 +77,22 @@ private:
     }
 };
 
+/// What acts on the hand.
+enum class HostileFeel : std::uint8_t {
+    all,      ///< all modes at once
+    passive,  ///< all passive modes, and the walls and the resistance of a volume
+    volume,   ///< a volume alone, with forces linked to its density
+};
+
 /// What a run found.
 struct HostileResult {
     std::uint64_t ticks{};
     std::uint64_t not_finite{};  ///< ticks with a force that is not finite
     double largest{};            ///< largest force (N)
-    /// Largest energy that the forces gave to the hand beyond what the stretched spring had taken up (J).
+    /// Largest energy that the forces gave to the hand since spring and primitives last held none (J). A field that
+    /// pushes stores more, so this says nothing of a volume's forces.
     double most_created{};
+    double most_given{};       ///< largest energy that the forces gave to the hand since the start (J)
     double felt{};             ///< share of the ticks with a force
     double observed{};         ///< most energy created by the servo's own account (J)
     std::uint64_t left_out{};  ///< modes that found no room, over all ticks
@@ -92,8 +101,8 @@ struct HostileResult {
 /// A hand on a simulated device that feels modes.
 class HostileHand {
 public:
-    HostileHand(HostileFields& fields, std::uint64_t seed, bool passive_only)
-        : fields_(&fields), random_(random_stream(seed, 2)), passive_only_(passive_only) {
+    HostileHand(HostileFields& fields, std::uint64_t seed, HostileFeel feel)
+        : fields_(&fields), random_(random_stream(seed, 2)), feel_(feel) {
         choose_modes();
     }
 
@@ -104,7 +113,7 @@ public:
         uses_.clear();
         const bool bounded = random_.below(2) == 0;
         for (const haptics::Mode& mode : haptics::modes()) {
-            if (passive_only_ && !mode.passive) continue;
+            if (feel_ == HostileFeel::volume || (feel_ == HostileFeel::passive && !mode.passive)) continue;
             haptics::ModeUse use{
                 &mode, haptics::any_field(field::field_of<field::Scalar>(fields_->smooth)), {}};
             if (mode.reads == haptics::FieldKind::vector)
@@ -118,6 +127,7 @@ public:
             use.settings.reach = 0.003;
             uses_.push_back(use);
         }
+        choose_volume(bounded);
         ++model_.set_number;
     }
 
@@ -127,6 +137,19 @@ public:
     }
 
 private:
+    /// A wall and resistance, and for a volume alone the forces that push out of the solid.
+    void choose_volume(bool bounded) {
+        const double largest = bounded ? 1 : 1e6, pushes = feel_ == HostileFeel::volume ? largest : 0;
+        volume_ = {.density = field::field_of<field::Scalar>(fields_->smooth)};
+        volume_.walls[0] = {.density = 60, .strength = largest, .friction = 0.5 * largest, .reach = 0.003};
+        volume_.wall_count = 1;
+        volume_.shell = {.low = 20, .high = 250, .stiffness = 2 * pushes, .retarding = largest};
+        volume_.opacity = {.density = hostile_function(random_, 0, 255, bounded),
+                           .gradient = hostile_function(random_, 0, 1e5, bounded),
+                           .stiffness = pushes,
+                           .retarding = largest};
+    }
+
     void move_target() {
         if (random_.below(400) == 0)
             aim_ = {random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07), random_.uniform(-0.07, 0.07)};
@@ -141,6 +164,8 @@ private:
         model_.primitives.clear();
         model_.rearm = result.ticks % 40 < 20;  // forces beyond all bounds shut the device off
         result.left_out += haptics::add_modes(uses_, input, model_.primitives);
+        if (feel_ != HostileFeel::all)
+            model_.viscosity = haptics::add_volume_feel(volume_, input, model_.primitives).viscosity;
         const vec3 force = haptics::servo_step(servo_, state_, model_, {place, 0});
         before_last_ = state_.samples < 2 ? place : before_;
         before_ = place;
@@ -148,19 +173,36 @@ private:
         const vec3 from = hand_.position;
         hand_ = haptics::step(device_, hand_, target_, force);
         // What was dissipated earlier gives no right to create energy later.
-        created_ = std::max(created_ + glm::dot(hand_.force, hand_.position - from), -stored());
+        const double work = glm::dot(hand_.force, hand_.position - from);
+        created_ += work;
+        // At rest nothing is stored. What was dissipated before gives no right to create energy later.
+        if (stored() < 1e-3) created_ = std::max(created_, 0.0);
+        given_ += work;
         ++result.ticks;
         result.not_finite += is_finite(force) ? 0 : 1;
         result.largest = std::max(result.largest, glm::length(force));
         result.most_created = std::max(result.most_created, created_);
+        result.most_given = std::max(result.most_given, given_);
         result.felt += force != vec3(0) ? 1 : 0;
     }
 
-    /// Energy of the spring between tip and proxy, of which the cap lets no more force through (J).
+    /// Energy of the spring between tip and proxy and of the primitives, of which the cap lets no more force
+    /// through (J).
     double stored() const {
         const double stretch = glm::distance(state_.proxy, hand_.position), k = model_.coupling.stiffness;
         const double most = cap() / k;
-        return stretch < most ? k * stretch * stretch / 2 : cap() * (stretch - most / 2);
+        double energy = stretch < most ? k * stretch * stretch / 2 : cap() * (stretch - most / 2);
+        for (const haptics::Primitive& p : model_.primitives.items()) {
+            const vec3 off = state_.proxy - p.position;
+            const double along = glm::dot(off, p.direction);
+            const bool line = p.kind == haptics::PrimitiveKind::line,
+                       plane = p.kind == haptics::PrimitiveKind::plane;
+            if (p.kind == haptics::PrimitiveKind::directed) continue;
+            const double distance =
+                plane ? std::max(0.0, -along) : glm::length(line ? off - along * p.direction : off);
+            energy += std::min(p.strength, cap()) * distance;
+        }
+        return energy;
     }
 
     static haptics::DeviceSpec spec() {
@@ -168,7 +210,7 @@ private:
                 .sensed = 3,
                 .actuated = 3,
                 .peak_force = 3.3,
-                .continuous_force = 0.88,
+                .continuous_force = 3.3,  // a warm motor weakens springs, which is not what is tested here
                 .max_stiffness = 400,
                 .max_damping = 3,
                 .workspace = vec3(0.16, 0.12, 0.12),
@@ -182,15 +224,16 @@ private:
 
     HostileFields* fields_;
     Random random_;
-    bool passive_only_;
+    HostileFeel feel_;
     std::vector<haptics::ModeUse> uses_{};
+    haptics::VolumeFeel volume_{};
     haptics::Servo servo_ = haptics::servo_of(spec(), 1);
     haptics::SimulatedDevice device_ = haptics::simulated_device(spec(), haptics::Hand{});
-    haptics::SimulatedState hand_ = haptics::resting_at({});
+    haptics::SimulatedState hand_ = haptics::resting_at({0.06, 0, 0});  ///< outside of the solid
     haptics::ServoState state_{};
     haptics::HapticModel model_{};
-    vec3 target_{}, aim_{}, before_{}, before_last_{};
-    double created_{};
+    vec3 target_{0.06, 0, 0}, aim_{}, before_{}, before_last_{};
+    double created_{}, given_{};
 };
 
 }  // namespace thaum::bench

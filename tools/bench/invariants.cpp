@@ -56,6 +56,8 @@ constexpr std::array invariants{
     Invariant{"haptics", "modes_passive", "not_finite", 0, 0},
     Invariant{"haptics", "modes_passive", "largest_of_cap", 0, 1 + 1e-12},
     Invariant{"haptics", "modes_passive", "created_j", 0, created_most},
+    Invariant{"haptics", "volume_hostile", "not_finite", 0, 0},
+    Invariant{"haptics", "volume_hostile", "largest_of_cap", 0, 1 + 1e-12},
     Invariant{"audio", "mix", "allocations", 0, 0},
     Invariant{"audio", "level", "worst_db", 0, 0.1},
     Invariant{"tactile", "mix", "allocations", 0, 0},

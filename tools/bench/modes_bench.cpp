@@ -4,6 +4,7 @@
 //     modes           time of each mode on fields of 128^3 samples, its reads of the field included
 //     sphere_normal   direction of the force on a sphere, against the true normal, by kernel and method
 //     shell_chatter   noise of the force of a tip that slides on a sphere at an even depth
+//     held_on_sphere  the same by a simulated hand and device, with the servo in the loop
 //     edge_vibration  the same on a block with hard edges: on a face, along an edge, across it
 //
 // Methods: "isosurface" holds the proxy at the true surface (local distance by Newton's method). "density" is that of
@@ -13,6 +14,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/hash.h"
 #include "core/random.h"
@@ -23,6 +26,7 @@
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 #include "tools/bench/scanned_volumes.h"
+#include "tools/bench/z_width.h"
 
 // A namespace of its own, because other benchmarks have slides and depths too.
 namespace thaum::bench::touched {
@@ -94,15 +98,17 @@ struct Feeler {
         settings.reach = reach;
         hand.uses = {{haptics::find_mode("isosurface"), haptics::any_field(field), settings}};
     }
-    vec3 move(vec3 to) {
-        if (!by_density) return hand.move(to);
+    haptics::PrimitiveSet primitives() const {
+        haptics::PrimitiveSet set;
+        if (!by_density) haptics::add_modes(hand.uses, hand.input(), set);
+        if (!by_density) return set;
         haptics::VolumeFeel feel;
         feel.density = density;
         feel.shell = {.low = 2, .high = 255, .stiffness = 2};
-        haptics::PrimitiveSet set;
         haptics::add_volume_feel(feel, hand.input(), set);
-        return hand.settle(set, to);
+        return set;
     }
+    vec3 move(vec3 to) { return hand.settle(primitives(), to); }
 };
 
 const char* method_name(bool by_density) { return by_density ? "density" : "isosurface"; }
@@ -159,20 +165,19 @@ struct Noise {
     std::uint64_t hash{};
 };
 
-/// Slides along a way. A hand feels vibrations, not slow changes, so the noise is what is left after the mean of the
-/// nearest 64 ms.
-Noise noise_of(Feeler& feeler, const Slide& slide) {
-    constexpr int half = 32, settling = 100;
-    std::vector<vec3> forces;
+/// Noise of forces after the tick `from`. A hand feels vibrations, not slow changes, so the noise is what is left
+/// after the mean of the nearest 64 ms.
+constexpr int noise_half = 32;
+
+Noise noise_of(std::span<const vec3> forces, int from) {
+    const int ticks = static_cast<int>(forces.size());
     Noise noise;
-    feeler.hand.start(slide.tip(0));
-    for (int tick = 0; tick < slide.ticks; ++tick) forces.push_back(feeler.move(slide.tip(tick)));
     double square = 0, way = 0;
     int count = 0;
-    for (int t = settling + half; t + half < slide.ticks; ++t) {
+    for (int t = from + noise_half; t + noise_half < ticks; ++t) {
         vec3 mean(0);
-        for (int i = t - half; i <= t + half; ++i)
-            mean += forces[static_cast<std::size_t>(i)] / (2.0 * half + 1);
+        for (int i = t - noise_half; i <= t + noise_half; ++i)
+            mean += forces[static_cast<std::size_t>(i)] / (2.0 * noise_half + 1);
         const vec3 here = forces[static_cast<std::size_t>(t)];
         const double off = glm::distance(here, mean);
         noise.mean += glm::length(here);
@@ -186,13 +191,16 @@ Noise noise_of(Feeler& feeler, const Slide& slide) {
     noise.mean /= count;
     noise.rms = std::sqrt(square / count);
     const auto size_at = [&](int t) { return glm::length(forces[static_cast<std::size_t>(t)]); };
-    noise.swing = (way - std::abs(size_at(slide.ticks - half - 1) - size_at(settling + half - 1))) / 2;
+    noise.swing = (way - std::abs(size_at(ticks - noise_half - 1) - size_at(from + noise_half - 1))) / 2;
     return noise;
 }
 
 Row slide_row(const char* name, const Slide& slide, const char* kernel, ScalarField field, bool by_density) {
     Feeler feeler(field, by_density);
-    const Noise noise = noise_of(feeler, slide);
+    std::vector<vec3> forces;
+    feeler.hand.start(slide.tip(0));
+    for (int tick = 0; tick < slide.ticks; ++tick) forces.push_back(feeler.move(slide.tip(tick)));
+    const Noise noise = noise_of(forces, 100);
     return {.area = "haptics",
             .name = name,
             .setting = {{"way", std::string(slide.name)},
@@ -223,6 +231,72 @@ Slide round_sphere(bool by_density, int ticks) {
             },
             ticks};
 }
+
+// ---- a held device ----------------------------------------------------------------------------------------
+
+/// A Touch with or without the quantum of its encoders and its dry friction.
+haptics::DeviceSpec touch_device(bool ideal) {
+    haptics::DeviceSpec spec = reference_device(0.2, 1);
+    spec.peak_force = spec.continuous_force = 3.3;
+    spec.max_damping = 3;
+    spec.mass = 0.045;
+    spec.position_quantum = ideal ? 0 : 5.5e-5;
+    spec.coulomb_friction = ideal ? 0 : 0.26;
+    return spec;
+}
+
+/// A simulated hand presses a device on the sphere and draws it along a great circle at 0.1 m/s. The servo and its
+/// safety stage are in the loop, so an unstable surface would shake here.
+struct HeldSlide {
+    Feeler feeler;
+    haptics::DeviceSpec spec;
+    double goal{};  ///< radius of the hand's target (m)
+
+    std::vector<vec3> play(int ticks, double& created) {
+        const auto servo = haptics::servo_of(spec, 1);
+        const auto device = haptics::simulated_device(spec, haptics::Hand{});
+        const double start = radius + 0.004;
+        auto hand = haptics::resting_at({0, start, 0});
+        haptics::ServoState state;
+        haptics::HapticModel model;
+        std::vector<vec3> forces;
+        feeler.hand.start(hand.position);
+        for (int tick = 0; tick < ticks; ++tick) {
+            const vec3 place = haptics::measured_position(device, hand);
+            if (tick > 0) feeler.hand.proxy = state.proxy;
+            model.primitives = feeler.primitives();
+            const vec3 force = haptics::servo_step(servo, state, model, {place, 0});
+            feeler.hand.before = feeler.hand.tip;
+            feeler.hand.tip = place;
+            const double turn = 0.1 / radius * tick_seconds * std::max(0, tick - 1500);
+            const double out = start + std::min(1.0, tick / 800.0) * (goal - start);
+            hand = haptics::step(device, hand, out * vec3(det::sin(turn), det::cos(turn), 0), force);
+            forces.push_back(hand.force);
+        }
+        created = state.energy.most_created;
+        return forces;
+    }
+};
+
+Row held_row(ScalarField field, bool by_density, bool ideal, int ticks) {
+    HeldSlide slide{Feeler(field, by_density), touch_device(ideal), radius - (by_density ? 0.002 : 0.0058)};
+    double created = 0;
+    const Noise noise = noise_of(slide.play(ticks, created), 1600);
+    return {.area = "haptics",
+            .name = "held_on_sphere",
+            .setting = {{"way", std::string(ideal ? "ideal" : "touch")},
+                        {"kernel", std::string("smooth")},
+                        {"method", std::string(method_name(by_density))}},
+            .error = ErrorMeasure{"noise_of_mean", noise.rms / noise.mean},
+            .is_default = !ideal && !by_density,
+            .metrics = {{"mean_n", noise.mean},
+                        {"largest_of_mean", noise.worst / noise.mean},
+                        {"largest_step_n", noise.jump},
+                        {"created_j", created}},
+            .hash = hex(noise.hash)};
+}
+
+// ---- ways on a block --------------------------------------------------------------------------------------
 
 constexpr double half_block = 30 * spacing;
 
@@ -416,6 +490,8 @@ void feel_scans(const Options& options, Report& report) {
     const Readings sphere_readings(sphere), edge_readings(edges);
     const int directions = options.quick ? 1000 : 10'000, ticks = options.quick ? 500 : 1000;
     for (const bool by_density : {false, true}) {
+        for (const bool ideal : {true, false})
+            report.rows.push_back(held_row(sphere_readings.all()[0].second, by_density, ideal, 5 * ticks));
         for (const auto& [kernel, field] : sphere_readings.all()) {
             report.rows.push_back(normal_row(kernel, field, by_density, directions));
             report.rows.push_back(

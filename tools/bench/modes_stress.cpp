@@ -9,20 +9,21 @@ namespace thaum::bench {
 namespace {
 
 constexpr std::uint64_t switch_every = 2000;  // ticks
+constexpr std::array feel_names{"modes_hostile", "modes_passive", "volume_hostile"};
 
-Row attack(bool passive_only, std::uint64_t ticks, std::uint32_t faults_every, std::uint64_t seed) {
+Row attack(HostileFeel feel, std::uint64_t ticks, std::uint32_t faults_every, std::uint64_t seed) {
     HostileFields fields(seed, faults_every);
-    HostileHand hand(fields, seed, passive_only);
+    HostileHand hand(fields, seed, feel);
     HostileResult result;
     const double us = us_of([&] {
         while (result.ticks < ticks) {
             hand.run(std::min(switch_every, ticks - result.ticks), result);
-            if (!passive_only) hand.choose_modes();
+            if (feel == HostileFeel::all) hand.choose_modes();
         }
     });
     const double mean = us / static_cast<double>(ticks);
     return {.area = "haptics",
-            .name = passive_only ? "modes_passive" : "modes_hostile",
+            .name = feel_names[static_cast<std::size_t>(feel)],
             .setting = {{"faulty_samples", text(faults_every == 0 ? "none" : "one in ",
                                                 faults_every == 0 ? "" : text(faults_every))},
                         {"seed", static_cast<std::int64_t>(seed)}},
@@ -32,14 +33,16 @@ Row attack(bool passive_only, std::uint64_t ticks, std::uint32_t faults_every, s
                         {"largest_of_cap", result.largest / hand.cap()},
                         {"felt_share", result.felt / static_cast<double>(result.ticks)},
                         {"created_j", result.most_created},
+                        {"observed_j", result.observed},
+                        {"given_j", result.most_given},
                         {"left_out", static_cast<double>(result.left_out)}}};
 }
 
 void attack_all(std::uint64_t ticks, Report& report) {
     for (const std::uint32_t faults_every : {0U, 200U}) {
         for (const std::uint64_t seed : {1U, 2U}) {
-            report.rows.push_back(attack(false, ticks, faults_every, seed));
-            report.rows.push_back(attack(true, ticks, faults_every, seed));
+            for (const HostileFeel feel : {HostileFeel::all, HostileFeel::passive, HostileFeel::volume})
+                report.rows.push_back(attack(feel, ticks, faults_every, seed));
         }
     }
 }

@@ -20,6 +20,12 @@ void add_friction(const ContactPlane& plane, double strength, const ModeSettings
     add_or_rest(set, {PrimitiveKind::line, input.proxy, plane.normal, std::min(friction, primitive_limit)});
 }
 
+/// Strength of a plane (N).
+double strength_of(const LevelContact& contact, const ContactPlane& plane, const ModeSettings& settings) {
+    const double strength = std::max(0.0, strength_at(settings.strength, plane.gradient));
+    return contact.behind ? std::min(strength, most_pull) : strength;
+}
+
 void add_isosurface(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
     const LevelContact contact =
@@ -27,9 +33,9 @@ void add_isosurface(const AnyField& field, const ModeSettings& settings, const M
                      input.tip + input.step);
     for (std::size_t i = 0; i < contact.planes.size(); ++i) {
         const ContactPlane& plane = contact.planes[i];
-        const double strength = i < contact.count ? strength_at(settings.strength, plane.gradient) : 0;
-        const vec3 normal = i < contact.count ? plane.normal : vec3(1, 0, 0);
-        add_or_rest(set, {PrimitiveKind::plane, plane.place, normal, strength});
+        const bool used = i < contact.count;
+        add_or_rest(set, {PrimitiveKind::plane, plane.place, used ? plane.normal : vec3(1, 0, 0),
+                          used ? strength_of(contact, plane, settings) : 0});
     }
     if (contact.count == 0) {
         add_or_rest(set, {.kind = PrimitiveKind::point});
@@ -38,9 +44,10 @@ void add_isosurface(const AnyField& field, const ModeSettings& settings, const M
     }
     const ContactPlane& first = contact.planes[0];
     const double height = glm::dot(input.proxy - first.place, first.normal);
-    const bool drawn = height >= -1e-3 * settings.reach && height <= settings.reach;
-    add_or_rest(set, {PrimitiveKind::plane, first.place, -first.normal, drawn ? settings.magnet : 0});
-    add_friction(first, std::max(strength_at(settings.strength, first.gradient), 0.0), settings, input, set);
+    const double magnet =
+        !contact.behind && height <= settings.reach ? std::min(settings.magnet, most_pull) : 0;
+    add_or_rest(set, {PrimitiveKind::plane, first.place, -first.normal, magnet});
+    add_friction(first, strength_of(contact, first, settings), settings, input, set);
 }
 
 const ModeRegistration registration({

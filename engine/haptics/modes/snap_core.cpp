@@ -2,6 +2,8 @@
 //
 // The place is found by one Newton step in the plane across the curl, from the gradient at the proxy. In a core that
 // turns like a solid body the step is exact. Elsewhere it improves as the proxy comes nearer.
+#include <algorithm>
+
 #include "haptics/modes.h"
 
 namespace thaum::haptics {
@@ -26,7 +28,7 @@ void add_snap(const AnyField& field, const ModeSettings& settings, const ModeInp
     const Direction axis = direction_of(curl(here));
     const vec3 off = axis.length > 0 ? to_core(here, axis.unit) : vec3(0);
     const bool near = axis.length > 0 && is_finite(off) && glm::length(off) <= settings.reach;
-    const double strength = near ? strength_at(settings.strength, axis.length) : 0;
+    const double strength = near ? std::min(most_pull, strength_at(settings.strength, axis.length)) : 0;
     add_or_rest(set, {PrimitiveKind::line, near ? input.proxy + off : vec3(0), axis.unit, strength});
 }
 

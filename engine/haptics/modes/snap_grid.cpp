@@ -1,4 +1,5 @@
 // The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag).
+#include <algorithm>
 #include <cmath>
 
 #include "haptics/modes.h"
@@ -10,7 +11,8 @@ void add_snap(const AnyField& field, const ModeSettings& settings, const ModeInp
               PrimitiveSet& set) {
     const vec3 nearest = settings.pitch * glm::round(input.proxy / settings.pitch);
     const bool near = settings.pitch > 0 && glm::distance(nearest, input.proxy) <= settings.reach;
-    const double strength = near ? strength_at(settings.strength, field.scalar(nearest).value) : 0;
+    const double strength =
+        near ? std::min(most_pull, strength_at(settings.strength, field.scalar(nearest).value)) : 0;
     add_or_rest(set, {PrimitiveKind::point, near ? nearest : vec3(0), {}, strength});
 }
 
