@@ -35,12 +35,34 @@ std::vector<const Mode*> modes_for(FieldKind kind) {
     return result;
 }
 
+std::vector<ModeOffer> mode_offers(FieldKind kind) {
+    using enum field::FilterKind;
+    std::vector<ModeOffer> offers;
+    const auto offer = [&](FieldKind read, std::optional<field::FilterKind> through) {
+        for (const Mode* mode : modes_for(read)) offers.push_back({mode, through});
+    };
+    offer(kind, std::nullopt);
+    if (kind == FieldKind::scalar) {
+        offer(FieldKind::vector, gradient);
+    } else {
+        offer(FieldKind::scalar, magnitude);
+        offer(FieldKind::scalar, divergence);
+        offer(FieldKind::vector, curl);
+    }
+    return offers;
+}
+
+const field::AnyField& field_for(const Mode& mode, const field::FilteredField& filtered) {
+    return mode.derivatives ? filtered.field : filtered.quick;
+}
+
 std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept {
     std::size_t left_out = 0;
     for (const ModeUse& use : uses) {
-        const bool fits = use.mode != nullptr && use.mode->reads == use.field.kind &&
-                          set.items().size() + use.mode->primitives <= primitive_capacity;
-        if (fits)
+        const bool readable =
+            use.mode != nullptr && (use.mode->reads == FieldKind::vector ? use.field.vector.read != nullptr
+                                                                         : use.field.scalar.read != nullptr);
+        if (readable && set.items().size() + use.mode->primitives <= primitive_capacity)
             use.mode->add(use.field, use.settings, input, set);
         else
             ++left_out;

@@ -19,11 +19,12 @@
 // A mode is one .cpp in haptics/modes that registers a Mode. Link to thaum_modes, which keeps all of them.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "field/field.h"
+#include "field/filters.h"
 #include "field/transfer.h"
 #include "haptics/primitives.h"
 
@@ -59,14 +60,8 @@ struct ModeSettings {
 /// Fields that modes read.
 enum class FieldKind : std::uint32_t { scalar, vector };
 
-/// A field of either kind; the other one is empty.
-struct AnyField {
-    FieldKind kind{};
-    field::ScalarField scalar{};
-    field::VectorField vector{};
-};
-inline AnyField any_field(field::ScalarField field) { return {FieldKind::scalar, field, {}}; }
-inline AnyField any_field(field::VectorField field) { return {FieldKind::vector, {}, field}; }
+inline field::AnyField any_field(field::ScalarField field) { return {.scalar = field}; }
+inline field::AnyField any_field(field::VectorField field) { return {.vector = field}; }
 
 /// A kind of mode, as its .cpp registers it.
 struct Mode {
@@ -74,11 +69,12 @@ struct Mode {
     std::string_view about{};     ///< what the hand feels, for a menu
     std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
     FieldKind reads{};
+    bool derivatives{};          ///< it reads derivatives of the field, not the value alone
     std::uint32_t primitives{};  ///< number of primitives that it adds
     /// Whether it creates no energy in any field: it pushes nothing and only resists.
     bool passive{};
     /// Adds the primitives. There is room for them.
-    void (*add)(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+    void (*add)(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                 PrimitiveSet& set){};
 };
 
@@ -96,10 +92,23 @@ const Mode* find_mode(std::string_view name);
 /// Modes that read fields of this kind, sorted by name.
 std::vector<const Mode*> modes_for(FieldKind kind);
 
+/// A mode and the filter through which it reads a field.
+struct ModeOffer {
+    const Mode* mode{};
+    std::optional<field::FilterKind> through{};  ///< std::nullopt: it reads the field itself
+};
+
+/// All ways to feel a field of this kind: first the modes that read it, then those that read its gradient, or its
+/// length, divergence and curl.
+std::vector<ModeOffer> mode_offers(FieldKind kind);
+
+/// The field that a mode should read behind filters: the quick one if it needs no derivatives.
+const field::AnyField& field_for(const Mode& mode, const field::FilteredField& filtered);
+
 /// A chosen mode with its field and settings. The field must outlive it.
 struct ModeUse {
     const Mode* mode{};
-    AnyField field{};
+    field::AnyField field{};
     ModeSettings settings{};
 };
 

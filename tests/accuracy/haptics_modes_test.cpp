@@ -15,18 +15,18 @@ using field::field_of;
 using field::Scalar;
 using field::Vector;
 
-ModeUse use_of(std::string_view name, const AnyField& field, field::TransferFunction strength) {
+ModeUse use_of(std::string_view name, const field::AnyField& field, field::TransferFunction strength) {
     ModeUse use{find_mode(name), field, {}};
     use.settings.strength = strength;
     return use;
 }
 
 template <class Source>
-AnyField scalar_field(const Source& source) {
+field::AnyField scalar_field(const Source& source) {
     return any_field(field_of<Scalar>(source));
 }
 template <class Source>
-AnyField vector_field(const Source& source) {
+field::AnyField vector_field(const Source& source) {
     return any_field(field_of<Vector>(source));
 }
 
@@ -208,6 +208,42 @@ TEST(HapticModes, EveryModeReadsOneKindOfFieldAndIsListedByName) {
         places += mode.primitives;
     }
     EXPECT_LE(places, primitive_capacity);  // all modes act together
+}
+
+TEST(HapticModes, EveryFieldIsOfferedEveryModeDirectlyOrThroughAFilter) {
+    for (const FieldKind kind : {FieldKind::scalar, FieldKind::vector}) {
+        const auto offers = mode_offers(kind);
+        for (const Mode& mode : modes()) {
+            const auto found = std::ranges::find(offers, &mode, &ModeOffer::mode);
+            ASSERT_NE(found, offers.end()) << mode.name;
+            EXPECT_EQ(found->through.has_value(), mode.reads != kind) << mode.name;
+        }
+        for (const ModeOffer& offer : offers) {
+            if (!offer.through) continue;
+            const field::Filter filter{*offer.through};
+            const auto vector = field::checked_filters(std::span(&filter, 1), kind == FieldKind::vector);
+            ASSERT_TRUE(vector) << offer.mode->name;
+            EXPECT_EQ(*vector, offer.mode->reads == FieldKind::vector) << offer.mode->name;
+        }
+    }
+}
+
+TEST(HapticModes, AModeFeelsAFieldThroughAFilter) {
+    // The speed of a vortex, felt as a viscosity, and the gradient of a depth, followed like a flow.
+    field::FilteredField speed, slope;
+    const field::Filter magnitude{field::FilterKind::magnitude}, gradient{field::FilterKind::gradient};
+    const field::Plane plane{.through = {}, .normal = glm::normalize(vec3(2, 1, -2))};
+    ASSERT_TRUE(field::set_filters(speed, {.field = vector_field(vortex)}, std::span(&magnitude, 1)));
+    ASSERT_TRUE(field::set_filters(slope, {.field = scalar_field(plane)}, std::span(&gradient, 1)));
+    const vec3 place = places_in_core()[4];
+    const Mode& viscosity = *find_mode("viscosity");
+    const auto slow =
+        set_of(use_of("viscosity", field_for(viscosity, speed), field::window(0, 1, 0, 2)), {.proxy = place});
+    EXPECT_NEAR(slow.items()[0].strength, 2 * glm::length(vortex(place).value), 1e-12);
+    const Mode& follow = *find_mode("follow");
+    const auto line =
+        set_of(use_of("follow", field_for(follow, slope), field::constant(1)), {.proxy = place});
+    EXPECT_LE(glm::distance(line.items()[0].direction, -plane.normal), 1e-9);
 }
 
 TEST(HapticModes, ModesAddUpToTheSumOfTheirForces) {

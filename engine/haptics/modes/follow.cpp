@@ -12,7 +12,8 @@ const ModeRegistration registration({
     .primitives = 1,
     .passive = true,
     .add =
-        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+        [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
+           PrimitiveSet& set) {
             const Direction along = direction_of(field.vector(input.proxy).value);
             const double strength = along.length > 0 ? strength_at(settings.strength, along.length) : 0;
             add_or_rest(set, {PrimitiveKind::line, input.proxy, along.unit, strength});

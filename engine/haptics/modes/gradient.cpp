@@ -11,10 +11,12 @@ const ModeRegistration registration({
     .about = "pushes the hand towards larger values, like a slope",
     .property = "length of the gradient (per m)",
     .reads = FieldKind::scalar,
+    .derivatives = true,
     .primitives = 1,
     .passive = false,
     .add =
-        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+        [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
+           PrimitiveSet& set) {
             const field::Scalar here = field.scalar(input.proxy);
             const Direction up = direction_of(here.gradient);
             const bool sound = up.length > 0 && std::isfinite(here.value);

@@ -26,7 +26,7 @@ double strength_of(const LevelContact& contact, const ContactPlane& plane, const
     return contact.behind ? std::min(strength, most_pull) : strength;
 }
 
-void add_isosurface(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
     const LevelContact contact =
         find_contact({field.scalar, settings.level, settings.solid_below, settings.reach}, input.proxy,
@@ -55,6 +55,7 @@ const ModeRegistration registration({
     .about = "a wall where the field has one value, with friction; a strong push gets through",
     .property = "length of the gradient on the surface (per m)",
     .reads = FieldKind::scalar,
+    .derivatives = true,
     .primitives = 5,
     .passive = true,
     .add = add_isosurface,

@@ -22,7 +22,7 @@ vec3 to_core(const field::Vector& here, vec3 axis) {
     return ((ab * vb - bb * va) * a + (ba * va - aa * vb) * b) / area;
 }
 
-void add_snap(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+void add_snap(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
               PrimitiveSet& set) {
     const field::Vector here = field.vector(input.proxy);
     const Direction axis = direction_of(curl(here));
@@ -37,6 +37,7 @@ const ModeRegistration registration({
     .about = "draws the hand to the axis of a vortex and lets it slide there",
     .property = "length of the curl (1/s)",
     .reads = FieldKind::vector,
+    .derivatives = true,
     .primitives = 1,
     .passive = false,
     .add = add_snap,

@@ -7,7 +7,7 @@
 namespace thaum::haptics {
 namespace {
 
-void add_snap(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+void add_snap(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
               PrimitiveSet& set) {
     const vec3 nearest = settings.pitch * glm::round(input.proxy / settings.pitch);
     const bool near = settings.pitch > 0 && glm::distance(nearest, input.proxy) <= settings.reach;

@@ -8,7 +8,7 @@
 namespace thaum::haptics {
 namespace {
 
-void add_surface(const AnyField& field, const ModeSettings& settings, const ModeInput& input,
+void add_surface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                  PrimitiveSet& set) {
     const field::Scalar here = field.scalar(input.proxy);
     Direction up = direction_of(here.gradient);
@@ -28,6 +28,7 @@ const ModeRegistration registration({
     .about = "a skin at every depth: free towards larger values, held on the way back, with friction",
     .property = "value of the field",
     .reads = FieldKind::scalar,
+    .derivatives = true,
     .primitives = 2,
     .passive = true,
     .add = add_surface,

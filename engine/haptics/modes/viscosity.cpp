@@ -12,7 +12,8 @@ const ModeRegistration registration({
     .primitives = 1,
     .passive = true,
     .add =
-        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+        [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
+           PrimitiveSet& set) {
             const double strength = strength_at(settings.strength, field.scalar(input.proxy).value);
             add_or_rest(set, {PrimitiveKind::point, input.proxy, {}, strength});
         },

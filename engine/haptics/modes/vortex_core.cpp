@@ -9,10 +9,12 @@ const ModeRegistration registration({
     .about = "pulls the hand into the core of a vortex",
     .property = "length of (curl V) x V",
     .reads = FieldKind::vector,
+    .derivatives = true,
     .primitives = 1,
     .passive = false,
     .add =
-        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+        [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
+           PrimitiveSet& set) {
             const field::Vector here = field.vector(input.proxy);
             const Direction inward = direction_of(glm::cross(curl(here), here.value));
             const double strength = inward.length > 0 ? strength_at(settings.strength, inward.length) : 0;

@@ -10,10 +10,12 @@ const ModeRegistration registration({
     .about = "tubes round vortices: free towards the core and along it, held on the way out",
     .property = "length of (curl V) x V",
     .reads = FieldKind::vector,
+    .derivatives = true,
     .primitives = 1,
     .passive = true,
     .add =
-        [](const AnyField& field, const ModeSettings& settings, const ModeInput& input, PrimitiveSet& set) {
+        [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
+           PrimitiveSet& set) {
             const field::Vector here = field.vector(input.proxy);
             const Direction inward = direction_of(glm::cross(curl(here), here.value));
             const double strength = inward.length > 0 ? strength_at(settings.strength, inward.length) : 0;
