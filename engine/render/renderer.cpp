@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <span>
 
 #include "core/assert.h"
+#include "core/hash.h"
 #include "render/detail/batches.h"
 #include "render/detail/gpu_mesh.h"
+#include "render/detail/read_back.h"
+#include "render/detail/scans.h"
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
@@ -61,24 +63,6 @@ float aspect_of(const Rect& r) {
     return r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
 }
 
-constexpr int rows_at_once = 32;  // rows per block of read_pixels, so that packing finds them in the cache
-
-/// Converts blue, green, red and an unused byte to red, green, blue. Converts four pixels at a time as long
-/// as the surplus bytes written are overwritten afterwards.
-void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
-    using Four [[gnu::vector_size(16)]] = std::uint8_t;
-    std::size_t i = 0;
-    for (; i + 6 <= pixels.size(); i += 4, to += 12) {
-        Four four{};
-        std::memcpy(&four, &pixels[i], 16);
-        four = __builtin_shufflevector(four, four, 2, 1, 0, 6, 5, 4, 10, 9, 8, 14, 13, 12, 3, 7, 11, 15);
-        std::memcpy(to, &four, 16);
-    }
-    for (; i < pixels.size(); ++i) {
-        for (const unsigned shift : {16U, 8U, 0U}) *to++ = static_cast<std::uint8_t>(pixels[i] >> shift);
-    }
-}
-
 /// Returns true if the views cover every pixel of the window.
 bool cover_window(const Frame& frame) {
     int covered = 0;
@@ -111,6 +95,7 @@ struct ViewBatches {
     std::size_t first{}, solid{}, shades{}, mists{};
     std::size_t patchworks{};  // number of patchworks, the last of `solid`
     SeenVolume volume{};
+    std::vector<SeenScan> scans{};
 };
 
 }  // namespace
@@ -120,10 +105,10 @@ struct Renderer::State {
     Font font;
     Atlas atlas;
     std::vector<GpuMesh> meshes;
-    std::vector<Bounds> mesh_bounds;       // bounds of each mesh
-    std::vector<Levels> mesh_levels;       // coarser copies of each mesh
-    std::vector<PatchTable> mesh_patches;  // patches of each mesh
-    std::uint64_t mesh_revision{};         // number of mesh changes
+    std::vector<Bounds> mesh_bounds;            // bounds of each mesh
+    std::vector<Levels> mesh_levels;            // coarser copies of each mesh
+    std::vector<PatchTable> mesh_patches;       // patches of each mesh
+    std::vector<std::uint64_t> mesh_revisions;  // number of changes of each mesh
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
@@ -131,6 +116,7 @@ struct Renderer::State {
     std::vector<Bloom> blooms;  // one per view
     ShadowMap shadow_map;
     Volumes volumes;
+    Scans scans;
     Batches batches;
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
@@ -145,6 +131,8 @@ struct Renderer::State {
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
     void show_volumes(std::span<const ViewBatches> of_views, int height);
     void show_views(const Frame& frame, std::span<const ViewBatches> of_views, const Target& target);
+    void draw_scans(const Frame& frame, std::span<const ViewBatches> of_views, GLuint framebuffer,
+                    int height);
     void draw_mists(std::span<const ViewBatches> of_views, const MistProgram& program, int height);
     ShadowView update_shadow(const Frame& frame);
     ViewBatches collect_view(const ViewScene& view, const Rect& at, Quality quality);
@@ -171,6 +159,8 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
     if (!programs) return tl::unexpected(programs.error());
     auto volumes = Volumes::load(assets / "shaders");
     if (!volumes) return tl::unexpected(volumes.error());
+    auto scans = Scans::load(assets / "shaders");
+    if (!scans) return tl::unexpected(scans.error());
     auto font = Font::load();
     if (!font) return tl::unexpected(font.error());
     auto state = std::make_unique<State>(State{.programs = std::move(*programs),
@@ -180,7 +170,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .mesh_bounds = {},
                                                .mesh_levels = {},
                                                .mesh_patches = {},
-                                               .mesh_revision = 0,
+                                               .mesh_revisions = {},
                                                .instance_buffer = make_buffer(),
                                                .patch_buffer = make_buffer(),
                                                .no_attributes = make_vertex_array(),
@@ -190,6 +180,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .blooms = {},
                                                .shadow_map = {},
                                                .volumes = std::move(*volumes),
+                                               .scans = std::move(*scans),
                                                .batches = {},
                                                .statistics = {},
                                                .drawn_width = 0,
@@ -214,6 +205,7 @@ MeshId Renderer::upload(const MeshData& mesh) {
     s.mesh_bounds.emplace_back();
     s.mesh_levels.emplace_back();
     s.mesh_patches.emplace_back();
+    s.mesh_revisions.push_back(0);
     const auto id = static_cast<MeshId>(s.meshes.size() - 1);
     replace(id, mesh);
     return id;
@@ -243,10 +235,12 @@ void Renderer::replace(MeshId id, const MeshData& mesh) {
     s.mesh_levels[id].clear();
     s.mesh_patches[id] = {};
     s.mesh_bounds[id] = bounds(mesh);
-    ++s.mesh_revision;
+    ++s.mesh_revisions[id];
 }
 
 VolumeId Renderer::make_volume() { return state_->volumes.make(); }
+
+ScanId Renderer::make_scan() { return state_->scans.make(); }
 
 void Renderer::draw(const Frame& frame) {
     auto& s = *state_;
@@ -262,29 +256,7 @@ const DrawStatistics& Renderer::statistics() const { return state_->statistics; 
 
 fvec2 Renderer::measure(std::string_view text, float size) { return state_->font.measure(text, size); }
 
-Image Renderer::read_pixels() {
-    const auto& s = *state_;
-    Image image{std::max(s.drawn_width, 0), std::max(s.drawn_height, 0), {}};
-    const auto width = static_cast<std::size_t>(image.width), row = 3 * width;
-    if (width == 0 || image.height == 0) return image;
-    image.rgb.reserve(row * static_cast<std::size_t>(image.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    // The rasteriser's own format, so that it only copies. Reading three bytes per pixel took it four times
-    // as long.
-    std::vector<std::uint32_t> band(width * rows_at_once);
-    std::vector<std::uint8_t> packed(row);
-    // OpenGL counts rows from the bottom.
-    for (int above = image.height; above > 0; above -= rows_at_once) {
-        const int rows = std::min(rows_at_once, above);
-        glReadPixels(0, above - rows, image.width, rows, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, band.data());
-        for (int i = rows; i-- > 0;) {
-            pack_rgb({&band[static_cast<std::size_t>(i) * width], width}, packed.data());
-            image.rgb.insert(image.rgb.end(), packed.begin(), packed.end());
-        }
-    }
-    return image;
-}
+Image Renderer::read_pixels() { return read_back(state_->drawn_width, state_->drawn_height); }
 
 void Renderer::State::draw_views(const Frame& frame) {
     const float scale = std::clamp(frame.internal_scale, 0.25F, 1.0F);
@@ -295,7 +267,8 @@ void Renderer::State::draw_views(const Frame& frame) {
     march_volumes(frame, of_views, width, height);
     auto& target = of_light ? light : pixels;
     if (!straight) resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
+    const GLuint framebuffer = straight ? 0 : target.framebuffer.get();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
     cleared_to_fog = share_fog(frame);
@@ -311,6 +284,7 @@ void Renderer::State::draw_views(const Frame& frame) {
         glFlush();
     }
     show_volumes(of_views, height);
+    draw_scans(frame, of_views, framebuffer, height);
     draw_mists(of_views, of_light ? programs.mist_of_light : programs.mist, height);
     if (straight) return;
     show_views(frame, of_views, target);
@@ -408,6 +382,29 @@ void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int he
     }
 }
 
+void Renderer::State::draw_scans(const Frame& frame, std::span<const ViewBatches> of_views,
+                                 GLuint framebuffer, int height) {
+    for (std::size_t i = 0; i < of_views.size(); ++i) {
+        const auto& its = of_views[i];
+        if (its.scans.empty()) continue;
+        const auto scene =
+            hash_scene(batches, its.first, its.solid, {mesh_bounds, mesh_revisions}, its.scans);
+        const auto counts = scans.draw({.view = &frame.views[i],
+                                        .sight = &its.sight,
+                                        .at = from_below(its.at, height),
+                                        .framebuffer = framebuffer,
+                                        .number = i,
+                                        .quality = frame.quality,
+                                        .scene = scene},
+                                       its.scans, no_attributes);
+        statistics.draws += counts.draws;
+        statistics.scans_drawn += counts.drawn;
+        statistics.scans_marched += counts.marched;
+        statistics.scan_bricks_sent += counts.bricks_sent;
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    }
+}
+
 void Renderer::State::draw_mists(std::span<const ViewBatches> of_views, const MistProgram& program,
                                  int height) {
     for (const auto& its : of_views) {
@@ -429,7 +426,7 @@ void Renderer::State::draw_mists(std::span<const ViewBatches> of_views, const Mi
 ShadowView Renderer::State::update_shadow(const Frame& frame) {
     if (frame.quality == Quality::low || frame.views.empty()) return {};
     const auto counts = shadow_map.update(frame.casters, frame.views[0].environment.sun.direction, meshes,
-                                          mesh_bounds, mesh_revision, programs.shadow);
+                                          mesh_bounds, mesh_revisions, programs.shadow);
     statistics.shadow_draws = counts.draws;
     statistics.shadow_triangles = counts.triangles;
     return shadow_map.bind();
@@ -451,6 +448,7 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at,
         its.patchworks += mesh_patches[batches.batches[i].mesh].patches.empty() ? 0 : 1;
     its.shades = collect(view.shades, tables, its.sight, batches);
     its.mists = collect(view.mists, tables, its.sight, batches);
+    its.scans = seen_scans(view.scans, its.sight, at.width, at.height);
     its.sight.hidden = {};
     return its;
 }

@@ -29,6 +29,10 @@ struct DrawStatistics {
     std::size_t volumes_drawn{};
     /// Volumes whose texels and skin were sent again because their version changed.
     std::size_t volumes_sent{};
+    std::size_t scans_drawn{};  ///< scans in view that show something
+    /// Scans whose rays were computed; fewer than those drawn if a sharp picture was kept.
+    std::size_t scans_marched{};
+    std::size_t scan_bricks_sent{};
 };
 
 class Renderer {
@@ -51,6 +55,10 @@ public:
     void replace(MeshId id, const MeshData& mesh);
     /// Reserves a volume. Views supply its texels and skin (ViewScene::volume).
     VolumeId make_volume();
+
+    /// Reserves a scan. Views supply its samples (ViewScene::scans). The first picture of each look takes
+    /// longer, since drivers compile a shader at its first use.
+    ScanId make_scan();
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.
     void draw(const Frame& frame);

@@ -15,6 +15,7 @@
 #include "render/colour.h"
 #include "render/occlusion.h"
 #include "render/quality.h"
+#include "render/scan.h"
 #include "render/volume.h"
 
 namespace thaum::render {
@@ -107,7 +108,9 @@ struct ViewScene {
     /// Blocks filled by `instances`, or slightly larger ones. Objects hidden by one of these blocks are not
     /// drawn. The first 64 also hide the sky.
     std::span<const Block> blocks{};
-    const Volume* volume{};  ///< volume to draw after all solid objects; null: none
+    const Volume* volume{};         ///< volume to draw after all solid objects; null: none
+    std::span<const Scan> scans{};  ///< drawn after `volume`
+    ScanDetail scan_detail = ScanDetail::automatic;
 };
 
 /// Objects that cast the sun's shadow, in all views. `fixed` never changes from frame to frame, so its shadow

@@ -56,4 +56,11 @@ inline Texture make_texture() { return Texture(made(glGenTextures)); }
 inline Framebuffer make_framebuffer() { return Framebuffer(made(glGenFramebuffers)); }
 inline Renderbuffer make_renderbuffer() { return Renderbuffer(made(glGenRenderbuffers)); }
 
+/// Binds a texture to a texture unit.
+inline void bind(GLint unit, GLenum target, const Texture& texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(target, texture.get());
+    glActiveTexture(GL_TEXTURE0);
+}
+
 }  // namespace thaum::render::detail

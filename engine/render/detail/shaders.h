@@ -51,6 +51,9 @@ struct Programs {
     SmallProgram overlay, shape;      ///< parameter: pixel; for text, and for all other items
 };
 
+/// Sets a uniform of the program in use.
+inline void put(GLint place, fvec3 v) { glUniform3f(place, v.x, v.y, v.z); }
+
 /// Looks up the uniforms of a program with the lighting of meshes.
 MeshProgram mesh_program(Program program);
 

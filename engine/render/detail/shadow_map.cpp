@@ -48,9 +48,13 @@ glm::mat3 sun_axes(fvec3 towards_sun) {
     return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
 }
 
-std::uint64_t key_of(std::span<const Instance> fixed, fvec3 towards_sun, std::uint64_t revision) {
-    std::uint64_t key = hash_combine(revision, hash_value(towards_sun));
-    for (const auto& i : fixed) key = hash_combine(key, hash_value(i.model, i.mesh));
+std::uint64_t key_of(std::span<const Instance> fixed, fvec3 towards_sun,
+                     std::span<const std::uint64_t> revisions) {
+    std::uint64_t key = hash_value(towards_sun);
+    for (const auto& i : fixed) {
+        const std::uint64_t revision = i.mesh < revisions.size() ? revisions[i.mesh] : 0;
+        key = hash_combine(hash_combine(key, revision), hash_value(i.model, i.mesh));
+    }
     return key;
 }
 
@@ -156,9 +160,9 @@ void ShadowMap::find_changes(std::span<const Instance> moving, std::span<const B
 
 ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
                                     std::span<const GpuMesh> meshes, std::span<const Bounds> mesh_bounds,
-                                    std::uint64_t revision, const SmallProgram& program) {
+                                    std::span<const std::uint64_t> revisions, const SmallProgram& program) {
     if (!made_) make_targets();
-    const auto key = key_of(casters.fixed, towards_sun, revision);
+    const auto key = key_of(casters.fixed, towards_sun, revisions);
     const bool anew = key != fixed_key_;
     if (anew) {
         fit(casters, towards_sun, mesh_bounds);

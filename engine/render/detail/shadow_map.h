@@ -17,10 +17,11 @@ public:
         std::size_t draws{}, triangles{};
     };
 
-    /// Updates the map. `revision` changes whenever a mesh does. Without fixed casters everything is in the
+    /// Updates the map. `revisions` count the changes of each mesh. Without fixed casters everything is in the
     /// sun.
     Counts update(const Casters& casters, fvec3 towards_sun, std::span<const GpuMesh> meshes,
-                  std::span<const Bounds> mesh_bounds, std::uint64_t revision, const SmallProgram& program);
+                  std::span<const Bounds> mesh_bounds, std::span<const std::uint64_t> revisions,
+                  const SmallProgram& program);
     /// Binds the map to shadow_unit and returns how the shaders read it.
     ShadowView bind() const;
 

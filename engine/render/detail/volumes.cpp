@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/assert.h"
+#include "render/detail/screen_part.h"
 
 namespace thaum::render::detail {
 namespace {
@@ -25,29 +27,11 @@ bool is_inside(const Volume& volume, fvec3 eye) {
     return eye.y < volume.centre.y && glm::dot(from, from) < 1;
 }
 
-/// Pixels of the view that the skin may cover. Returns the whole view if part of the skin is behind the eye.
+/// Pixels of the view that the skin may cover. The pixel more on each side serves interpolation.
 Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
     fvec3 low(std::numeric_limits<float>::max()), high(-low);
     for (const auto& v : volume.skin) low = glm::min(low, v.position), high = glm::max(high, v.position);
-    fvec2 least(1), most(-1);
-    for (int corner = 0; corner < 8; ++corner) {
-        const fvec3 p((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
-                      (corner & 4) != 0 ? high.z : low.z);
-        const fvec4 clip = sight.to_clip * fvec4(p, 1);
-        if (!(clip.w > 1e-3F)) return view;
-        least = glm::min(least, fvec2(clip) / clip.w);
-        most = glm::max(most, fvec2(clip) / clip.w);
-    }
-    least = glm::clamp(least, -1.0F, 1.0F);
-    most = glm::clamp(most, -1.0F, 1.0F);
-    const auto pixel = [](float at, int length) { return (0.5F * at + 0.5F) * static_cast<float>(length); };
-    // One more pixel on each side, for interpolation between pixels.
-    const int x0 = std::max(static_cast<int>(std::floor(pixel(least.x, view.width))) - 1, 0),
-              y0 = std::max(static_cast<int>(std::floor(pixel(least.y, view.height))) - 1, 0),
-              x1 = std::min(static_cast<int>(std::ceil(pixel(most.x, view.width))) + 1, view.width),
-              y1 = std::min(static_cast<int>(std::ceil(pixel(most.y, view.height))) + 1, view.height);
-    if (most.x <= least.x || most.y <= least.y) return {};
-    return {view.x + x0, view.y + y0, x1 - x0, y1 - y0};
+    return screen_part(low, high, sight.to_clip, view);
 }
 
 int steps_of(Quality quality) {
@@ -57,14 +41,6 @@ int steps_of(Quality quality) {
         case Quality::high: return 28;
     }
     return 7;
-}
-
-void put(GLint place, fvec3 v) { glUniform3f(place, v.x, v.y, v.z); }
-
-void bind(GLint unit, GLenum target, const Texture& texture) {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(target, texture.get());
-    glActiveTexture(GL_TEXTURE0);
 }
 
 void filter(GLenum target, GLint how) {

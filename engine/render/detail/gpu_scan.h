@@ -1,0 +1,35 @@
+// The textures of a scan.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "render/detail/gl.h"
+#include "render/detail/scan_bricks.h"
+
+namespace thaum::render::detail {
+
+struct GpuScan {
+    Texture density, paint, bricks, table, materials;
+    std::array<int, 3> count{};
+    std::size_t bytes{};   ///< per density texel
+    bool filled = false;   ///< the textures hold samples
+    bool painted = false;  ///< with colours or materials
+    bool shows = false;    ///< some brick shows something
+    std::uint64_t version{};
+    std::uint64_t look{};     ///< hash of what decides which bricks show something
+    std::uint64_t colours{};  ///< hash of the table's and the materials' contents
+    std::vector<std::uint32_t> brick_versions;
+    std::vector<DensityRange> ranges;            ///< one per brick
+    std::vector<std::uint8_t> shown, distances;  ///< one per brick
+};
+
+GpuScan make_gpu_scan();
+
+/// Sends what has changed since the last drawing and returns the number of bricks sent. `scratch` is kept
+/// between calls. The scan must be drawable.
+std::size_t send(const Scan& scan, GpuScan& gpu, std::vector<std::uint8_t>& scratch);
+
+/// Hash of the contents of table and materials.
+std::uint64_t hash_colours(const Scan& scan);
+
+}  // namespace thaum::render::detail

@@ -1,0 +1,61 @@
+// Densities of a scan as texels, and the bricks that a ray may leap over. No OpenGL.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "render/scan.h"
+
+namespace thaum::render::detail {
+
+/// A box of samples or bricks: its first one and their number along each axis.
+struct ScanBox {
+    std::array<int, 3> first{}, count{};
+};
+
+/// Lowest and highest density of a brick, 65535 being a density of 1. A brick includes the first samples of
+/// the next brick along each axis, since the density between the two belongs to it.
+struct DensityRange {
+    std::uint16_t low{}, high{};
+    bool operator==(const DensityRange&) const = default;
+};
+
+/// Returns true if the scan can be drawn: at least two samples along each axis, one value per sample, a
+/// finite invertible model, what its look needs.
+bool drawable(const Scan& scan);
+
+/// Bytes per density texel: 1 or 2.
+std::size_t density_bytes(const Scan& scan);
+/// Writes the densities of a box of samples as texels, x contiguous.
+void pack_density(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>& out);
+/// Writes colour and material of a box of samples, four bytes each.
+void pack_paint(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>& out);
+
+DensityRange density_range(const Scan& scan, const std::array<int, 3>& brick);
+
+/// Runs of bricks along x whose version differs from `sent`, which is then updated. Empty versions, or ones
+/// of another number: one run with all bricks.
+std::vector<ScanBox> changed_bricks(const Scan& scan, std::vector<std::uint32_t>& sent);
+
+/// Calls `visit(brick, index)` for each brick that contains one of the given bricks' samples: the bricks
+/// themselves and their lower neighbours, which share samples with them.
+template <class Visit>
+void visit_sharing(const ScanBox& bricks, const std::array<int, 3>& count, Visit visit) {
+    const auto from = [&](std::size_t axis) { return bricks.first[axis] > 0 ? bricks.first[axis] - 1 : 0; };
+    const auto end = [&](std::size_t axis) { return bricks.first[axis] + bricks.count[axis]; };
+    for (int z = from(2); z < end(2); ++z) {
+        for (int y = from(1); y < end(1); ++y) {
+            for (int x = from(0); x < end(0); ++x)
+                visit(std::array{x, y, z}, static_cast<std::size_t>((z * count[1] + y) * count[0] + x));
+        }
+    }
+}
+
+/// Finds the bricks in which the scan's look shows something. One byte per brick: 1 or 0.
+void find_shown(const Scan& scan, const std::vector<DensityRange>& ranges, std::vector<std::uint8_t>& shown);
+
+/// Distance of each brick to the nearest shown one, counted in bricks along the axis on which it is largest.
+/// At most 255.
+void find_distances(const std::vector<std::uint8_t>& shown, const std::array<int, 3>& count,
+                    std::vector<std::uint8_t>& distance);
+
+}  // namespace thaum::render::detail
