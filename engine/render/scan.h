@@ -61,7 +61,9 @@ struct Scan {
     /// Version of all samples, colours and materials. They are examined only if it differs from the last
     /// drawing of this id.
     std::uint64_t version{};
-    std::array<int, 3> count{};  ///< samples along x, y, z; at least 2 each, otherwise the scan is not drawn
+    /// Samples along x, y, z: at least 2 and at most what OpenGL allows (GL_MAX_3D_TEXTURE_SIZE) each, otherwise
+    /// the scan is not drawn.
+    std::array<int, 3> count{};
     ScanSamples samples{};
     float low = 0, high = 1;  ///< samples of type float with density 0 and 1; integers fill their range
     /// Version of each brick, x contiguous. Bricks with a new version are sent. Empty: all bricks are sent.

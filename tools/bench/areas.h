@@ -17,6 +17,8 @@ void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
 /// Part of the area `skip`: sound and jackets.
 void skip_senses(const Options& options, Report& report);
+/// Part of the area `skip`: a scan out of view.
+void skip_scan(const Options& options, Report& report);
 /// Virtual coupling, alone and with Bullet.
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);
@@ -44,8 +46,9 @@ void tactile_mixer(const Options& options, Report& report);
 /// Recognition of gestures, isolated and in continuous motion.
 void gestures(const Options& options, Report& report);
 void render(const Options& options, Report& report);
-/// Part of the area `render`.
+/// Parts of the area `render`.
 void brew_pictures(const Options& options, Report& report);
+void scan_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
 /// Part of the area `fluid`: a hand in the fluid.
 void fluid_hand(const Options& options, Report& report);

@@ -349,6 +349,7 @@ void tick(const Options& options, Report& report) {
 void skip(const Options& options, Report& report) {
     skip_features(options, report);
     skip_senses(options, report);
+    skip_scan(options, report);
 }
 
 }  // namespace thaum::bench

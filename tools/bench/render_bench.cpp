@@ -191,6 +191,7 @@ void render(const Options& options, Report& report) {
     tick_beside_pictures(scene, options, report);
     scene.drawn.reset();
     brew_pictures(options, report);
+    scan_pictures(options, report);
 }
 
 }  // namespace thaum::bench

@@ -31,9 +31,9 @@ struct ToDensity {
     std::uint16_t operator()(std::uint8_t sample) const { return static_cast<std::uint16_t>(257 * sample); }
     std::uint16_t operator()(std::uint16_t sample) const { return sample; }
     std::uint16_t operator()(float sample) const {
-        const float at = (sample - low) * factor;
+        const float at = (sample - low) * factor + 0.5F;
         // Written so that NaN gives 0.
-        return at > 0 ? static_cast<std::uint16_t>(std::min(at, full) + 0.5F) : std::uint16_t{0};
+        return at > 0 ? static_cast<std::uint16_t>(std::min(at, full)) : std::uint16_t{0};
     }
 };
 

@@ -44,8 +44,12 @@ void visit_sharing(const ScanBox& bricks, const std::array<int, 3>& count, Visit
     const auto end = [&](std::size_t axis) { return bricks.first[axis] + bricks.count[axis]; };
     for (int z = from(2); z < end(2); ++z) {
         for (int y = from(1); y < end(1); ++y) {
-            for (int x = from(0); x < end(0); ++x)
-                visit(std::array{x, y, z}, static_cast<std::size_t>((z * count[1] + y) * count[0] + x));
+            for (int x = from(0); x < end(0); ++x) {
+                const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(count[1]) +
+                                 static_cast<std::size_t>(y);
+                visit(std::array{x, y, z},
+                      row * static_cast<std::size_t>(count[0]) + static_cast<std::size_t>(x));
+            }
         }
     }
 }

@@ -103,6 +103,7 @@ private:
     void draw_look(Drawing& drawing, std::span<const SeenScan> seen, ScanLook look, bool again);
 
     std::vector<GpuScan> all_;
+    GLint most_samples_{};  // along an axis, by the driver
     MarchProgram surface_;
     std::array<std::array<MarchProgram, 2>, 2> light_;  // [glowing, lit][plain, painted]
     ShowProgram show_solid_, show_light_;
