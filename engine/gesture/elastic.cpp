@@ -1,21 +1,19 @@
 #include "gesture/elastic.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "gesture/vectors.h"
 
 namespace thaum::gesture {
 namespace {
 
-using Floats8 = float __attribute__((vector_size(32)));
-
 constexpr float far = 1e30F;  // more than any sum of costs
 
-inline Floats8 smaller(Floats8 a, Floats8 b) { return a < b ? a : b; }
-
-inline Floats8 load8(const float* from) {
-    Floats8 v;
-    std::memcpy(&v, from, sizeof v);
-    return v;
+/// The smaller of two numbers that are not negative. The order of their bits is that of the numbers, and the processor
+/// compares bits beside its additions.
+inline Floats8 smaller(Floats8 a, Floats8 b) {
+    const auto x = reinterpret_cast<Ints8>(a), y = reinterpret_cast<Ints8>(b);
+    return reinterpret_cast<Floats8>(x < y ? x : y);
 }
 
 /// One stroke for all lanes, or eight strokes in the layout of EightShapes.
@@ -25,37 +23,46 @@ struct OneStroke {
 };
 struct EightStrokes {
     const float* values;
-    Floats8 at(std::size_t place) const { return load8(values + place * lanes); }
+    Floats8 at(std::size_t place) const { return load<Floats8>(values + place * lanes); }
 };
+
+/// Costs of matching one point to another, lane by lane, times `robustness`. The last sum of costs is divided by it. Being
+/// a power of two, it changes no bit, and it saves a multiplication for each pair of points.
+template <std::size_t channels>
+inline Floats8 cost_of(const std::array<Floats8, channels>& p, const float* q) {
+    Floats8 squares = p[0] - load<Floats8>(q);
+    squares *= squares;
+    for (std::size_t c = 1; c < channels; ++c) {
+        const Floats8 d = p[c] - load<Floats8>(q + c * lanes);
+        squares += d * d;
+    }
+    return squares / (1 / robustness + squares);
+}
 
 template <std::size_t points, std::size_t channels, class Strokes>
 void warp8(Strokes stroke, const float* eight, float* result) {
     const Floats8 infinite = far + Floats8{};
-    std::array<Floats8, points + 2> rows[2];
-    rows[0].fill(infinite);
-    rows[1].fill(infinite);
-    rows[0][0] = Floats8{};
+    // Least sums of costs up to the points of the row above, which those of the new row replace.
+    std::array<Floats8, points + 2> row;
+    row.fill(infinite);
+    row[0] = Floats8{};
     for (std::size_t i = 1; i <= points; ++i) {
         std::array<Floats8, channels> p;
         for (std::size_t c = 0; c < channels; ++c) p[c] = stroke.at((i - 1) * channels + c);
-        auto& row = rows[i % 2];
-        const auto& above = rows[(i + 1) % 2];
         const std::size_t low = i > warp_band ? i - warp_band : 1, high = std::min(points, i + warp_band);
-        row[low - 1] = infinite;
-        row[high + 1] = infinite;
-        for (std::size_t j = low; j <= high; ++j) {
-            const float* q = eight + (j - 1) * channels * lanes;
-            Floats8 s{};
-            for (std::size_t c = 0; c < channels; ++c) {
-                const Floats8 d = p[c] - load8(q + c * lanes);
-                s += d * d;
-            }
-            row[j] = s / (1 + robustness * s) + smaller(above[j - 1], smaller(above[j], row[j - 1]));
+        Floats8 before = row[low - 1], left = infinite;
+        const float* q = eight + (low - 1) * channels * lanes;
+#pragma GCC unroll 7
+        for (std::size_t j = low; j <= high; ++j, q += channels * lanes) {
+            const Floats8 above = row[j];
+            left = cost_of<channels>(p, q) + smaller(smaller(before, above), left);
+            before = above;
+            row[j] = left;
         }
-        rows[0][0] = infinite;
+        row[0] = infinite;
     }
-    const Floats8 sum = rows[points % 2][points] / static_cast<float>(points);
-    std::memcpy(result, &sum, sizeof sum);
+    const Floats8 sum = row[points] / (robustness * static_cast<float>(points));
+    store(result, sum);
 }
 
 template <std::size_t points, class Strokes>
@@ -69,23 +76,32 @@ std::array<float, lanes> distances_of(Strokes stroke, const EightOf<points>& eig
     return result;
 }
 
+/// Four values of each template. Values of templates k and k + 4 stand in row k.
+using FourOfEight = std::array<Floats8, 4>;
+
+inline FourOfEight load_four(const std::array<const float*, lanes>& values, std::size_t place) {
+    FourOfEight rows;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto low = load<Floats4>(values[k] + place), high = load<Floats4>(values[k + 4] + place);
+        rows[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+    return rows;
+}
+
 template <std::size_t points>
 void transpose(EightOf<points>& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
-    for (std::size_t i = 0; i < points * channels; i += lanes) {  // eight by eight
-        std::array<Floats8, lanes> r, s;
-        for (std::size_t k = 0; k < lanes; ++k) r[k] = load8(values[k] + i);
-        for (std::size_t k = 0; k < 4; ++k) {
-            s[2 * k] = __builtin_shufflevector(r[k], r[k + 4], 0, 8, 1, 9, 2, 10, 3, 11);
-            s[2 * k + 1] = __builtin_shufflevector(r[k], r[k + 4], 4, 12, 5, 13, 6, 14, 7, 15);
-        }
-        for (int round = 0; round < 2; ++round) {
-            r = s;
-            for (std::size_t k = 0; k < 4; ++k) {
-                s[2 * k] = __builtin_shufflevector(r[k], r[k + 4], 0, 8, 1, 9, 2, 10, 3, 11);
-                s[2 * k + 1] = __builtin_shufflevector(r[k], r[k + 4], 4, 12, 5, 13, 6, 14, 7, 15);
-            }
-        }
-        std::memcpy(&eight.values[i * lanes], s.data(), sizeof s);
+    const auto from = values;  // a copy: the compiler need not read the pointers again after each store
+    for (std::size_t i = 0; i < points * channels; i += 4) {
+        const auto [a, b, c, d] = load_four(from, i);
+        const Floats8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+                      ab2 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
+                      cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
+                      cd2 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+        float* to = &eight.values[i * lanes];
+        store(to, __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13));
+        store(to + lanes, __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15));
+        store(to + 2 * lanes, __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13));
+        store(to + 3 * lanes, __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15));
     }
 }
 

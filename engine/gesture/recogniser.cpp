@@ -1,38 +1,64 @@
 #include "gesture/recogniser.h"
 
 #include <algorithm>
-#include <cstring>
+
+#include "gesture/vectors.h"
 
 namespace thaum::gesture {
 namespace {
 
-using Floats8 = float __attribute__((vector_size(32)));
-
 constexpr float lowest_score = -1e30F;
+constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
 
-/// Dot product of two arrays whose length is a multiple of eight.
+/// Sums of the eight lanes of four vectors, neighbours first.
+Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
+    const auto neighbours = [](Floats8 a, Floats8 b) {
+        return __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14) +
+               __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15);
+    };
+    const Floats8 sum = neighbours(neighbours(p, q), neighbours(r, s));
+    return __builtin_shufflevector(sum, sum, 0, 1, 2, 3) + __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+}
+
+/// Dot products of an array with four others. Their length is a multiple of eight. Four arrays are enough to keep the
+/// adders busy.
+Floats4 dots(const float* a, const std::array<const float*, 4>& four, std::size_t count) {
+    const auto [p, q, r, s] = four;
+    Floats8 even_p{}, even_q{}, even_r{}, even_s{}, odd_p{}, odd_q{}, odd_r{}, odd_s{};
+    std::size_t i = 0;
+    for (; i + 16 <= count; i += 16) {
+        const Floats8 x = load<Floats8>(a + i), y = load<Floats8>(a + i + 8);
+        even_p += x * load<Floats8>(p + i);
+        even_q += x * load<Floats8>(q + i);
+        even_r += x * load<Floats8>(r + i);
+        even_s += x * load<Floats8>(s + i);
+        odd_p += y * load<Floats8>(p + i + 8);
+        odd_q += y * load<Floats8>(q + i + 8);
+        odd_r += y * load<Floats8>(r + i + 8);
+        odd_s += y * load<Floats8>(s + i + 8);
+    }
+    for (; i < count; i += 8) {
+        const Floats8 x = load<Floats8>(a + i);
+        even_p += x * load<Floats8>(p + i);
+        even_q += x * load<Floats8>(q + i);
+        even_r += x * load<Floats8>(r + i);
+        even_s += x * load<Floats8>(s + i);
+    }
+    return sums_of(even_p + odd_p, even_q + odd_q, even_r + odd_r, even_s + odd_s);
+}
+
 float dot(const float* a, const float* b, std::size_t count) {
     Floats8 even{}, odd{};
     std::size_t i = 0;
     for (; i + 16 <= count; i += 16) {
-        Floats8 x, y, u, v;
-        std::memcpy(&x, a + i, sizeof x);
-        std::memcpy(&y, b + i, sizeof y);
-        std::memcpy(&u, a + i + 8, sizeof u);
-        std::memcpy(&v, b + i + 8, sizeof v);
-        even += x * y;
-        odd += u * v;
+        even += load<Floats8>(a + i) * load<Floats8>(b + i);
+        odd += load<Floats8>(a + i + 8) * load<Floats8>(b + i + 8);
     }
-    for (; i < count; i += 8) {
-        Floats8 x, y;
-        std::memcpy(&x, a + i, sizeof x);
-        std::memcpy(&y, b + i, sizeof y);
-        even += x * y;
-    }
+    for (; i < count; i += 8) even += load<Floats8>(a + i) * load<Floats8>(b + i);
     const Floats8 sum = even + odd;
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    return sums_of(sum, sum, sum, sum)[0];
 }
 
 static_assert(shape_points * planar_channels % 8 == 0 && shape_points * solid_channels % 8 == 0);
@@ -76,12 +102,9 @@ void turn(float* values, std::size_t points, std::size_t channels, float cosine,
     }
 }
 
-using Ints8 = std::int32_t __attribute__((vector_size(32)));
-
 /// For each of the eight scores from `first` on, the number of scores that are better: larger, or as large and before it.
 Ints8 ranks_of(std::size_t first, const float* scores, std::size_t count) {
-    Floats8 own;
-    std::memcpy(&own, scores + first, sizeof own);
+    const auto own = load<Floats8>(scores + first);
     Ints8 better{};  // number of better scores, negative: a true comparison is minus one
     for (std::size_t i = 0; i < first; ++i) better += scores[i] + Floats8{} >= own;
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -100,30 +123,67 @@ RecogniserSpace::RecogniserSpace() {
     compared_.resize(most_templates);
 }
 
-Recogniser::Survivor Recogniser::score(const Shape& shape, const Template& t) const {
-    if (!t.closed && !t.turns)
-        return {.score = dot(shape.values.data(), &values_[t.values], shape_points * t.channels)};
+Recogniser::Survivor Recogniser::turned_score(const Shape& shape, const Template& t) const {
     Survivor best{.score = lowest_score};
     const std::size_t shifts = t.closed ? shape_points : 1;
     for (std::size_t s = 0; s < shifts; ++s) {
-        const float* values = &values_[t.values + s * t.channels];
+        const auto product =
+            turned_product(shape.values.data(), &values_[t.values + s * t.channels], t.channels);
         Survivor now{.shift = static_cast<std::uint32_t>(s)};
-        if (t.turns) {
-            const auto product = turned_product(shape.values.data(), values, t.channels);
-            const float length = std::sqrt(product.cosine * product.cosine + product.sine * product.sine);
-            now.cosine = length > 0 ? product.cosine / length : 1;
-            now.sine = length > 0 ? product.sine / length : 0;
-            if (now.cosine < t.cosine) {
-                now.cosine = t.cosine;
-                now.sine = now.sine < 0 ? -t.sine : t.sine;
-            }
-            now.score = product.fixed + product.cosine * now.cosine + product.sine * now.sine;
-        } else {
-            now.score = dot(shape.values.data(), values, shape_points * t.channels);
+        const float length = std::sqrt(product.cosine * product.cosine + product.sine * product.sine);
+        now.cosine = length > 0 ? product.cosine / length : 1;
+        now.sine = length > 0 ? product.sine / length : 0;
+        if (now.cosine < t.cosine) {
+            now.cosine = t.cosine;
+            now.sine = now.sine < 0 ? -t.sine : t.sine;
         }
+        now.score = product.fixed + product.cosine * now.cosine + product.sine * now.sine;
         if (now.score > best.score) best = now;
     }
     return best;
+}
+
+Recogniser::Survivor Recogniser::closed_score(const Shape& shape, const Template& t) const {
+    static_assert(shape_points % 4 == 0);
+    Survivor best{.score = lowest_score};
+    for (std::uint32_t s = 0; s < shape_points; s += 4) {
+        std::array<const float*, 4> shifted;
+        for (std::size_t k = 0; k < 4; ++k) shifted[k] = &values_[t.values + (s + k) * t.channels];
+        const auto products = dots(shape.values.data(), shifted, shape_points * t.channels);
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            if (products[k] > best.score) best = {.score = products[k], .shift = s + k};
+        }
+    }
+    return best;
+}
+
+/// Dot products with the first `count` compared templates.
+void Recogniser::score(const Shape& shape, std::size_t count, RecogniserSpace& space) const {
+    std::array<const float*, 4>
+        plain;  // values of templates without variations, which are multiplied four at a time
+    std::array<std::size_t, 4> places;
+    std::size_t waiting = 0;
+    const auto multiply = [&] {
+        for (std::size_t k = waiting; k < 4; ++k) plain[k] = plain[0];
+        const auto products = dots(shape.values.data(), plain, shape_points * shape.channels);
+        for (std::size_t k = 0; k < waiting; ++k) space.compared_[places[k]].score = products[k];
+        waiting = 0;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        auto& match = space.compared_[i];
+        const auto& t = templates_[match.place];
+        if (t.turns || t.closed) {
+            const auto place = match.place;
+            match = t.turns ? turned_score(shape, t) : closed_score(shape, t);
+            match.place = place;
+            continue;
+        }
+        plain[waiting] = &values_[t.values];
+        places[waiting] = i;
+        if (++waiting == 4) multiply();
+    }
+    if (waiting > 0) multiply();
+    for (std::size_t i = 0; i < count; ++i) space.scores_[i] = space.compared_[i].score;
 }
 
 std::size_t Recogniser::verified_at_most() const {
@@ -144,11 +204,9 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
         if (limits.length_range > 0 &&
             (shape.length > t.length * limits.length_range || shape.length * limits.length_range < t.length))
             continue;
-        list[count] = score(shape, t);
-        list[count].place = k;
-        space.scores_[count] = list[count].score;
-        ++count;
+        list[count++] = {.place = k};
     }
+    score(shape, count, space);
     keep_best(count, most, space);
 }
 
@@ -226,25 +284,25 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
         if (near.count > 0) farthest = std::max({farthest, near.first, near.count > 1 ? near.second : 0});
     }
     Recognition r;
+    r.distance = r.runner_up_distance = farthest_possible;
     for (std::uint32_t g = 0; g < gestures(); ++g) {
         const auto& near = space.nearest_[g];
-        if (near.count == 0) continue;
         // A gesture of several strokes of which one alone was compared: the others are at least so far.
-        const bool several = strokes_of_[g] > 1;
-        const float second = near.count > 1 ? near.second : several ? farthest : near.first;
-        const float d = (near.first + second_weight * second) / (1 + second_weight);
-        if (r.gesture == Recognition::none || d < r.distance) {
-            r.runner_up = r.gesture;
-            r.runner_up_distance = r.distance;
-            r.gesture = g;
-            r.distance = d;
-        } else if (r.runner_up == Recognition::none || d < r.runner_up_distance) {
-            r.runner_up = g;
-            r.runner_up_distance = d;
-        }
+        const float unknown = strokes_of_[g] > 1 ? farthest : near.first;
+        const float second = near.count > 1 ? near.second : unknown;
+        const float mean = (near.first + second_weight * second) / (1 + second_weight);
+        const float d = near.count > 0 ? mean : farthest_possible;
+        // Without branches, which the processor would often guess wrongly.
+        const bool best = d < r.distance, next = !best && d < r.runner_up_distance;
+        r.runner_up = best ? r.gesture : next ? g : r.runner_up;
+        r.runner_up_distance = best ? r.distance : next ? d : r.runner_up_distance;
+        r.gesture = best ? g : r.gesture;
+        r.distance = best ? d : r.distance;
     }
+    if (r.runner_up == Recognition::none) r.runner_up_distance = 0;
+    if (r.gesture == Recognition::none) r.distance = 0;
     if (r.gesture == Recognition::none) return r;
-    const float other = r.runner_up == Recognition::none ? 1e9F : r.runner_up_distance;
+    const float other = r.runner_up == Recognition::none ? farthest_possible : r.runner_up_distance;
     r.evidence = evidence_of(r.distance, other, calibration_.usual[r.gesture]);
     r.probability = calibration_.probability(r.evidence);
     r.accepted =
@@ -258,7 +316,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
 
 double Recogniser::probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                                   float runner_up_distance) const {
-    const float other = has_runner_up ? runner_up_distance : 1e9F;
+    const float other = has_runner_up ? runner_up_distance : farthest_possible;
     return calibration_.probability(evidence_of(distance, other, calibration_.usual[gesture]));
 }
 

@@ -151,7 +151,11 @@ private:
     const float* lane_values(const Survivor& survivor, std::size_t lane, RecogniserSpace& space) const;
     /// The fine shape of a template, from its chosen start and turned towards the stroke, and how it was made.
     FineKind fine_template(const Survivor& survivor, FineShape& shape) const;
-    Survivor score(const Shape& shape, const Template& t) const;
+    void score(const Shape& shape, std::size_t count, RecogniserSpace& space) const;
+    /// The best turn, and the best start if the template is closed.
+    Survivor turned_score(const Shape& shape, const Template& t) const;
+    /// The best start.
+    Survivor closed_score(const Shape& shape, const Template& t) const;
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
     std::size_t verified_at_most() const;
 

@@ -1,9 +1,11 @@
 #include "gesture/shape.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+
+#include "gesture/vectors.h"
 
 namespace thaum::gesture {
 namespace {
@@ -16,132 +18,140 @@ constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
 // Length of the direction of a long step, and the step (sizes of the stroke) that halves it. Where the points lie close
 // together, their direction is uncertain.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
-constexpr std::uint32_t exponent_bits = 0x7f800000;  // all set: infinite or not a number
-constexpr float force_deviation = 0.5F;              // standard deviation of the force channel
+constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
 
-template <std::size_t points>
-using Column = std::array<float, points>;
+using Doubles4 = double __attribute__((vector_size(32)));
+using Bits4 = std::uint64_t __attribute__((vector_size(32)));
 
+Floats4 masked(Floats4 v, Ints4 mask) { return reinterpret_cast<Floats4>(reinterpret_cast<Ints4>(v) & mask); }
+
+/// Places of the shape: force, x, y, z in the lanes.
 template <std::size_t points>
 struct Sampled {
-    Column<points> x{}, y{}, z{}, force{};
+    std::array<Floats4, points> at;
 };
+
+/// Lanes of a point that count.
+Ints4 lanes_of(Channels channels) { return Ints4{channels.force ? -1 : 0, -1, -1, channels.depth ? -1 : 0}; }
+
+/// Four vectors of four lanes: the other way round.
+struct Columns {
+    Floats4 a, b, c, d;
+};
+
+Columns transposed(Floats4 p, Floats4 q, Floats4 r, Floats4 s) {
+    const auto pq = __builtin_shufflevector(p, q, 0, 4, 1, 5),
+               pq2 = __builtin_shufflevector(p, q, 2, 6, 3, 7);
+    const auto rs = __builtin_shufflevector(r, s, 0, 4, 1, 5),
+               rs2 = __builtin_shufflevector(r, s, 2, 6, 3, 7);
+    return {__builtin_shufflevector(pq, rs, 0, 1, 4, 5), __builtin_shufflevector(pq, rs, 2, 3, 6, 7),
+            __builtin_shufflevector(pq2, rs2, 0, 1, 4, 5), __builtin_shufflevector(pq2, rs2, 2, 3, 6, 7)};
+}
+
+Floats4 roots_of(Floats4 v) {
+    float lanes[4];
+    store(lanes, v);
+    for (float& lane : lanes) lane = std::sqrt(lane);
+    return load<Floats4>(lanes);
+}
 
 /// Whether all numbers of all points are finite, also of points that do not count. Four numbers at a time.
 bool all_finite_numbers(Points stroke) {
-    using Bits4 = std::uint64_t __attribute__((vector_size(32)));
     static_assert(sizeof(StrokePoint) == 5 * sizeof(double));
     constexpr std::uint64_t exponent = 0x7ff0000000000000;
     const auto* from = reinterpret_cast<const unsigned char*>(stroke.data());
     const std::size_t bytes = stroke.size_bytes();
-    Bits4 bad{};
+    constexpr std::size_t width = sizeof(Bits4);
+    const auto bad_at = [&](std::size_t place) {
+        return static_cast<Bits4>((load<Bits4>(from + place) & exponent) == exponent);
+    };
+    Bits4 bad{}, bad2{};
     std::size_t i = 0;
-    for (; i + sizeof(Bits4) <= bytes; i += sizeof(Bits4)) {
-        Bits4 bits;
-        std::memcpy(&bits, from + i, sizeof bits);
-        bad |= static_cast<Bits4>((bits & exponent) == exponent);
+    for (; i + 4 * width <= bytes; i += 4 * width) {
+        bad |= bad_at(i) | bad_at(i + width);
+        bad2 |= bad_at(i + 2 * width) | bad_at(i + 3 * width);
     }
+    for (; i + width <= bytes; i += width) bad |= bad_at(i);
     bool rest = true;
-    for (; i < bytes; i += sizeof(double)) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, from + i, sizeof bits);
-        rest = rest && (bits & exponent) != exponent;
-    }
+    for (; i < bytes; i += sizeof(double))
+        rest = rest && (load<std::uint64_t>(from + i) & exponent) != exponent;
+    bad |= bad2;
     return rest && (bad[0] | bad[1] | bad[2] | bad[3]) == 0;
 }
-
-using Doubles4 = double __attribute__((vector_size(32)));
-using Floats4 = float __attribute__((vector_size(16)));
 
 /// Time and place of a point relative to those of another.
 Floats4 relative(const StrokePoint& p, Doubles4 origin) {
     static_assert(offsetof(StrokePoint, t) == 0 && offsetof(StrokePoint, at) == sizeof(double));
-    Doubles4 v;
-    std::memcpy(&v, &p, sizeof v);
-    return __builtin_convertvector(v - origin, Floats4);
+    return __builtin_convertvector(load<Doubles4>(&p) - origin, Floats4);
 }
 
-/// Writes four points at place k. `points` are apart by `stride`. Returns their sums, to see whether all are finite.
-Floats4 copy_four(const StrokePoint* points, std::size_t stride, Doubles4 origin, std::size_t k, bool depth,
-                  ShapeSpace& space) {
-    const auto a = relative(points[0], origin), b = relative(points[stride], origin),
-               c = relative(points[2 * stride], origin), d = relative(points[3 * stride], origin);
-    const auto tx = __builtin_shufflevector(a, b, 0, 4, 1, 5), yz = __builtin_shufflevector(a, b, 2, 6, 3, 7);
-    const auto tx2 = __builtin_shufflevector(c, d, 0, 4, 1, 5),
-               yz2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
-    const auto t = __builtin_shufflevector(tx, tx2, 0, 1, 4, 5),
-               x = __builtin_shufflevector(tx, tx2, 2, 3, 6, 7);
-    const auto y = __builtin_shufflevector(yz, yz2, 0, 1, 4, 5),
-               z = __builtin_shufflevector(yz, yz2, 2, 3, 6, 7);
-    const Floats4 force{static_cast<float>(points[0].force), static_cast<float>(points[stride].force),
-                        static_cast<float>(points[2 * stride].force),
-                        static_cast<float>(points[3 * stride].force)};
-    const Floats4 used_z = depth ? z : Floats4{};
-    std::memcpy(&space.t[k], &t, sizeof t);
-    std::memcpy(&space.x[k], &x, sizeof x);
-    std::memcpy(&space.y[k], &y, sizeof y);
-    std::memcpy(&space.z[k], &used_z, sizeof used_z);
-    std::memcpy(&space.force[k], &force, sizeof force);
-    return x + y + z + force + t;
-}
+Floats4 larger(Floats4 a, Floats4 b) { return a > b ? a : b; }
+Floats4 size_of(Floats4 v) { return masked(v, 0x7fffffff + Ints4{}); }
+bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) != 0; }
 
-/// Copies the points as floats from the first point's place and time. Returns false if a value is not finite.
-bool copy(Points stroke, Channels channels, ShapeSpace& space) {
+/// What `copy` saw.
+struct Copied {
+    bool finite{};  ///< true if all times and forces are
+    bool plain{};   ///< true if each point has another place than the one before it, and no earlier time
+};
+
+/// Copies the points as floats from the first point's place and time, and sums up the steps from each to the next.
+Copied copy(Points stroke, bool depth, ShapeSpace& space) {
     const std::size_t stride = (stroke.size() + counted_points - 1) / counted_points;
-    const std::size_t first = (stroke.size() - 1) % stride;  // so that the last point counts
-    const std::size_t count = (stroke.size() - 1 - first) / stride + 1;
-    const auto& o = stroke[first];
-    const Doubles4 origin{o.t, o.at.x, o.at.y, o.at.z};
-    std::uint32_t bad = 0;
-    for (std::size_t k = 0; k < count; k += count < 4 ? 1 : 4) {
-        // The last four points overlap those before them. Of fewer than four, each is written four times, the last of
-        // which the next one replaces.
-        const std::size_t from = count < 4 ? k : std::min(k, count - 4), step = count < 4 ? 0 : stride;
-        const auto sums =
-            copy_four(&stroke[first + from * stride], step, origin, from, channels.depth, space);
-        for (std::size_t i = 0; i < 4; ++i)
-            bad |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(sums[i]) & exponent_bits) ==
-                                              exponent_bits);
+    const std::size_t steps = (stroke.size() - 1) / stride, count = steps + 1;
+    const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // so that the last point counts
+    const auto* const end = &stroke[stroke.size() - 1];
+    const auto origin = load<Doubles4>(from);
+    const Ints4 used{-1, -1, -1, depth ? -1 : 0};
+    Floats4 before{}, largest{};
+    Ints4 plain{-1, -1, -1, -1};
+    float length = 0;
+    const auto take = [&](std::size_t k) {
+        const Floats4 v = masked(relative(*from, origin), used), step = v - before;
+        const Floats4 force{static_cast<float>(from->force)};
+        const Floats4 point = __builtin_shufflevector(v, force, 4, 1, 2, 3);
+        before = v;
+        space.t[k] = v[0];
+        store(&space.points[k], point);
+        largest = larger(largest, size_of(point));
+        from += from < end ? stride : 0;  // the last point also takes the places beyond it
+        return step;
+    };
+    for (std::size_t k = 0; k < count; k += 4) {
+        const Floats4 a = take(k), b = take(k + 1), c = take(k + 2), d = take(k + 3);
+        const auto [t, x, y, z] = transposed(a, b, c, d);
+        const Floats4 distances = roots_of(x * x + y * y + z * z);
+        for (std::size_t i = 0; i < 4; ++i) space.length[k + i] = length += distances[i];
+        largest = larger(largest, size_of(t));
+        Ints4 moves = (distances > 0) & (t >= 0);
+        if (k == 0) moves[0] = -1;
+        if (k + 4 > count)
+            moves |= static_cast<std::int32_t>(k) + Ints4{0, 1, 2, 3} >= static_cast<std::int32_t>(count);
+        plain &= moves;
     }
     space.count = count;
-    return bad == 0;
+    return {all_of(largest <= std::numeric_limits<float>::max()), all_of(plain)};
 }
 
-/// Puts the distance from each point to the next in `length`, from the second on.
-void measure_steps(ShapeSpace& s) {
-    for (std::size_t i = 1; i < s.count; ++i) {
-        const float dx = s.x[i] - s.x[i - 1], dy = s.y[i] - s.y[i - 1], dz = s.z[i] - s.z[i - 1];
-        s.length[i] = std::sqrt(dx * dx + dy * dy + dz * dz);
-    }
-}
-
-/// Drops points at the place of the point before, and sums the steps up.
+/// Drops points at the place of the point before, and sums the steps up again.
 void drop_rests(ShapeSpace& s) {
     std::size_t k = 0;
-    float length = 0, latest = std::max(0.0F, s.t[0]);
-    s.length[0] = 0;
-    s.t[0] = latest;
-    std::size_t i = 1;
-    for (; i < s.count && s.length[i] > 0 && s.t[i] >= latest; ++i) {  // mostly all of them
-        length += s.length[i];
-        s.length[i] = length;
-        latest = s.t[i];
-    }
-    k = i - 1;
-    for (; i < s.count; ++i) {
-        const float step = s.length[i];
+    float length = 0, latest = s.t[0];
+    ShapePoint before = s.points[0];
+    for (std::size_t i = 1; i < s.count; ++i) {
+        const ShapePoint p = s.points[i];
+        const float dx = p.x - before.x, dy = p.y - before.y, dz = p.z - before.z;
+        const float step = std::sqrt(dx * dx + dy * dy + dz * dz);
+        before = p;
         latest = std::max(latest, s.t[i]);  // a clock that runs backwards stands still
         if (!(step > 0)) {
             if (k == 0) s.t[0] = latest;  // a rest before the stroke is not part of it
-            s.force[k] = std::max(s.force[k], s.force[i]);
+            s.points[k].force = std::max(s.points[k].force, p.force);
             continue;
         }
         ++k;
         length += step;
-        s.x[k] = s.x[i];
-        s.y[k] = s.y[i];
-        s.z[k] = s.z[i];
-        s.force[k] = s.force[i];
+        s.points[k] = p;
         s.t[k] = latest;
         s.length[k] = length;
     }
@@ -149,9 +159,10 @@ void drop_rests(ShapeSpace& s) {
 }
 
 bool fill(Points stroke, Channels channels, ShapeSpace& space) {
-    if (stroke.empty() || !all_finite_numbers(stroke) || !copy(stroke, channels, space)) return false;
-    measure_steps(space);
-    drop_rests(space);
+    if (stroke.empty() || !all_finite_numbers(stroke)) return false;
+    const auto copied = copy(stroke, channels.depth, space);
+    if (!copied.finite) return false;
+    if (!copied.plain) drop_rests(space);
     return std::isfinite(space.length[space.count - 1]);
 }
 
@@ -182,7 +193,9 @@ constexpr std::array<float, points + 2> wanted_places() {
 template <std::size_t points>
 std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t first, std::size_t last) {
     static constexpr auto wanted = wanted_places<points>();
-    std::array<std::uint32_t, points + 2> before{};
+    constexpr std::size_t width = 4;
+    std::array<std::uint32_t, (points + 2 + width - 1) / width * width> before;
+    for (std::size_t i = 0; i < before.size(); i += width) store(&before[i], Ints4{});
     for (std::size_t j = first; j < last; ++j) {
         const float place = s.place[j];
         auto i =
@@ -198,9 +211,22 @@ std::array<std::uint32_t, points> points_before(const ShapeSpace& s, std::size_t
     return result;
 }
 
-/// Places of the shape along the points, in arc length and time.
+/// How far the points of the shape are from one point of the stroke to the next, 0 to 1.
 template <std::size_t points>
-Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
+void set_parts(const std::array<float, points>& before, const std::array<float, points>& after,
+               std::array<float, points>& part) {
+    static constexpr auto wanted = wanted_places<points>();
+    for (std::size_t i = 0; i < points; i += 8) {
+        const auto low = load<Floats8>(&before[i]), step = load<Floats8>(&after[i]) - low;
+        const Floats8 share = (load<Floats8>(&wanted[i]) - low) / step;
+        const Floats8 clamped = share < 0 ? Floats8{} : share > 1 ? 1 + Floats8{} : share;
+        store(&part[i], step > 0 ? clamped : Floats8{});
+    }
+}
+
+/// Places of the shape along the points, in arc length and time, and their mean.
+template <std::size_t points>
+Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last, Floats4& mean) {
     static constexpr auto wanted = wanted_places<points>();
     const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
     const float by_time = seconds > 0 ? time_share / seconds : 0;
@@ -208,139 +234,134 @@ Sampled<points> resampled(ShapeSpace& s, std::size_t first, std::size_t last) {
     const auto place = [&](std::size_t i) {
         return by_length * (s.length[i] - s.length[first]) + by_time * (s.t[i] - s.t[first]);
     };
-    const bool few = last - first < few_points;
     std::array<std::uint32_t, points> start;
-    if (few) {
+    std::array<float, points> before, after, part;
+    if (last - first < few_points) {
         for (std::size_t i = first; i <= last; ++i) s.place[i] = place(i);
         start = points_before<points>(s, first, last);
+        for (std::size_t i = 0; i < points; ++i) {
+            before[i] = s.place[start[i]];
+            after[i] = s.place[start[i] + 1];
+        }
     } else {
-        for (std::size_t i = 0; i < points; ++i)
+        for (std::size_t i = 0; i < points; ++i) {
             start[i] = static_cast<std::uint32_t>(point_before(wanted[i], first, last, place));
+            before[i] = place(start[i]);
+            after[i] = place(start[i] + 1);
+        }
     }
+    set_parts(before, after, part);
     Sampled<points> out;
+    Floats4 sum{};
     for (std::size_t i = 0; i < points; ++i) {
-        const std::size_t j = start[i];
-        const float before = place(j), step = place(j + 1) - before;
-        const float part = step > 0 ? std::clamp((wanted[i] - before) / step, 0.0F, 1.0F) : 0.0F;
-        out.x[i] = s.x[j] + part * (s.x[j + 1] - s.x[j]);
-        out.y[i] = s.y[j] + part * (s.y[j + 1] - s.y[j]);
-        out.z[i] = s.z[j] + part * (s.z[j + 1] - s.z[j]);
-        out.force[i] = s.force[j] + part * (s.force[j + 1] - s.force[j]);
+        const auto a = load<Floats4>(&s.points[start[i]]), b = load<Floats4>(&s.points[start[i] + 1]);
+        sum += out.at[i] = a + part[i] * (b - a);
     }
+    mean = sum / static_cast<float>(points);
     return out;
 }
 
 template <std::size_t points>
-float mean_of(const Column<points>& values) {
-    float sum = 0;
-    for (const float v : values) sum += v;
-    return sum / static_cast<float>(points);
-}
-
-/// Subtracts the mean and returns the sum of squares of the rest.
-template <std::size_t points>
-float centre(Column<points>& values) {
-    const float mean = mean_of(values);
-    float sum = 0;
-    for (float& v : values) {
-        v -= mean;
-        sum += v * v;
-    }
+Floats4 squares_of(const Sampled<points>& q) {
+    Floats4 sum{};
+    for (const Floats4 v : q.at) sum += v * v;
     return sum;
 }
 
 template <std::size_t points>
-void multiply(Column<points>& values, float factor) {
-    for (float& v : values) v *= factor;
+void multiply(Sampled<points>& q, Floats4 factors) {
+    for (Floats4& v : q.at) v *= factors;
 }
 
-/// Moves the centroid to the origin, and scales. Returns the size, 0 if it is too small to divide by.
+/// Moves the centroid to the origin, and scales. Lanes that do not count become 0. Returns the size, 0 if it is too
+/// small to divide by.
 template <std::size_t points>
-float normalise(Sampled<points>& q) {
-    const float squares = centre(q.x) + centre(q.y) + centre(q.z);
-    const float size = std::sqrt(squares / static_cast<float>(points));
+float normalise(Sampled<points>& q, Floats4 mean, Ints4 used) {
+    for (Floats4& v : q.at) v = masked(v - mean, used);
+    const Floats4 squares = squares_of(q);
+    const float size = std::sqrt((squares[1] + squares[2] + squares[3]) / static_cast<float>(points));
     if (!(size > 1e-30F) || !std::isfinite(size)) return 0;
-    for (auto* axis : {&q.x, &q.y, &q.z}) multiply(*axis, 1 / size);
-    const float deviation = std::sqrt(centre(q.force) / static_cast<float>(points));
-    multiply(q.force, deviation > 1e-6F ? force_deviation / deviation : 0);
+    const float deviation = std::sqrt(squares[0] / static_cast<float>(points));
+    const float by = 1 / size;
+    multiply(q, Floats4{deviation > 1e-6F ? force_deviation / deviation : 0, by, by, by});
     return size;
-}
-
-template <std::size_t points>
-float squares_of(const Column<points>& values) {
-    float sum = 0;
-    for (const float v : values) sum += v * v;
-    return sum;
 }
 
 /// Makes the axes of a normalised stroke more alike in size, and scales it again to a size of 1.
 template <std::size_t points>
 void even_out(Sampled<points>& q) {
     static_assert(axis_exponent == 0.5F);
-    Column<points>* const axes[] = {&q.x, &q.y, &q.z};
-    std::array<float, 3> squares{};
-    float largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) largest = std::max(largest, squares[k] = squares_of(*axes[k]));
+    const Floats4 squares = squares_of(q);
+    const float largest = std::max({squares[1], squares[2], squares[3]});
+    std::array<float, 3> roots{};
     float sum = 0;
-    for (auto& s : squares) {
-        const float size = std::sqrt(std::max(s, least_axis * least_axis * largest));
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float s = squares[k + 1], size = std::sqrt(std::max(s, least_axis * least_axis * largest));
         sum += s / size;
-        s = std::sqrt(size);
+        roots[k] = std::sqrt(size);
     }
     const float whole = std::sqrt(sum / static_cast<float>(points));
-    for (std::size_t k = 0; k < 3; ++k) multiply(*axes[k], 1 / (whole * squares[k]));
+    multiply(q, Floats4{1, 1 / (whole * roots[0]), 1 / (whole * roots[1]), 1 / (whole * roots[2])});
 }
 
+/// Directions of motion: x, y, z in the lanes 1 to 3.
 template <std::size_t points>
-struct Directions {
-    Column<points> x{}, y{}, z{};
-};
-
-template <std::size_t points>
-Directions<points> directions_of(const Sampled<points>& q) {
-    Directions<points> d;
-    const auto set = [&](std::size_t i, std::size_t a, std::size_t b) {
-        const float x = q.x[b] - q.x[a], y = q.y[b] - q.y[a], z = q.z[b] - q.z[a];
-        const float by = direction_weight / (std::sqrt(x * x + y * y + z * z) + slow_step);
-        d.x[i] = x * by;
-        d.y[i] = y * by;
-        d.z[i] = z * by;
+Sampled<points> directions_of(const Sampled<points>& q) {
+    static_assert(points % 4 == 0);
+    const auto step_at = [&](std::size_t i) {
+        return q.at[i + 1 < points ? i + 1 : points - 1] - q.at[i > 0 ? i - 1 : 0];
     };
-    set(0, 0, 1);
-    for (std::size_t i = 1; i + 1 < points; ++i) set(i, i - 1, i + 1);
-    set(points - 1, points - 2, points - 1);
+    Sampled<points> d;
+    for (std::size_t i = 0; i < points; i += 4) {
+        const Floats4 p = step_at(i), r = step_at(i + 1), s = step_at(i + 2), t = step_at(i + 3);
+        const auto squares = transposed(p * p, r * r, s * s, t * t);
+        const Floats4 by = direction_weight / (roots_of(squares.b + squares.c + squares.d) + slow_step);
+        d.at[i] = p * by[0];
+        d.at[i + 1] = r * by[1];
+        d.at[i + 2] = s * by[2];
+        d.at[i + 3] = t * by[3];
+    }
     return d;
 }
 
+/// How sharply the stroke turns: the product of the directions before and after, x, y, z in the lanes 1 to 3.
 template <std::size_t points>
-void write_planar(const Sampled<points>& q, const Directions<points>& d, float turn, float* values) {
+Floats4 turn_at(const Sampled<points>& d, std::size_t i) {
+    const Floats4 a = d.at[i > 0 ? i - 1 : 0], b = d.at[i + 1 < points ? i + 1 : points - 1];
+    const auto yzx = [](Floats4 v) { return __builtin_shufflevector(v, v, 0, 2, 3, 1); };
+    const auto zxy = [](Floats4 v) { return __builtin_shufflevector(v, v, 0, 3, 1, 2); };
+    return yzx(a) * zxy(b) - zxy(a) * yzx(b);
+}
+
+/// Its z alone, in lane 1.
+template <std::size_t points>
+Floats4 flat_turn_at(const Sampled<points>& d, std::size_t i) {
+    const Floats4 a = d.at[i > 0 ? i - 1 : 0], b = d.at[i + 1 < points ? i + 1 : points - 1];
+    const Floats4 product = a * __builtin_shufflevector(b, b, 0, 2, 1, 3);
+    return product - __builtin_shufflevector(product, product, 0, 2, 1, 3);
+}
+
+/// Stores the first two lanes.
+void store_two(float* to, Floats4 v) { std::memcpy(to, &v, 2 * sizeof(float)); }
+
+template <std::size_t points>
+void write_planar(const Sampled<points>& q, const Sampled<points>& d, float weight, float* values) {
     for (std::size_t i = 0; i < points; ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < points ? i + 1 : points - 1;
+        const Floats4 turn = weight * flat_turn_at(d, i);
         float* v = values + i * planar_channels;
-        v[0] = q.x[i];
-        v[1] = q.y[i];
-        v[2] = d.x[i];
-        v[3] = d.y[i];
-        v[4] = turn * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
-        v[5] = q.force[i];
+        store(v, __builtin_shufflevector(q.at[i], d.at[i], 1, 2, 5, 6));
+        store_two(v + 4, __builtin_shufflevector(turn, q.at[i], 1, 4, 2, 3));
     }
 }
 
 template <std::size_t points>
-void write_solid(const Sampled<points>& q, const Directions<points>& d, float turn, float* values) {
+void write_solid(const Sampled<points>& q, const Sampled<points>& d, float weight, float* values) {
     for (std::size_t i = 0; i < points; ++i) {
-        const std::size_t a = i > 0 ? i - 1 : 0, b = i + 1 < points ? i + 1 : points - 1;
+        const Floats4 turn = weight * turn_at(d, i);
         float* v = values + i * solid_channels;
-        v[0] = q.x[i];
-        v[1] = q.y[i];
-        v[2] = q.z[i];
-        v[3] = d.x[i];
-        v[4] = d.y[i];
-        v[5] = d.z[i];
-        v[6] = turn * (d.y[a] * d.z[b] - d.z[a] * d.y[b]);
-        v[7] = turn * (d.z[a] * d.x[b] - d.x[a] * d.z[b]);
-        v[8] = turn * (d.x[a] * d.y[b] - d.y[a] * d.x[b]);
-        v[9] = q.force[i];
+        store(v, __builtin_shufflevector(q.at[i], d.at[i], 1, 2, 3, 5));
+        store(v + 4, __builtin_shufflevector(d.at[i], turn, 2, 3, 5, 6));
+        store_two(v + 8, __builtin_shufflevector(turn, q.at[i], 3, 4, 1, 2));
     }
 }
 
@@ -351,14 +372,13 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     shape.length = s.length[last] - s.length[first];
     shape.seconds = s.t[last] - s.t[first];
     if (!(shape.length > 0) || !std::isfinite(shape.length) || !std::isfinite(shape.seconds)) return false;
-    auto q = resampled<shape_points>(s, first, last);
-    shape.force = mean_of(q.force);
-    if (!channels.force) q.force = {};
-    if (!channels.depth) q.z = {};
-    const float dx = q.x[shape_points - 1] - q.x[0], dy = q.y[shape_points - 1] - q.y[0],
-                dz = q.z[shape_points - 1] - q.z[0];
-    shape.gap = std::sqrt(dx * dx + dy * dy + dz * dz) / shape.length;
-    shape.size = normalise(q);
+    Floats4 mean;
+    auto q = resampled<shape_points>(s, first, last, mean);
+    shape.force = mean[0];
+    const Ints4 used = lanes_of(channels);
+    const Floats4 gap = masked(q.at[shape_points - 1] - q.at[0], used), squares = gap * gap;
+    shape.gap = std::sqrt(squares[1] + squares[2] + squares[3]) / shape.length;
+    shape.size = normalise(q, mean, used);
     if (!(shape.size > 0)) return false;
     const auto d = directions_of(q);
     shape.channels = channels.depth ? solid_channels : planar_channels;
@@ -375,10 +395,9 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
 bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKind kind, FineShape& shape) {
     const float length = s.length[last] - s.length[first], seconds = s.t[last] - s.t[first];
     if (last <= first || !(length > 0) || !std::isfinite(length) || !std::isfinite(seconds)) return false;
-    auto q = resampled<fine_points>(s, first, last);
-    if (!kind.channels.force) q.force = {};
-    if (!kind.channels.depth) q.z = {};
-    if (!(normalise(q) > 0)) return false;
+    Floats4 mean;
+    auto q = resampled<fine_points>(s, first, last, mean);
+    if (!(normalise(q, mean, lanes_of(kind.channels)) > 0)) return false;
     if (kind.even) even_out(q);
     const auto d = directions_of(q);
     if (kind.channels.depth) {

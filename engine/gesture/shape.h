@@ -53,9 +53,15 @@ struct FineKind {
 /// Share of time in the parameter by which a stroke is resampled, 0 to 1; the rest is arc length.
 inline constexpr float time_share = 0.3F;
 
+/// Force and place of a point.
+struct ShapePoint {
+    float force{}, x{}, y{}, z{};
+};
+
 /// Working memory, allocated once.
 struct ShapeSpace {
-    std::array<float, most_points> x{}, y{}, z{}, force{}, t{};
+    std::array<ShapePoint, most_points> points{};
+    std::array<float, most_points> t{};
     std::array<float, most_points> length{};  ///< arc length up to each point
     std::array<float, most_points> place{};   ///< scratch: parameter by which the points are resampled
     std::size_t count{};

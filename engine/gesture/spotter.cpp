@@ -106,9 +106,13 @@ void Spotter::restart() {
 void Spotter::make_room() {
     const std::size_t first = points_.count - kept_points;
     const float length = points_.length[first], t = points_.t[first];
-    for (auto* column : {&points_.x, &points_.y, &points_.z, &points_.force, &points_.t, &points_.length})
-        std::copy(column->begin() + static_cast<std::ptrdiff_t>(first),
-                  column->begin() + static_cast<std::ptrdiff_t>(points_.count), column->begin());
+    const auto keep = [&](auto& column) {
+        std::copy(column.begin() + static_cast<std::ptrdiff_t>(first),
+                  column.begin() + static_cast<std::ptrdiff_t>(points_.count), column.begin());
+    };
+    keep(points_.points);
+    keep(points_.t);
+    keep(points_.length);
     for (std::size_t i = 0; i < kept_points; ++i) {
         points_.length[i] -= length;
         points_.t[i] -= t;
@@ -141,10 +145,9 @@ void Spotter::append(const StrokePoint& p) {
         length = points_.length[points_.count - 1] + static_cast<float>(glm::length(p.at - latest_));
     }
     const std::size_t k = points_.count++;
-    points_.x[k] = static_cast<float>(p.at.x - origin_.at.x);
-    points_.y[k] = static_cast<float>(p.at.y - origin_.at.y);
-    points_.z[k] = static_cast<float>(p.at.z - origin_.at.z);
-    points_.force[k] = static_cast<float>(p.force);
+    points_.points[k] = {static_cast<float>(p.force), static_cast<float>(p.at.x - origin_.at.x),
+                         static_cast<float>(p.at.y - origin_.at.y),
+                         static_cast<float>(p.at.z - origin_.at.z)};
     points_.t[k] = static_cast<float>(p.t - origin_.t);
     points_.length[k] = length;
     latest_ = p.at;
