@@ -1,27 +1,82 @@
-// game/components/free_hand.h: the last seconds of a hand that may cast without a button.
+// game/components/free_hand.h: the last seconds of a hand that may cast without a button, and what was almost cast.
 #pragma once
-#include "game/components/casting.h"
+#include <array>
+
+#include "core/maths.h"
+#include "core/units.h"
+#include "ecs/component.h"
 
 namespace thaum::game {
 
-/// Room for 3 s of gameplay ticks.
-inline constexpr std::size_t free_points = 375;
+using ecs::field;
+
+/// Room for 4 s of gameplay ticks.
+inline constexpr std::size_t free_points = 500;
+
+/// Why a motion that is like a gesture cast nothing.
+enum class Miss : std::uint32_t {
+    none,
+    unclear,    ///< not sure enough
+    too_fast,   ///< the gesture was over too soon
+    too_small,  ///< the gesture had no size
+    too_soon,   ///< a spell was cast just before
+};
+
+/// A part of the motion that ends where the hand came to rest, as it was read.
+struct FreeWindow {
+    double score{};  ///< distance from the recorded strokes, with what else counts; the less, the better
+    double probability{};     ///< probability of the reading, as for a stroke with Trace held
+    double needed{};          ///< probability from which on it casts
+    double force{};           ///< mean force (N)
+    std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was read
+    Miss miss{};              ///< why it cannot cast
+    static constexpr auto fields() {
+        using W = FreeWindow;
+        return std::tuple(field("score", &W::score), field("probability", &W::probability),
+                          field("needed", &W::needed), field("force", &W::force),
+                          field("gesture", &W::gesture), field("miss", &W::miss));
+    }
+};
 
 /// The motion of a wizard who casts freely (game/casting/free_casting.h). Only wizards of players with that option have
 /// one.
 struct FreeHand {
     Tick newest{};   ///< tick of play of the newest point
     Tick cast_at{};  ///< tick of play of the last spell that was cast without a button; 0: none
-    std::array<DrawnPoint, free_points> points{};  ///< ring
-    std::uint32_t first{};                         ///< place of the oldest point in the ring
+    std::array<fvec3, free_points> points{};  ///< ring of places (m), as in DrawnPoint
+    std::uint32_t first{};                    ///< place of the oldest point in the ring
     std::uint32_t count{};
-    vec3 path{};  ///< place of the hand of a mouse, the sum of its motion (m)
+    vec3 path{};              ///< place of the hand of a mouse, the sum of its motion (m)
+    vec3 rest_place{};        ///< place near which the hand has been since it rests (m)
+    std::uint32_t rested{};   ///< points for which it has been there
+    std::uint32_t moving{};   ///< newest points since the last long rest, of which a gesture may consist
+    std::uint32_t windows{};  ///< windows that were read since the hand rests
+    std::uint32_t spare{};
+    FreeWindow best{};  ///< best of the windows that may cast
+    FreeWindow odd{};   ///< best of those that are too small or too fast
     static constexpr std::string_view name = "FreeHand";
     static constexpr auto fields() {
         using F = FreeHand;
         return std::tuple(field("newest", &F::newest), field("cast_at", &F::cast_at),
                           field("points", &F::points), field("first", &F::first), field("count", &F::count),
-                          field("path", &F::path));
+                          field("path", &F::path), field("rest_place", &F::rest_place),
+                          field("rested", &F::rested), field("moving", &F::moving),
+                          field("windows", &F::windows), field("spare", &F::spare), field("best", &F::best),
+                          field("odd", &F::odd));
+    }
+};
+
+/// The last motion that almost cast a spell without a button, for the picture. Wizards with a FreeHand have one.
+struct NearMiss {
+    Tick at{};                ///< tick of play at which the hand rested after it; 0: none yet
+    double probability{};     ///< 0 to 1
+    std::uint32_t gesture{};  ///< number of the gesture that it was like
+    Miss reason{};
+    static constexpr std::string_view name = "NearMiss";
+    static constexpr auto fields() {
+        using N = NearMiss;
+        return std::tuple(field("at", &N::at), field("probability", &N::probability),
+                          field("gesture", &N::gesture), field("reason", &N::reason));
     }
 };
 

@@ -90,6 +90,7 @@ void declare_components(ecs::World& world) {
     world.declare<PastModel>();
     world.declare<MovedFaders>();
     world.declare<FreeHand>();
+    world.declare<NearMiss>();
 }
 
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {

@@ -18,14 +18,20 @@ CastingRules read_casting_rules(const Config& file) {
                        .harsh_cost = force.number("harsh_cost", {0, 100}),
                        .shortest = ticks(stroke.number("shortest_s", {0, 10})),
                        .smallest = stroke.number("smallest_m", {0, 1}),
-                       .free_least_probability = free.number("least_probability", {0, 1}),
-                       .free_most_score = free.number("most_score", {0, 1}),
-                       .free_rest = ticks(free.number("rest_s", {0, 1})),
+                       .free_rest = ticks(free.number("rest_s", {0.04, 1})),
                        .free_rest_way = free.number("rest_m", {0, 1}),
-                       .free_longest = ticks(free.number("longest_s", {0.1, 3})),
+                       .free_pause = ticks(free.number("pause_s", {0.04, 3})),
+                       .free_least_probability = free.number("least_probability", {0, 1}),
+                       .free_quiet_probability = free.number("quiet_probability", {0, 1}),
+                       .free_quiet_pace = free.number("quiet_pace", {0, 10}),
+                       .free_most_pace = free.number("most_pace", {0, 1000}),
+                       .free_near_probability = free.number("near_probability", {0, 1}),
+                       .free_smallest = free.number("smallest_m", {0, 1}),
+                       .free_shortest = free.number("shortest_s", {0, 3}),
                        .free_apart = ticks(free.number("apart_s", {0, 60}))};
     if (rules.harsh_from < rules.gentle_below)
         force.report("harsh_from_n", "'harsh_from_n' must not be below gentle_below_n");
+    if (rules.free_pause <= rules.free_rest) free.report("pause_s", "'pause_s' must be longer than rest_s");
     return rules;
 }
 

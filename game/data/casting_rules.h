@@ -19,12 +19,18 @@ struct CastingRules {
     Tick shortest{};          ///< shortest stroke that is read (ticks)
     double smallest{};        ///< least arc length of a stroke that is read (m)
     // Casting without a button.
-    double free_least_probability{};  ///< least probability of a gesture that casts
-    double free_most_score{};         ///< score of the worst gesture that casts (gesture::Candidate::score)
     Tick free_rest{};                 ///< time for which the hand rests after the gesture (ticks)
-    double free_rest_way{};           ///< longest way of a hand that rests (m)
-    Tick free_longest{};              ///< longest stroke (ticks)
-    Tick free_apart{};                ///< least time between two spells (ticks)
+    double free_rest_way{};           ///< way from a place within which a hand rests (m)
+    Tick free_pause{};                ///< rest that no gesture has (ticks)
+    double free_least_probability{};  ///< least probability of a gesture that casts
+    double free_quiet_probability{};  ///< the same where the hand was slow before
+    double
+        free_quiet_pace{};    ///< pace before a gesture, as a share of its own, below which the hand was slow
+    double free_most_pace{};  ///< the same from which on it was no beginning
+    double free_near_probability{};  ///< least probability of a near miss
+    double free_smallest{};          ///< least width or height of a gesture (m)
+    double free_shortest{};          ///< shortest gesture (s)
+    Tick free_apart{};               ///< least time between two spells (ticks)
 };
 
 CastingRules read_casting_rules(const Config& file);

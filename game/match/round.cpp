@@ -45,7 +45,10 @@ void spawn_wizards(MatchContext& context) {
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
         if (context.data.casting) world.add(e, LastProp{});
         if (context.data.casting) world.add(e, LastReading{.gesture = no_gesture, .nearest = no_gesture});
-        if (casts_freely(context, player)) world.add(e, FreeHand{});
+        if (casts_freely(context, player)) {
+            world.add(e, FreeHand{});
+            world.add(e, NearMiss{.gesture = no_gesture});
+        }
         world.add(e, wizard_body(rules));
     }
 }

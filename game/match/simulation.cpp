@@ -2,6 +2,7 @@
 
 #include "ecs/snapshot.h"
 #include "game/casting/casting.h"
+#include "game/casting/free_casting.h"
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
 #include "game/cauldron/potions.h"
@@ -73,7 +74,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_missile_systems(context, live_);
     add_belt_system(context, live_);
     add_casting_systems(context, live_);
-    add_free_casting_systems(context, free_casting_, live_);
+    add_free_casting_systems(context, live_);
     if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);
@@ -107,7 +108,6 @@ void Simulation::tick(const input::InputFrame& frame) {
 void Simulation::keyframe() {
     copy_places(context_);
     context_.physics.write().rebuild();
-    rebuild_free_casting(context_, free_casting_);
 }
 
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {

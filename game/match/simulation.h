@@ -12,7 +12,6 @@
 #include <optional>
 
 #include "core/bytes.h"
-#include "game/casting/free_casting.h"
 #include "game/cauldron/cauldron.h"
 
 namespace thaum::game {
@@ -93,7 +92,6 @@ private:
     MatchInput input_;
     MatchContext context_;
     BrewResource brew_;
-    FreeCasting free_casting_;
     Jobs jobs_;  // declared after brew_, so that jobs end before the memory that they use is freed
     ecs::Schedule always_, live_;
     Tick now_ = 0;

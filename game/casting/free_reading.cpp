@@ -1,0 +1,152 @@
+#include "game/casting/free_reading.h"
+
+#include <algorithm>
+
+#include "game/context/match_context.h"
+
+namespace thaum::game {
+namespace {
+
+using gesture::StrokePoint;
+
+/// Points of a rest after which the windows end: what a hand moves later is no part of the gesture.
+constexpr std::uint32_t points_to_end = 4;
+/// Windows in each gameplay tick, the arc length of the first one (m), and the ratio of two that follow each other.
+constexpr std::uint32_t windows_per_tick = 9;
+constexpr double first_length = 0.02, window_ratio = 1.05;
+/// Points before a window whose pace counts, which is 0.1 s.
+constexpr std::size_t points_before = 12;
+// Weights of what counts besides the logarithm of the distance, as in gesture/spotter.cpp: the logarithm of the pace
+// before the window as a share of its own, and the squared one of its duration as a multiple of the usual.
+constexpr double pace_weight = 0.14, duration_weight = 0.1;
+constexpr double least_pace = 0.1, most_pace = 3;  // a hand at rest, and one in a hurry
+
+/// The motion that may hold a gesture, in the memory of the reader.
+struct FreeMotion {
+    std::span<const StrokePoint> points;
+    std::array<double, free_points> way{};  ///< arc length from each point to the last one (m)
+};
+
+fvec3 place_of(const FreeHand& hand, std::uint32_t number) {
+    return hand.points[(hand.first + number) % free_points];
+}
+
+/// The place smoothed over three points. Steps of a mouse would else count as turns, and the corners of figures that a
+/// program draws would have no slow part.
+vec3 smooth_place(const FreeHand& hand, std::uint32_t number, std::uint32_t first, std::uint32_t last) {
+    const auto before = place_of(hand, number > first ? number - 1 : number);
+    const auto after = place_of(hand, number < last ? number + 1 : number);
+    return 0.25 * (vec3(before) + 2.0 * vec3(place_of(hand, number)) + vec3(after));
+}
+
+FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpace& space) {
+    const auto rested = hand.rested - std::min(hand.rested, points_to_end);
+    const auto last = hand.count - 1 - std::min(rested, hand.count - 1);
+    const auto first = hand.count - std::min(hand.count, std::max(hand.moving, rested + 1));
+    FreeMotion motion;
+    auto& points = space.stroke;
+    std::size_t count = 0;
+    for (auto i = first; i <= last; ++i, ++count) {
+        const vec3 at = smooth_place(hand, i, first, last);
+        const double way = count > 0 ? glm::distance(at, points[count - 1].at) : 0;
+        points[count] = {static_cast<double>(count) * gameplay_dt, at, rules.viscosity * way / gameplay_dt};
+    }
+    motion.points = std::span(points).first(count);
+    for (std::size_t i = count - 1; i-- > 0;)
+        motion.way[i] = motion.way[i + 1] + glm::distance(points[i].at, points[i + 1].at);
+    return motion;
+}
+
+/// First point of the window of this number, 0 for one that is longer than the motion.
+std::size_t begin_of(const FreeMotion& motion, std::uint32_t window) {
+    const double length = first_length * det::pow(window_ratio, window);
+    const auto ways = std::span(motion.way).first(motion.points.size());
+    const auto longer = std::partition_point(ways.begin(), ways.end(), [&](double w) { return w >= length; });
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(longer - ways.begin() - 1, 0));
+}
+
+/// Width or height of a stroke, whichever is larger (m).
+double size_of(gesture::Points stroke) {
+    vec3 least = stroke[0].at, most = least;
+    for (const auto& p : stroke) {
+        least = glm::min(least, p.at);
+        most = glm::max(most, p.at);
+    }
+    return std::max({most.x - least.x, most.y - least.y, most.z - least.z});
+}
+
+/// Pace before the window that begins at this point, as a share of the window's own.
+double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
+    const std::size_t before = begin - std::min(begin, points_before);
+    if (before == begin) return 0;
+    const double way = motion.way[before] - motion.way[begin];
+    const double time = static_cast<double>(begin - before) * gameplay_dt;
+    return way * lasts / (time * motion.way[begin]);
+}
+
+void read_window(const CastingRules& rules, const gesture::Recogniser& recogniser, const FreeMotion& motion,
+                 std::size_t begin, ReadingSpace& space, FreeHand& hand) {
+    const auto stroke = motion.points.subspan(begin);
+    const auto found = recogniser.recognise(stroke, space.recogniser);
+    if (found.gesture == gesture::Recognition::none) return;
+    const double lasts = std::max(found.end - found.start, gameplay_dt);
+    const double pace = pace_before(motion, begin, lasts);
+    const double usual = static_cast<double>(recogniser.usual_seconds(found.gesture));
+    const double duration = usual > 0 ? det::log(lasts / usual) : 0;
+    FreeWindow window{
+        .probability = found.probability,
+        .needed = pace < rules.free_quiet_pace ? rules.free_quiet_probability : rules.free_least_probability,
+        .force = found.mean_force,
+        .gesture = found.gesture};
+    window.score = found.evidence.distance - found.evidence.usual +
+                   pace_weight * det::log(std::clamp(pace, least_pace, most_pace)) +
+                   duration_weight * duration * duration;
+    if (size_of(stroke) < rules.free_smallest) window.miss = Miss::too_small;
+    if (lasts < rules.free_shortest) window.miss = Miss::too_fast;
+    auto& best = window.miss == Miss::none ? hand.best : hand.odd;
+    if (!found.accepted || pace > rules.free_most_pace) window.miss = Miss::unclear;
+    if (best.gesture == no_gesture || window.score < best.score) best = window;
+}
+
+}  // namespace
+
+void forget_motion(FreeHand& hand) { hand.count = hand.moving = hand.rested = 0; }
+
+void add_place(const CastingRules& rules, vec3 place, Tick tick, FreeHand& hand) {
+    if (hand.count == free_points) {
+        hand.first = (hand.first + 1) % free_points;
+        --hand.count;
+    }
+    hand.points[(hand.first + hand.count) % free_points] = fvec3(place);
+    ++hand.count;
+    hand.newest = tick;
+    const bool moved = hand.count == 1 || glm::distance(place, hand.rest_place) > rules.free_rest_way;
+    if (moved) hand.rest_place = place;
+    hand.rested = moved ? 0 : hand.rested + 1;
+    hand.moving = std::min(hand.moving + 1, hand.count);
+    if (hand.rested * gameplay_period >= rules.free_pause) hand.moving = 1;
+}
+
+bool read_windows(const CastingRules& rules, const GestureSet& gestures, ReadingSpace& space,
+                  FreeHand& hand) {
+    const auto whole_rest = std::max<Tick>(rules.free_rest / gameplay_period, points_to_end);
+    if (hand.rested < points_to_end || hand.rested > whole_rest) return false;
+    if (hand.rested == points_to_end) {
+        hand.windows = 0;
+        hand.best = hand.odd = {.gesture = no_gesture};
+    }
+    const auto motion = motion_of(rules, hand, space);
+    std::uint32_t read = 0;
+    while (read < windows_per_tick) {
+        const auto begin = begin_of(motion, hand.windows);
+        const bool same = hand.windows > 0 && begin == begin_of(motion, hand.windows - 1);
+        if (same && begin == 0) break;  // the whole motion was read
+        ++hand.windows;
+        if (same) continue;
+        read_window(rules, gestures.recogniser(), motion, begin, space, hand);
+        ++read;
+    }
+    return hand.rested == whole_rest;
+}
+
+}  // namespace thaum::game
