@@ -1,5 +1,5 @@
-// Tests of casting without a button: a gesture of the mouse casts, aiming and fighting do not, and a match that is
-// restored at a keyframe goes on with the same bits.
+// Tests of casting without a button: a gesture of the mouse casts, aiming and fighting do not, a near miss is told, and
+// a match that is restored at a keyframe goes on with the same bits.
 #include "game/casting/free_casting.h"
 
 #include <cmath>
@@ -135,30 +135,118 @@ TEST(FreeCasting, ARestoredMatchGoesOnWithTheSameBits) {
     }
 }
 
+struct Tally {
+    std::size_t drawn = 0, right = 0, wrong = 0;
+};
+
+/// Draws a stroke, given as places in counts at times (s), after and before a rest.
+template <class Draw>
+void count_stroke(Free& play, std::string_view gesture, Draw&& draw, Tally& tally) {
+    play.rest(1.2);
+    const auto before = play.casts();
+    draw(play.place());
+    play.rest(0.6);
+    ++tally.drawn;
+    if (play.casts() == before) return;
+    const auto name = play.match->data().gestures->name(reading_of(*play.match).gesture);
+    ++(name == gesture ? tally.right : tally.wrong);
+}
+
 TEST(FreeCasting, FindsTheStrokesOfManyUsersAndSeldomTakesOneForAnother) {
     const auto strokes = gesture::generated_strokes({.users = 20, .samples = 1, .seed = 5});
     const auto data = test::duel_data();
     Free play;
-    std::size_t drawn = 0, right = 0, wrong = 0;
+    Tally tally;
     for (const auto& stroke : strokes) {
         if (spell_of(*data, stroke.gesture) == nullptr) continue;
-        play.rest(1.2);
-        const auto begin = play.place();
-        const auto before = play.casts();
-        for (const auto& p : stroke.points) {
-            const vec2 way = 1e4 * vec2(p.at - stroke.points[0].at);  // counts
-            for (Tick i = 0; i < gameplay_period; ++i) play.move_to(begin.x + way.x, begin.y + way.y);
-        }
-        play.rest(0.6);
-        ++drawn;
-        const auto& reading = reading_of(*play.match);
-        if (play.casts() == before) continue;
-        const bool same = data->gestures->gestures()[reading.gesture].name == stroke.gesture;
-        ++(same ? right : wrong);
+        const auto draw = [&](vec2 begin) {
+            for (const auto& p : stroke.points) {
+                const vec2 way = 1e4 * vec2(p.at - stroke.points[0].at);  // counts
+                for (Tick i = 0; i < gameplay_period; ++i) play.move_to(begin.x + way.x, begin.y + way.y);
+            }
+        };
+        count_stroke(play, stroke.gesture, draw, tally);
     }
-    ASSERT_GE(drawn, 40U);
-    EXPECT_GE(right, drawn * 2 / 3) << "of " << drawn;
-    EXPECT_LE(wrong, drawn / 40);
+    ASSERT_GE(tally.drawn, 40U);
+    EXPECT_GE(tally.right, tally.drawn * 9 / 10) << "of " << tally.drawn;
+    EXPECT_LE(tally.wrong, tally.drawn / 40);
+}
+
+/// A place of a figure that is 2 high, at a share of its way.
+vec2 figure_at(std::string_view name, double share) {
+    const auto corner = [](double k) {
+        return vec2(std::sin(4 * pi * (k + 0.5) / 5), std::cos(4 * pi * (k + 0.5) / 5));
+    };
+    if (name == "circle") return {std::sin(2 * pi * share), std::cos(2 * pi * share)};
+    if (name == "v") return {-0.7 + 1.4 * share, std::abs(4 * share - 2) - 1};
+    if (name == "s") {
+        const double a = radians_per_degree * (share < 0.5 ? 30 + 480 * share : 90 - 480 * (share - 0.5));
+        return {0.6 * std::cos(a), (share < 0.5 ? 0.5 : -0.5) + 0.5 * std::sin(a)};
+    }
+    const double side = std::min(4.0, std::floor(5 * share));
+    return glm::mix(corner(side), corner(side + 1), 5 * share - side);
+}
+
+/// Draws a figure at an even pace in steps of 10 ms, as a program does that moves the mouse.
+void draw_by_program(Free& play, std::string_view name, double half, double s, vec2 begin) {
+    const auto steps = static_cast<int>(s / 0.01);
+    for (int i = 1; i <= steps; ++i) {
+        const vec2 way = half * (figure_at(name, static_cast<double>(i) / steps) - figure_at(name, 0));
+        for (int k = 0; k < 10; ++k) play.move_to(begin.x + way.x, begin.y + way.y);
+    }
+}
+
+TEST(FreeCasting, FindsFiguresOfAnEvenPaceInJumps) {
+    Free play;
+    Tally tally;
+    for (const double half : {250.0, 350.0, 500.0})
+        for (const double s : {0.4, 0.7, 1.1, 1.5})
+            for (const auto* name : {"circle", "v", "s", "star"})
+                count_stroke(
+                    play, name, [&](vec2 begin) { draw_by_program(play, name, half, s, begin); }, tally);
+    EXPECT_GE(tally.right, tally.drawn * 9 / 10) << "of " << tally.drawn;
+    EXPECT_EQ(tally.wrong, 0U);
+}
+
+const NearMiss& miss_of(const Simulation& match) {
+    return match.world().get<NearMiss>(wizard_of(match.world(), 0));
+}
+
+TEST(FreeCasting, TellsWhyACircleCastNothing) {
+    Free play;
+    const auto reason_after = [&](double radius, double s) {
+        play.rest(1.2);
+        play.circle(radius, s);
+        play.rest(0.4);
+        const auto& miss = miss_of(*play.match);
+        return miss.at + ticks(0.4) > play.match->match().played ? miss.reason : Miss::none;
+    };
+    EXPECT_EQ(reason_after(350, 0.9), Miss::none);
+    EXPECT_EQ(play.casts(), 1U);
+    EXPECT_EQ(reason_after(110, 0.6), Miss::too_small);
+    EXPECT_EQ(reason_after(350, 0.12), Miss::too_fast);
+    EXPECT_EQ(play.casts(), 1U);
+    EXPECT_EQ(play.match->data().gestures->name(miss_of(*play.match).gesture), "circle");
+    EXPECT_EQ(reason_after(350, 0.5), Miss::none);
+    play.circle(350, 0.5);  // less than a second after the last spell
+    play.rest(0.3);
+    EXPECT_EQ(miss_of(*play.match).reason, Miss::too_soon);
+    EXPECT_EQ(play.casts(), 2U);
+}
+
+TEST(FreeCasting, TellsOfAGestureThatWasUnclear) {
+    Free play;
+    play.rest(1.2);
+    const auto begin = play.place();
+    for (double i = 1; i <= 900; ++i) {  // a circle that is no more closed than an egg is round
+        const double angle = 1.55 * pi * i / 900;
+        play.move_to(begin.x + 350 * std::sin(angle), begin.y + 250 * (std::cos(angle) - 1));
+    }
+    play.rest(0.4);
+    EXPECT_EQ(play.casts(), 0U);
+    const auto& miss = miss_of(*play.match);
+    EXPECT_EQ(miss.reason, Miss::unclear);
+    EXPECT_GE(miss.probability, play.match->data().casting->free_near_probability);
 }
 
 // No cast while fighting --------------------------------------------------------------------------------------
