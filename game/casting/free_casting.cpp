@@ -81,7 +81,8 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
         const auto& odd = hand.odd;
         if (odd.gesture != no_gesture && odd.miss != Miss::unclear && odd.probability >= odd.needed)
             return note_miss(rules, caster.tick, odd, odd.miss, miss);
-        return note_miss(rules, caster.tick, drawn, Miss::unclear, miss);
+        const auto reason = is_too_fast(rules, drawn.force) ? Miss::too_fast : Miss::unclear;
+        return note_miss(rules, caster.tick, drawn, reason, miss);
     }
     const auto& gesture = gestures.gestures()[drawn.gesture];
     if (spell_of(context.data, gesture.name) == nullptr) return;

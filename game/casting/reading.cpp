@@ -104,6 +104,8 @@ bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
     return lasts < rules.shortest || length < rules.smallest;
 }
 
+bool is_too_fast(const CastingRules& rules, double force) { return force >= 2 * rules.harsh_from; }
+
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
     const auto& recogniser = gestures.recogniser();
     const auto stroke = put_points(trace, space);

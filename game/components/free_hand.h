@@ -17,7 +17,7 @@ inline constexpr std::size_t free_points = 500;
 enum class Miss : std::uint32_t {
     none,
     unclear,    ///< not sure enough
-    too_fast,   ///< the gesture was over too soon
+    too_fast,   ///< the gesture was over too soon, or not clear and fast
     too_small,  ///< the gesture had no size
     too_soon,   ///< a spell was cast just before
 };

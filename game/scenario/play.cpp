@@ -106,6 +106,7 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
         if (wanted.force[player]) setup.devices.back().set_force_percent(*wanted.force[player]);
         setup.devices.back().set_carried_percent(wanted.weight[player].value_or(100),
                                                  wanted.blows[player].value_or(100));
+        setup.devices.back().casts_freely = wanted.casts_freely[player];
         for (std::size_t mode = 0; mode < input::fluid_faders; ++mode)
             setup.devices.back().set_fluid_percent(mode, wanted.modes[player][mode].value_or(100));
     }

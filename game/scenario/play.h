@@ -42,6 +42,7 @@ struct MatchOptions {
     Percents blows{};   ///< share of a carried thing's blows that the player feels (%); null: 100 %
     /// Shares of a stirred brew's forces, by haptics::fluid_modes (%); null: 100 %.
     std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players> modes{};
+    std::array<bool, players> casts_freely{};   ///< true if the player casts without a button
     std::array<bool, players> arm{};            ///< true if the player holds a simulated arm of a real device
     std::vector<input::ProfileData> profile{};  ///< own gestures of the players
 };

@@ -119,7 +119,7 @@ end
 for _, name in ipairs {
     "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "readiness", "shots", "kills",
     "deaths", "dead", "grounded", "shielded", "focus", "ward", "hand", "force", "force_cause", "created",
-    "reading", "potions", "stirs", "ladle", "ladle_velocity", "ladle_force",
+    "reading", "free_casting", "potions", "stirs", "ladle", "ladle_velocity", "ladle_force",
 } do
     Wizard[name] = function(self) return raw.read(self.player, name) end
 end

@@ -7,6 +7,7 @@
 #include "game/casting/casting.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
+#include "game/components/free_hand.h"
 #include "game/components/hand_state.h"
 #include "game/match/haptic_setup.h"
 #include "game/match/own_gestures.h"
@@ -112,13 +113,19 @@ void read_modes(lua_State* lua, int index, MatchOptions& wanted) {
     }
 }
 
-void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
-    if (!lua_istable(lua, index)) fault("arms must be a list of true and false");
+void read_flags(lua_State* lua, int index, const char* name, std::array<bool, players>& flags) {
+    if (!lua_istable(lua, index)) fault(name, " must be a list of true and false");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
-        wanted.arm[i] = lua_toboolean(lua, -1) != 0;
+        flags[i] = lua_toboolean(lua, -1) != 0;
         lua_pop(lua, 1);
+    }
+}
+
+void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
+    read_flags(lua, index, "arms", wanted.arm);
+    for (std::size_t i = 0; i < players; ++i) {
         if (wanted.arm[i] && wanted.bot_level[i] != 0) fault("player ", i + 1, " is a bot, and holds no arm");
     }
 }
@@ -191,7 +198,7 @@ int verb_match(lua_State* lua, void* context) {
     if (play.match) fault("match{...} stands once in a scenario");
     const Options options(lua, 1, "match",
                           {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows",
-                           "modes", "arms", "gestures"});
+                           "modes", "arms", "gestures", "free_casting"});
     MatchOptions wanted;
     if (options.has("arena")) wanted.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wanted.data.rules = arg::string(lua, -1, "rules");
@@ -205,6 +212,7 @@ int verb_match(lua_State* lua, void* context) {
     if (options.has("blows")) read_percents(lua, -1, "blows", wanted.blows);
     if (options.has("modes")) read_modes(lua, -1, wanted);
     if (options.has("arms")) read_arms(lua, -1, wanted);
+    if (options.has("free_casting")) read_flags(lua, -1, "free_casting", wanted.casts_freely);
     if (options.has("gestures")) read_gestures(lua, -1, wanted);
     if (const auto made = begin_match(play, wanted); !made) {
         play.match.reset();
@@ -386,6 +394,28 @@ void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     lua_setfield(lua, -2, "gesture");
 }
 
+/// What a player who casts without a button did last: `cast_at`, and of a near miss `missed_at` (ticks, 0: never), `like`
+/// (a gesture), `probability` and `reason`.
+void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
+    constexpr std::array reasons{"none", "unclear", "too fast", "too small", "too soon"};
+    const auto& world = std::as_const(*play.match).world();
+    const auto wizard = wizard_of(world, player);
+    const auto* hand = world.find<FreeHand>(wizard);
+    const auto* miss = world.find<NearMiss>(wizard);
+    if (hand == nullptr || miss == nullptr)
+        fault("player ", player + 1, " does not cast freely: free_casting = {true, ...}");
+    lua_createtable(lua, 0, 5);
+    arg::set_number(lua, "cast_at", static_cast<double>(hand->cast_at));
+    arg::set_number(lua, "missed_at", static_cast<double>(miss->at));
+    arg::set_number(lua, "probability", miss->probability);
+    const auto* gestures = gestures_of(play.match->context(), player);
+    const auto name = miss->at == 0 ? std::string_view() : gestures->name(miss->gesture);
+    lua_pushlstring(lua, name.data(), name.size());
+    lua_setfield(lua, -2, "like");
+    lua_pushstring(lua, reasons.at(static_cast<std::size_t>(miss->reason)));
+    lua_setfield(lua, -2, "reason");
+}
+
 /// The potions that act on the player, each with its time left (s), and `work_half`: whether the player holds half of the
 /// Great Work.
 void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
@@ -481,6 +511,7 @@ constexpr WizardReader wizard_readers[] = {
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, part<Focus>(p, i).points); }},
     {"ward", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, ward(p, i)); }},
     {"reading", push_reading},
+    {"free_casting", push_free_casting},
     {"potions", push_potions},
     {"shielded",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, is_shielded(p, i)); }},

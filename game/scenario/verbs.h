@@ -4,12 +4,14 @@
 //
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = ,
 //           set = {"quick.kills=1"}, players = {"script", "bot 1"}, forces = {100, 0},
-//           weights = {50, 100}, blows = {0, 100}, modes = {{flow = 0, wall = 50}, {}}, arms = {true, false}}
+//           weights = {50, 100}, blows = {0, 100}, modes = {{flow = 0, wall = 50}, {}}, arms = {true, false},
+//           free_casting = {true, false}}
 //                         comes first, and once.
 //                         forces: share of the device's force (%)
 //                         weights, blows: share of a carried thing's weight and blows on the hand (%)
 //                         modes: shares of a stirred brew's forces, by haptics::fluid_modes (%)
 //                         arms: true gives the player a simulated arm of a real device, moved by the script
+//                         free_casting: true lets the player cast without a button
 //     wizard(n)           the wizard of player n, with these functions:
 //       hold(button), release(button), press(button [, seconds])
 //       move(strafe, forward) in -1..1, stop()
@@ -18,6 +20,8 @@
 //                         presses a wand's key while Trace is held; harsh: fire as well
 //       trace_over(points)
 //                         draws a list of {t = , x = , y = } with Trace held (s, m)
+//       free_casting()    what was cast or almost cast without a button: {cast_at = , missed_at = , like = , probability = ,
+//                         reason = }
 //       reading()         what was read last: {gesture = (nil: nothing), probability = , force = , turns = , at = }
 //       look(right, up) in degrees, aim(place | wizard | thing)
 //       trigger(share)    pull of the device's trigger while fire is held, in 0..1

@@ -141,6 +141,47 @@ TEST(Casting, AStrokeOfAnyLengthHasRoom) {
     EXPECT_NEAR(stroke.count * stroke.every * 8.0, 20'000, 200);
 }
 
+/// Draws a star 10 cm wide with Trace held, in jumps of 8 ms as of a slow mouse, and returns its reading.
+LastReading read_star(Drawer& drawer, int jumps) {
+    const auto place = [](double share) {
+        const auto corner = [](double k) {
+            return 500.0 * vec2(std::sin(4 * pi * (k + 0.5) / 5), std::cos(4 * pi * (k + 0.5) / 5));
+        };
+        const double side = std::min(4.0, std::floor(5 * share));
+        return glm::mix(corner(side), corner(side + 1), 5 * share - side);
+    };
+    drawer.wait(200);
+    drawer.hand().press(input::Button::trace);
+    drawer.wait(100);
+    for (int i = 1; i <= jumps; ++i) {
+        const auto from = glm::round(place((i - 1.0) / jumps)), to = glm::round(place(1.0 * i / jumps));
+        drawer.hand().counts[input::hand::look_right] = static_cast<std::int32_t>(to.x - from.x);
+        drawer.hand().counts[input::hand::look_up] = static_cast<std::int32_t>(to.y - from.y);
+        drawer.wait(1);
+        drawer.hand().counts = {};
+        drawer.wait(7);
+    }
+    drawer.wait(150);
+    drawer.hand().buttons = 0;
+    drawer.wait(50);
+    return drawer.match.world().get<LastReading>(drawer.wizard());
+}
+
+TEST(Casting, AStarMayBeFastButNotTooFast) {
+    Drawer drawer;
+    drawer.wait(8);
+    for (const int jumps : {38, 60, 120}) {  // 0.3 to 1 s
+        const auto reading = read_star(drawer, jumps);
+        ASSERT_NE(reading.gesture, no_gesture) << jumps;
+        EXPECT_EQ(shipped().name(reading.gesture), "star");
+    }
+    const auto reading = read_star(drawer, 25);  // 0.2 s: the hand cuts the corners
+    EXPECT_EQ(reading.gesture, no_gesture);
+    EXPECT_EQ(shipped().name(reading.nearest), "star");
+    EXPECT_TRUE(is_too_fast(*data()->casting, reading.force)) << reading.force;
+    EXPECT_FALSE(is_too_fast(*data()->casting, read_star(drawer, 120).force));
+}
+
 TEST(Casting, TheHandIsBackWhereItWas) {
     Drawer drawer;
     drawer.wait(8);

@@ -234,19 +234,35 @@ TEST(FreeCasting, TellsWhyACircleCastNothing) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-TEST(FreeCasting, TellsOfAGestureThatWasUnclear) {
-    Free play;
+/// Draws a part of a circle, and returns why it cast nothing.
+Miss reason_after_part(Free& play, double turns, double s) {
     play.rest(1.2);
     const auto begin = play.place();
-    for (double i = 1; i <= 900; ++i) {  // a circle that is no more closed than an egg is round
-        const double angle = 1.55 * pi * i / 900;
-        play.move_to(begin.x + 350 * std::sin(angle), begin.y + 250 * (std::cos(angle) - 1));
+    const auto steps = static_cast<double>(ticks(s));
+    for (double i = 1; i <= steps; ++i) {
+        const double angle = 2 * pi * turns * i / steps;
+        play.move_to(begin.x + 400 * std::sin(angle), begin.y + 400 * (std::cos(angle) - 1));
     }
+    const auto casts = play.casts();
+    const auto drawn = play.match->match().played;
     play.rest(0.4);
-    EXPECT_EQ(play.casts(), 0U);
     const auto& miss = miss_of(*play.match);
-    EXPECT_EQ(miss.reason, Miss::unclear);
-    EXPECT_GE(miss.probability, play.match->data().casting->free_near_probability);
+    const bool missed = miss.at > drawn;
+    EXPECT_FALSE(missed && play.casts() > casts);
+    return missed ? miss.reason : Miss::none;
+}
+
+TEST(FreeCasting, TellsOfAGestureThatWasUnclear) {
+    Free play;
+    std::size_t unclear = 0;
+    for (const double turns : {0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6}) {
+        const auto reason = reason_after_part(play, turns, 0.9);
+        EXPECT_TRUE(reason == Miss::none || reason == Miss::unclear) << turns;
+        unclear += reason == Miss::unclear ? 1 : 0;
+    }
+    EXPECT_GE(unclear, 1U);
+    EXPECT_EQ(reason_after_part(play, 0.3, 0.9), Miss::none) << "an arc is like nothing";
+    EXPECT_GE(miss_of(*play.match).probability, play.match->data().casting->free_near_probability);
 }
 
 // No cast while fighting --------------------------------------------------------------------------------------
