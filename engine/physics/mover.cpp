@@ -49,6 +49,17 @@ vec3 wish_along(vec3 wish, vec3 normal) {
     return tilted * (speed / glm::length(tilted));
 }
 
+/// The wish relative to the ground. A loose thing that slides ahead, perhaps because the mover's foot has struck its
+/// edge, makes nobody faster than walking: together with its velocity the wish is at most the walking speed, or the speed
+/// that the mover already has.
+vec3 wish_on(const Physics& physics, Key key, const Ground& ground, vec3 wish,
+             const MoverSettings& settings) {
+    const vec3 carried = level(ground.velocity);
+    if (physics.desc(ground.key).mass <= 0 || carried == vec3{}) return wish;
+    const double most = std::max(settings.walk_speed, glm::length(level(physics.velocity(key))));
+    return limited(carried + wish, most) - carried;
+}
+
 /// Whether something resisted the last drive in this direction.
 bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
@@ -79,7 +90,8 @@ void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSetti
     settings.adhesion *= traction;
     const vec3 relative = physics.velocity(key) - ground.velocity;
     const vec3 now = along(relative, ground.normal);
-    const vec3 change = drive(settings, state, wish_along(wish, ground.normal), now, mass, dt);
+    const vec3 target = wish_along(wish_on(physics, key, ground, wish, settings), ground.normal);
+    const vec3 change = drive(settings, state, target, now, mass, dt);
     const double leaving = std::max(0.0, glm::dot(relative, ground.normal));
     const vec3 down = ground.normal * -std::min(leaving, settings.adhesion * dt);
     const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (traction * dt);

@@ -284,6 +284,45 @@ TEST(Mover, RidesAMovingProp) {
     EXPECT_NEAR(w.position().x, w.physics.state(2).position.x, 0.1);
 }
 
+/// Largest pace of a walker who crosses a plank that lies on the floor, and the plank's fastest slide (m/s).
+std::pair<double, double> fastest_over_plank(double thickness, double mass) {
+    Walker w;
+    add_floor(w.physics);
+    w.physics.add(2, box({0.3, thickness / 2, 1.5}, mass), at({4, thickness / 2, 0}));
+    w.enter({0, standing, 0});
+    double pace = 0, slide = 0;
+    for (int i = 0; i < 1500; ++i) {
+        w.tick({4.5, 0, 0});
+        pace = std::max(pace, w.pace());
+        slide = std::max(slide, w.physics.velocity(2).x);
+    }
+    EXPECT_GT(w.position().x, 5);
+    return {pace, slide};
+}
+
+// A foot that strikes the edge of a plank drives it ahead. Carried by it, a walker reached 6 m/s.
+TEST(Mover, APlankUnderfootMakesNobodyFasterThanWalking) {
+    for (const auto& [thickness, mass] : {std::pair(0.04, 12.0), {0.06, 15.0}, {0.1, 30.0}, {0.1, 100.0}}) {
+        const auto [pace, slide] = fastest_over_plank(thickness, mass);
+        EXPECT_GT(slide, 0.1) << "the plank is driven ahead";
+        EXPECT_LE(pace, 4.5 + 0.05) << thickness << " m, " << mass << " kg";
+    }
+}
+
+TEST(Mover, WalksAheadOnASlowRideAndStaysOnAFastOne) {
+    const auto pace_on = [](double speed) {
+        Walker w;
+        add_floor(w.physics);
+        w.physics.add(2, box({20, 0.5, 2}, 20'000, 0), at({0, 0.5, 0}, {speed, 0, 0}));
+        w.physics.add(me, mover_body, at({0, 1 + standing, 0}, {speed, 0, 0}));
+        w.run(100, {});
+        w.run(900, {4.5, 0, 0});
+        return w.velocity().x;
+    };
+    EXPECT_NEAR(pace_on(2), 4.5, 0.02);
+    EXPECT_NEAR(pace_on(6), 6, 0.05) << "no brake either";
+}
+
 TEST(Mover, WeighsOnWhatItStandsOn) {
     Walker w;
     add_floor(w.physics);
