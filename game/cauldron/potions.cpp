@@ -189,15 +189,6 @@ void end_potions(MatchContext& context, const Wizard& wizard, vec3 place, Potion
     }
 }
 
-void lose_all(MatchContext& context, const Wizard& wizard, vec3 place, Potions& potions, WandBelt& belt,
-              Tick tick) {
-    if (potions.work_half != 0)
-        record(context,
-               {.tick = tick, .kind = EventKind::work_lost, .subject = wizard.player, .place = place});
-    potions = {};
-    belt.venom = 0;
-}
-
 /// Hurts a poisoned wizard, once a second.
 void hurt_by_poison(MatchContext& context, ecs::Entity e, const Health& health, vec3 place, Tick tick) {
     if (tick >= health.poisoned_until) return;
@@ -211,14 +202,9 @@ void hurt_by_poison(MatchContext& context, ecs::Entity e, const Health& health, 
 }
 
 void run_potions(MatchContext& context, Tick tick) {
-    context.world.view<const Wizard, const Motion, Potions, WandBelt, const Health, ecs::Maybe<const Dead>>()
-        .each([&](ecs::Entity e, const Wizard& wizard, const Motion& motion, Potions& potions, WandBelt& belt,
-                  const Health& health, const Dead* dead) {
-            if (dead != nullptr) {
-                if (potions != Potions{} || belt.venom != 0)
-                    lose_all(context, wizard, motion.position, potions, belt, tick);
-                return;
-            }
+    context.world.view<const Wizard, const Motion, Potions, const Health, ecs::Without<Dead>>().each(
+        [&](ecs::Entity e, const Wizard& wizard, const Motion& motion, Potions& potions,
+            const Health& health) {
             end_potions(context, wizard, motion.position, potions, tick);
             hurt_by_poison(context, e, health, motion.position, tick);
         });
@@ -357,6 +343,19 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReadi
         succeed(context, cauldron, wizard, *recipe, tick);
 }
 
+void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick) {
+    auto& world = context.world;
+    const auto& now = std::as_const(world);
+    if (!now.has<Potions>(wizard)) return;
+    if (now.get<Potions>(wizard).work_half != 0)
+        record(context, {.tick = tick,
+                         .kind = EventKind::work_lost,
+                         .subject = now.get<Wizard>(wizard).player,
+                         .place = now.get<Motion>(wizard).position});
+    world.get<Potions>(wizard) = {};
+    world.get<WandBelt>(wizard).venom = 0;
+}
+
 ecs::Mask brew_by_stroke_reads(const ecs::World& world) { return world.mask<Wizard, DrawnOrders>(); }
 
 ecs::Mask brew_by_stroke_writes(const ecs::World& world) {
@@ -428,7 +427,7 @@ void add_potion_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "potions",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Potions, WandBelt, Health, EventLog, resource::Journal>(),
+                  .writes = world.mask<Potions, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Potions>(),
                   .run = [&context](ecs::World&, Tick tick) { run_potions(context, tick); }});
     schedule.add({.name = "drawn recipes",

@@ -51,6 +51,10 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReadi
 ecs::Mask brew_by_stroke_reads(const ecs::World& world);
 ecs::Mask brew_by_stroke_writes(const ecs::World& world);
 
+/// Takes all potions from a wizard who dies. Writes Potions, WandBelt, EventLog and resource::Journal, reads Wizard and
+/// Motion.
+void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick);
+
 /// Share of the full walking speed that a wizard has by potions. `potions` may be null.
 double pace_of(const MatchData& data, const Potions* potions, Tick tick);
 /// Share of the weight that a wizard has by potions. `potions` may be null.

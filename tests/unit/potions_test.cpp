@@ -387,6 +387,20 @@ TEST(Potions, DeathTakesAllPotions) {
     EXPECT_EQ(kitchen.count(EventKind::potion_over), 0U);
 }
 
+TEST(Potions, DeathTakesAllPotionsAlsoFromAWizardWhoReturnsAtOnce) {
+    Kitchen kitchen({"quick.respawn_s=0"});
+    brew_haste(kitchen);
+    kitchen.world().get<Potions>(kitchen.wizard(0)).work_half = 1;
+    kitchen.world().get<WandBelt>(kitchen.wizard(0)).venom = 4;
+    kitchen.world().get<Health>(kitchen.wizard(0)).points = 0;
+    kitchen.run(3 * gameplay_period);
+    EXPECT_FALSE(kitchen.world().has<Dead>(kitchen.wizard(0)));
+    EXPECT_EQ(kitchen.count(EventKind::death), 1U);
+    EXPECT_EQ(kitchen.potions(0), Potions{});
+    EXPECT_EQ(kitchen.world().get<WandBelt>(kitchen.wizard(0)).venom, 0);
+    EXPECT_EQ(kitchen.count(EventKind::work_lost), 1U);
+}
+
 TEST(Potions, ARestoredBrewGoesOnToTheSameBits) {
     Kitchen kitchen;
     brew_haste(kitchen);
