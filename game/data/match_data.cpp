@@ -237,6 +237,7 @@ std::vector<std::string> files_in(const std::filesystem::path& folder) {
 
 void load_gestures(MatchData& data, Loader& loader) {
     std::vector<gesture::Gesture> gestures;
+    std::vector<std::string> files;
     for (const auto& name : files_in(loader.assets() / "gestures")) {
         const auto file = text("gestures/", name, ".toml");
         auto read = loader.load(file, [](const Config& config) {
@@ -247,7 +248,16 @@ void load_gestures(MatchData& data, Loader& loader) {
             loader.error = read->error();
             return;
         }
+        const auto same = std::find_if(gestures.begin(), gestures.end(),
+                                       [&](const auto& other) { return other.name == (*read)->name; });
+        if (same != gestures.end()) {
+            const auto& first = files.at(static_cast<std::size_t>(same - gestures.begin()));
+            loader.error = Error{text(first, " and ", file, ": both have the name '", same->name,
+                                      "'; change one, or delete a file")};
+            return;
+        }
         gestures.push_back(std::move(**read));
+        files.push_back(file);
     }
     if (const auto fault = fault_of(gestures)) {
         loader.error = Error{text("gestures: ", *fault)};

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 
 #include "game/casting/casting.h"
@@ -221,6 +223,21 @@ TEST(Casting, TheSpaceIsViscousWhileAStrokeIsDrawn) {
     drawer.hand().buttons = 0;
     drawer.wait(20);
     EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).servo.viscosity, 0);
+}
+
+TEST(Casting, TwoGesturesOfOneNameAreRefusedWithTheirFiles) {
+    namespace fs = std::filesystem;
+    auto folder = (fs::temp_directory_path() / "thaum-gestures-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+    fs::copy(assets(), fs::path(folder) / "assets", fs::copy_options::recursive);
+    const auto gestures = fs::path(folder) / "assets" / "gestures";
+    fs::copy_file(gestures / "circle.toml", gestures / "ring.toml");
+    const auto loaded = load_match_data(fs::path(folder) / "assets", {});
+    ASSERT_FALSE(loaded.has_value());
+    EXPECT_EQ(loaded.error().message,
+              "gestures/circle.toml and gestures/ring.toml: both have the name 'circle'; "
+              "change one, or delete a file");
+    fs::remove_all(folder);
 }
 
 TEST(Casting, ARuleSetWithoutSpellsHasNoStrokes) {
