@@ -192,11 +192,10 @@ const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
     return found == data.spells.end() ? nullptr : &*found;
 }
 
-void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick) {
+void begin_stroke(MatchContext& context, ecs::Entity wizard) {
     auto& world = context.world;
     if (!context.data.gestures || std::as_const(world).has<DrawnStroke>(wizard)) return;
-    world.commands().add(wizard, DrawnStroke{.began = tick,
-                                             .on_brew = std::as_const(world).has<Ladle>(wizard) ? 1U : 0U,
+    world.commands().add(wizard, DrawnStroke{.on_brew = std::as_const(world).has<Ladle>(wizard) ? 1U : 0U,
                                              .home = std::as_const(world).get<HandState>(wizard).home});
 }
 

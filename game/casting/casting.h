@@ -15,8 +15,8 @@
 namespace thaum::game {
 
 /// Lets a wizard begin a stroke. Does nothing if there is one, or if the match has no gestures. Reads HandState,
-/// writes Trace.
-void begin_stroke(MatchContext& context, ecs::Entity wizard, Tick tick);
+/// writes DrawnStroke.
+void begin_stroke(MatchContext& context, ecs::Entity wizard);
 
 /// The spell that a gesture casts; null if there is none.
 const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture);

@@ -33,7 +33,6 @@ inline constexpr std::size_t most_drawn_points = 512;
 
 /// The stroke of a wizard who holds Trace.
 struct DrawnStroke {
-    Tick began{};
     std::array<DrawnPoint, most_drawn_points> points{};
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
@@ -47,11 +46,11 @@ struct DrawnStroke {
     vec3 beyond{};
     static constexpr std::string_view name = "DrawnStroke";
     static constexpr auto fields() {
-        return std::tuple(field("began", &DrawnStroke::began), field("points", &DrawnStroke::points),
-                          field("count", &DrawnStroke::count), field("every", &DrawnStroke::every),
-                          field("waits", &DrawnStroke::waits), field("over", &DrawnStroke::over),
-                          field("on_brew", &DrawnStroke::on_brew), field("spare", &DrawnStroke::spare),
-                          field("home", &DrawnStroke::home), field("beyond", &DrawnStroke::beyond));
+        return std::tuple(field("points", &DrawnStroke::points), field("count", &DrawnStroke::count),
+                          field("every", &DrawnStroke::every), field("waits", &DrawnStroke::waits),
+                          field("over", &DrawnStroke::over), field("on_brew", &DrawnStroke::on_brew),
+                          field("spare", &DrawnStroke::spare), field("home", &DrawnStroke::home),
+                          field("beyond", &DrawnStroke::beyond));
     }
 };
 

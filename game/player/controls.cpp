@@ -148,11 +148,10 @@ void take(const input::DeviceSample& sample, bool has_spells, Controls& controls
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
-/// Whose controls are applied, and when.
+/// Whose controls are applied.
 struct Player {
     ecs::Entity wizard;
     std::uint32_t number{};
-    Tick tick{};  ///< tick of play
 };
 
 /// Moves hand or view by the sample, whichever the held buttons say.
@@ -164,7 +163,7 @@ void apply(MatchContext& context, const Player& player, const input::DeviceSampl
     const bool traces = context.data.gestures && (controls.held & bit(Button::trace)) != 0;
     if (traces && !std::as_const(world).has<Dead>(player.wizard) &&
         (controls.pressed & bit(Button::trace)) != 0)
-        begin_stroke(context, player.wizard, player.tick);
+        begin_stroke(context, player.wizard);
     if (!traces) {
         controls.stick_right = controls.stick_up = 0;
         controls.stick_draws = 0;
@@ -190,28 +189,27 @@ double stick_curve(std::int32_t deflection) {
 
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
-    schedule.add(
-        {.name = "controls",
-         .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, Fog, Motion,
-                             resource::Physics>(),
-         .writes = world.mask<Controls, Gaze, DrawnStroke>(),
-         .needs = world.mask<Controls>(),
-         .run = [&context](ecs::World& w, Tick) {
-             const auto& match = std::as_const(w).single<Match>();
-             const bool live = match.paused == 0 && match.phase == Phase::playing;
-             w.view<const Wizard, Controls, Gaze>().each(
-                 [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
-                     const auto buttons = arm_buttons(context, wizard.player);
-                     for (std::size_t d = 0; d < context.input.devices.size(); ++d) {
-                         const auto& spec = context.input.devices[d];
-                         if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm) continue;
-                         const auto sample = with_arm(context.input.frame.devices[d], buttons);
-                         take(sample, context.data.gestures != nullptr, controls);
-                         if (live)
-                             apply(context, {e, wizard.player, match.played}, sample, spec, controls, gaze);
-                     }
-                 });
-         }});
+    schedule.add({.name = "controls",
+                  .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, Fog, Motion,
+                                      resource::Physics>(),
+                  .writes = world.mask<Controls, Gaze, DrawnStroke>(),
+                  .needs = world.mask<Controls>(),
+                  .run = [&context](ecs::World& w, Tick) {
+                      const auto& match = std::as_const(w).single<Match>();
+                      const bool live = match.paused == 0 && match.phase == Phase::playing;
+                      w.view<const Wizard, Controls, Gaze>().each(
+                          [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                              const auto buttons = arm_buttons(context, wizard.player);
+                              for (std::size_t d = 0; d < context.input.devices.size(); ++d) {
+                                  const auto& spec = context.input.devices[d];
+                                  if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm)
+                                      continue;
+                                  const auto sample = with_arm(context.input.frame.devices[d], buttons);
+                                  take(sample, context.data.gestures != nullptr, controls);
+                                  if (live) apply(context, {e, wizard.player}, sample, spec, controls, gaze);
+                              }
+                          });
+                  }});
 }
 
 void add_pause_system(MatchContext& context, ecs::Schedule& schedule) {
