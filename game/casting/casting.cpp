@@ -77,7 +77,10 @@ void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell,
         record(context, event_of(context, caster, kind, number, amount));
     };
     if (focus.points < cost) return tell(EventKind::unfocused, cost - focus.points);
-    if (!spell.rules->refusal(context, caster.wizard).empty()) return tell(EventKind::fizzled, 0);
+    if (const auto refusal = spell.rules->refusal(context, caster.wizard); !refusal.empty()) {
+        context.output.strokes.write()[caster.player].refusal = refusal;
+        return tell(EventKind::fizzled, 0);
+    }
     focus.points -= cost;
     const double strength = harsh ? rules.harsh_strength : 1;
     tell(EventKind::cast, strength);
@@ -124,7 +127,10 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
 void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace) {
     const auto& reading = context.world.get<LastReading>(caster.wizard);
     const bool read = reading.at == std::max<Tick>(caster.tick, 1) && reading.gesture != no_gesture;
-    context.output.strokes.write()[caster.player] = {trace, std::max<Tick>(caster.tick, 1), read};
+    auto& ended = context.output.strokes.write()[caster.player];
+    ended.stroke = trace;
+    ended.at = std::max<Tick>(caster.tick, 1);
+    ended.read = read;
 }
 
 /// Follows the stroke of one wizard for a gameplay tick.

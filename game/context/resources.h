@@ -4,6 +4,7 @@
 //     .reads = world.mask<Wizard, resource::Physics>(),
 #pragma once
 #include <array>
+#include <string_view>
 
 #include "ecs/resource.h"
 #include "game/components/casting.h"
@@ -20,8 +21,9 @@ using ForceTrace = std::array<float, 2048>;
 /// The last stroke that a player has finished.
 struct EndedStroke {
     DrawnStroke stroke;
-    Tick at{};    ///< tick of play at which it ended; 0: there is none
-    bool read{};  ///< true: it was a gesture
+    Tick at{};                   ///< tick of play at which it ended; 0: there is none
+    bool read{};                 ///< true: it was a gesture
+    std::string_view refusal{};  ///< why the spell that fizzled last did nothing (SpellRules::refusal)
 };
 
 namespace resource {

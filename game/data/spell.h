@@ -67,7 +67,8 @@ public:
     SpellRules& operator=(const SpellRules&) = delete;
     virtual ~SpellRules() = default;
 
-    /// Why the spell would do nothing now, in words for the wizard ("nothing to recall"); empty if it can be cast.
+    /// Why the spell would do nothing now, in words for the wizard ("lift a thing first"); empty if it can be cast. The
+    /// words must live as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
     /// Casts the spell. The focus is already paid.
     virtual void cast(const SpellCast& cast) const = 0;

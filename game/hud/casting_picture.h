@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "game/components/casting.h"
@@ -55,7 +56,8 @@ struct ReadingPicture {
     StrokeOutcome outcome{};
     std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< numbers in CastingPicture::gestures
     double probability{}, force{}, turns{};                  ///< see LastReading
-    Event event{};  ///< the event of the outcome; unused for StrokeOutcome::none
+    Event event{};          ///< the event of the outcome; unused for StrokeOutcome::none
+    std::string refusal{};  ///< why the spell has nothing to act on; empty: unknown
 };
 
 struct CastingPicture {

@@ -70,7 +70,10 @@ StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& 
         case StrokeOutcome::unfocused:
             return {text(about, " needs ", std::lround(std::ceil(reading.event.amount)), " more focus"),
                     true};
-        case StrokeOutcome::fizzled: return {text(about, " does nothing here"), true};
+        case StrokeOutcome::fizzled:
+            return {
+                reading.refusal.empty() ? about + " does nothing here" : text(about, ": ", reading.refusal),
+                true};
     }
     return {};
 }

@@ -47,11 +47,15 @@ bool holds(const MatchContext& context, ecs::Entity wizard, ecs::Entity thing) {
     });
 }
 
+bool is_there(const ecs::World& world, ecs::Entity thing) {
+    return thing && world.alive(thing) && world.has<Body>(thing) && world.has<Prop>(thing);
+}
+
 /// Whether no wizard holds the thing, and it is still there.
 bool is_loose(const MatchContext& context, ecs::Entity thing) {
     const auto& world = context.world;
-    if (!thing || !world.alive(thing) || !world.has<Body>(thing) || !world.has<Prop>(thing)) return false;
-    return !holds(context, wizard_of(world, 0), thing) && !holds(context, wizard_of(world, 1), thing);
+    return is_there(world, thing) && !holds(context, wizard_of(world, 0), thing) &&
+           !holds(context, wizard_of(world, 1), thing);
 }
 
 /// Half of the largest extent of a body (m).
@@ -168,11 +172,14 @@ public:
     }
 
     std::string_view refusal(const MatchContext& context, ecs::Entity wizard) const override {
-        const auto thing = context.world.get<LastProp>(wizard).thing;
-        const bool there =
-            is_loose(context, thing) && glm::distance(context.world.get<Motion>(thing).position,
-                                                      sight_of(context, wizard).eye) <= data_.reach;
-        return there ? "" : "nothing in reach";
+        const auto& world = context.world;
+        const auto thing = world.get<LastProp>(wizard).thing;
+        if (!is_there(world, thing)) return "lift a thing first";
+        if (holds(context, wizard, thing)) return "you hold the thing already";
+        if (!is_loose(context, thing)) return "your foe holds the thing";
+        const vec3 eye = sight_of(context, wizard).eye;
+        const bool near = glm::distance(world.get<Motion>(thing).position, eye) <= data_.reach;
+        return near ? "" : "the thing is too far away";
     }
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;

@@ -54,6 +54,34 @@ TEST(StrokeWords, TellWhyAStrokeDidNothing) {
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read");
     casting.reading = reading_of(casting, StrokeOutcome::fizzled, "circle", 0.97, 0.6);
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield does nothing here");
+    casting.reading.refusal = "there is a reason";
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield: there is a reason");
+    EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
+}
+
+TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
+    const auto match = new_match();
+    const auto recall = [&] {  // the key chord of the star, which calls back the thing that was lifted last
+        input::InputFrame frame;
+        for (int t = 0; t < 60; ++t) {
+            frame.devices[0].press(input::Button::trace);
+            frame.devices[0].wand = t > 30 ? 4 : 0;
+            match->tick(frame);
+        }
+        for (int t = 0; t < 40; ++t) match->tick({});
+        const auto picture = picture_of(*match);
+        return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
+    };
+    EXPECT_EQ(recall(), "Star 100 %: Recall: lift a thing first");
+    // A thing that lies beyond the spell's reach.
+    auto& world = match->world_to_change();
+    ecs::Entity thing;
+    world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body&) { thing = e; });
+    ASSERT_TRUE(thing);
+    world.get<LastProp>(wizard_of(world, 0)).thing = thing;
+    world.get<Motion>(thing).position = {0, 500, 0};
+    match->physics().set_state(thing.index, std::as_const(world).get<Motion>(thing));
+    EXPECT_EQ(recall(), "Star 100 %: Recall: the thing is too far away");
 }
 
 TEST(StrokeWords, OnTheBrewSayHowManyTurns) {
