@@ -8,7 +8,7 @@
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/components/casting.h"
-#include "game/context/match_context.h"
+#include "game/hud/stroke_words.h"
 #include "gesture/comparison.h"
 
 namespace thaum::app {
@@ -19,9 +19,15 @@ using game::practising;
 constexpr Tick shown_after = ticks(8.0);
 constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
 
-std::string force_words(const gesture::GestureOptions& o, double force) {
-    const auto* word = force < o.gentle_below ? "gentle" : force >= o.harsh_above ? "harsh" : "normal";
-    return text(word, " (", fixed(force, 1), " N)");
+std::string words_of_force(const game::CastingRules& rules, double force) {
+    return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
+}
+
+/// The gesture with the bands of force by which the match casts, in place of those of the gesture's file.
+gesture::Gesture by_bands_of(const game::CastingRules& rules, gesture::Gesture gesture) {
+    gesture.options.gentle_below = rules.gentle_below;
+    gesture.options.harsh_above = rules.harsh_from;
+    return gesture;
 }
 
 std::string spell_shown(const game::MatchData& data, const std::string& gesture) {
@@ -33,7 +39,8 @@ std::string spell_shown(const game::MatchData& data, const std::string& gesture)
 
 /// Lists the ghosts of the player's gestures, where the set is another one.
 void GestureWall::list(const game::Simulation& match) {
-    const auto* set = game::gestures_of(match.context(), practising);
+    const auto& own = match.setup().gestures[practising];
+    const auto& set = own ? own : match.data().gestures;
     if (set == listed_) return;
     listed_ = set;
     std::vector<game::WallGesture> gestures;
@@ -70,10 +77,11 @@ void GestureWall::read(const game::Simulation& match) {
     const auto& spell = (*gestures_)[reading.nearest].spell;
     if (meant)
         lines_.push_back(text(spell.empty() ? nearest.name : spell, ", ", score, " % sure, ",
-                              force_words(nearest.options, reading.force)));
+                              words_of_force(*match.data().casting, reading.force)));
     else
         lines_.push_back(text("not sure: the nearest is ", nearest.name, ", ", score, " %"));
-    for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest), nearest, reading.force))
+    for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest),
+                                         by_bands_of(*match.data().casting, nearest), reading.force))
         lines_.push_back(std::move(line));
     if (meant && lines_.size() == 1) lines_.emplace_back("well drawn");
 }
@@ -92,19 +100,13 @@ void GestureWall::keep(const game::Simulation& match) {
     if (way < match.data().casting->smallest || stroke_.back().t < shortest_recorded) return;
     recording_.strokes.push_back(stroke_);
     if (recording_.strokes.size() < recorded_strokes) return tell_recording();
-    const auto number = match.data().gestures->number(recording_.name);
-    if (!number) {  // its file was deleted meanwhile
+    if (!match.data().gestures->number(recording_.name)) {  // its file was deleted meanwhile
         lines_ = {text("there is no gesture ", recording_.name, " any more")};
         recording_ = {};
         return;
     }
-    const auto& shipped = match.data().gestures->gestures()[*number].options;
-    // An own gesture may be of any shape, so only the bands of force are the shipped one's.
-    recording_.options = {.rotation = 15 * radians_per_degree,
-                          .planar = true,
-                          .gentle_below = shipped.gentle_below,
-                          .harsh_above = shipped.harsh_above};
-    recorded_ = std::move(recording_);
+    recording_.options = {.rotation = 15 * radians_per_degree, .planar = true};
+    recorded_ = by_bands_of(*match.data().casting, std::move(recording_));
     recording_ = {};
     lines_ = {"three strokes: they are compared with the other gestures"};
 }

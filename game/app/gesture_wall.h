@@ -1,6 +1,7 @@
 // game/app/gesture_wall.h: the gesture wall of the range. It follows the strokes of the practising player, compares each
 // with the gesture that it was read as, and collects three strokes for a gesture of the player's own.
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "game/hud/gesture_wall.h"
@@ -30,7 +31,7 @@ private:
     void list(const game::Simulation& match);
     void tell_recording();
 
-    const game::GestureSet* listed_ = nullptr;  ///< set whose ghosts `gestures_` has
+    std::shared_ptr<const game::GestureSet> listed_{};  ///< set whose ghosts `gestures_` has; null: none
     std::shared_ptr<const std::vector<game::WallGesture>> gestures_{};
     std::vector<int> scores_{};
     std::vector<gesture::StrokePoint> stroke_{};

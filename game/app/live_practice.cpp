@@ -121,7 +121,9 @@ void Practice::follow_lessons() {
 }
 
 void Practice::follow_gestures() {
-    if (!apprentice_) wall_.follow(match());
+    if (apprentice_) return;
+    wall_.follow(match());
+    match().leave_strokes_unread(game::practising, wall_.records());
 }
 
 void Practice::use_gestures(OwnGestures own) {

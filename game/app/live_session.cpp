@@ -335,17 +335,15 @@ void LiveSession::take_drawn_gesture() {
     const auto drawn = shared_.progress.drawn_gesture.take();
     if (!drawn) return;
     std::vector<std::string> words{text("saved: this is your ", drawn->name, " from now on")};
-    const auto saved = save_own_gesture(folder_of_gestures(), *drawn);
-    load_profile();
-    if (!saved) {
+    const auto fits = check_own_gesture(*drawn, *next_.data(), profile_, game::practising);
+    if (!fits) {
+        words = {text("not saved: ", fits.error().message), "record it anew in another shape"};
+    } else if (const auto saved = save_own_gesture(folder_of_gestures(), *drawn); saved) {
+        load_profile();
+    } else {
         words = {text("only until you leave: ", saved.error().message)};
-        std::erase_if(profile_, [&](const auto& item) {
-            return item.name == drawn->name && item.player == game::practising;
-        });
-        profile_.push_back(game::profile_of(*drawn, game::practising));
+        profile_ = with_own_gesture(std::move(profile_), *drawn, game::practising);
     }
-    for (auto& line : likeness_words(*drawn, *next_.data(), profile_, game::practising))
-        words.push_back(std::move(line));
     shared_.requests.own_gestures.put({profile_, std::move(words)});
 }
 

@@ -1,6 +1,8 @@
 #include "game/app/own_gestures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -15,6 +17,27 @@ constexpr std::size_t largest_own_gesture = std::size_t{1} << 20U;  // bytes of 
 
 std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& name) {
     return folder / (file_name_of(name) + ".toml");
+}
+
+/// Why an own gesture does not fit the match's data, or not beside the player's other ones; std::nullopt if it does.
+std::optional<std::string> fault_of(const game::MatchData& data, std::vector<input::ProfileData> others,
+                                    const input::ProfileData& item) {
+    game::MatchSetup scratch;
+    if (const auto used = game::use_profile(data, {item}, scratch); !used) return used.error().message;
+    others.push_back(item);
+    const auto used = game::use_profile(data, std::move(others), scratch);
+    if (used) return {};
+    return text("it is left out, since it does not fit beside the other own gestures (", used.error().message,
+                "): record it anew with shorter strokes");
+}
+
+/// How alike two gestures are: "v (12 % of such strokes are taken for it)".
+std::string words_of(const gesture::Pair& pair, bool first, std::string_view other) {
+    const double mistaken = std::max(pair.a_as_b, pair.b_as_a);
+    if (mistaken <= gesture::most_confused) return text(other, ", their shapes are too near");
+    const bool as_other = (first ? pair.a_as_b : pair.b_as_a) >= mistaken;
+    return text(other, ", ", std::lround(100 * mistaken),
+                as_other ? " % of such strokes are taken for it" : " % of its strokes are taken for this");
 }
 
 }  // namespace
@@ -46,9 +69,8 @@ std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& f
                                 .name = shipped.name,
                                 .player = player,
                                 .bytes = {bytes.begin(), bytes.end()}};
-        game::MatchSetup scratch;
-        if (const auto used = game::use_profile(data, {item}, scratch); !used)
-            faults.push_back(text(file.string(), ": ", used.error().message));
+        if (const auto fault = fault_of(data, own, item))
+            faults.push_back(text(file.string(), ": ", *fault));
         else
             own.push_back(std::move(item));
     }
@@ -67,23 +89,29 @@ bool forget_own_gesture(const std::filesystem::path& folder, const std::string& 
     return !folder.empty() && std::filesystem::remove(file_of(folder, name), error);
 }
 
-std::vector<std::string> likeness_words(const gesture::Gesture& gesture, const game::MatchData& data,
-                                        const std::vector<input::ProfileData>& profile,
-                                        std::uint32_t player) {
+std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData> profile,
+                                                 const gesture::Gesture& gesture, std::uint32_t player) {
+    std::erase_if(profile,
+                  [&](const auto& item) { return item.name == gesture.name && item.player == player; });
+    profile.push_back(game::profile_of(gesture, player));
+    return profile;
+}
+
+Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
+                                 const std::vector<input::ProfileData>& profile, std::uint32_t player) {
     game::MatchSetup setup;
-    const bool used = data.gestures && game::use_profile(data, profile, setup).has_value();
-    if (!used) return {};
-    const auto* own = setup.gestures[player].get();
-    const auto set = (own != nullptr ? *own : *data.gestures).gestures();
+    if (auto used = game::use_profile(data, with_own_gesture(profile, gesture, player), setup); !used)
+        return used;
+    const auto set = setup.gestures[player]->gestures();
     const auto pairs = gesture::compare_gestures(set);
-    if (!pairs) return {pairs.error().message};
-    std::vector<std::string> words;
+    if (!pairs) return tl::unexpected(pairs.error());
     for (const auto& pair : *pairs) {
         const auto &a = set[pair.a].name, &b = set[pair.b].name;
-        if (!pair.collides() || (a != gesture.name && b != gesture.name)) continue;
-        words.push_back(text("like ", a == gesture.name ? b : a, ": they may be mistaken"));
+        const bool first = a == gesture.name;
+        if (pair.collides() && (first || b == gesture.name))
+            return fail(text("too like ", words_of(pair, first, first ? b : a)));
     }
-    return words;
+    return {};
 }
 
 }  // namespace thaum::app

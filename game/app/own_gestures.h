@@ -24,7 +24,8 @@ struct OwnGestures {
 std::filesystem::path own_gestures_folder(const std::filesystem::path& settings_file,
                                           const Settings& settings, std::size_t player);
 
-/// Own gestures of a player that fit the match's data. Others are left out; `faults` receives a line for each.
+/// Own gestures of a player that fit the match's data, and fit beside each other. Others are left out; `faults` receives a
+/// line for each.
 std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder,
                                                   const game::MatchData& data, std::uint32_t player,
                                                   std::vector<std::string>& faults);
@@ -34,8 +35,14 @@ Expected<void> save_own_gesture(const std::filesystem::path& folder, const gestu
 /// Deletes a player's own gesture, so that the shipped one counts again. Returns whether there was one.
 bool forget_own_gesture(const std::filesystem::path& folder, const std::string& name);
 
-/// Warnings where a gesture is so like another gesture of the same player that strokes may be mistaken; empty: none.
-std::vector<std::string> likeness_words(const gesture::Gesture& gesture, const game::MatchData& data,
-                                        const std::vector<input::ProfileData>& profile, std::uint32_t player);
+/// The own gestures of all players with this one of a player, in place of an older one of the same name.
+std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData> profile,
+                                                 const gesture::Gesture& gesture, std::uint32_t player);
+
+/// Refuses a gesture that does not fit beside the player's other gestures, or is so like one of them that strokes would be
+/// mistaken (gesture/collisions.h). The error names the other one: "too like v, 12 % of such strokes are taken for it".
+/// `profile`: own gestures so far.
+Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
+                                 const std::vector<input::ProfileData>& profile, std::uint32_t player);
 
 }  // namespace thaum::app

@@ -90,6 +90,7 @@ void cast(MatchContext& context, const Caster& caster, const LoadedSpell& spell,
 }  // namespace
 
 void act_on(MatchContext& context, const Caster& caster, const Reading& reading, const GestureSet& gestures) {
+    if (context.input.strokes_unread[caster.player]) return;
     const auto& stroke = reading.stroke;
     context.world.get<LastReading>(caster.wizard) = {.at = std::max<Tick>(caster.tick, 1),
                                                      .probability = stroke.probability,

@@ -58,6 +58,9 @@ struct MatchInput {
     std::vector<input::DeviceSpec> devices;  ///< in the order of the samples in `frame`
     /// Gestures of players who drew their own; null: those of the match's data.
     std::array<std::shared_ptr<const GestureSet>, players> gestures{};
+    /// Players whose strokes mean nothing at present, because the wall of the range records them. Never set in a match
+    /// that is logged.
+    std::array<bool, players> strokes_unread{};
     input::InputFrame frame;  ///< input frame of the current tick
 };
 

@@ -49,6 +49,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
       input_{.haptic_setup = haptic_setup_of(*data_, setup_.devices),
              .devices = setup_.devices,
              .gestures = setup_.gestures,
+             .strokes_unread = {},
              .frame = {}},
       context_(*data_, input_),
       brew_(context_.world, jobs_),
@@ -150,6 +151,7 @@ std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const Mat
     rebuild_brew(next->context_, solver);
     next->now_ = now_;
     next->force_hash_ = force_hash_;
+    next->input_.strokes_unread = input_.strokes_unread;
     return next;
 }
 
@@ -158,6 +160,9 @@ std::uint64_t Simulation::state_hash() const { return ecs::state_hash(context_.w
 const ecs::World& Simulation::world() const { return context_.world; }
 ecs::World& Simulation::world_to_change() { return context_.world; }
 MatchContext& Simulation::context_to_change() { return context_; }
+void Simulation::leave_strokes_unread(std::uint32_t player, bool unread) {
+    input_.strokes_unread.at(player) = unread;
+}
 const EventJournal& Simulation::events() const { return context_.output.journal.read(); }
 physics::Physics& Simulation::physics() { return context_.physics.write(); }
 const physics::Physics& Simulation::physics() const { return context_.physics.read(); }

@@ -50,6 +50,8 @@ public:
     ecs::World& world_to_change();
     MatchContext& context_to_change();
     const MatchContext& context() const { return context_; }
+    /// Lets strokes of a player mean nothing, or something again. Not for a match that is logged.
+    void leave_strokes_unread(std::uint32_t player, bool unread);
     physics::Physics& physics();
     const physics::Physics& physics() const;
     const MatchData& data() const { return *data_; }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/text.h"
@@ -119,6 +120,60 @@ TEST(OwnGestures, AFaultyFileIsNamedAndTheOthersCount) {
     ASSERT_EQ(faults.size(), 2U);
     EXPECT_NE((faults[0] + faults[1]).find("v.toml"), std::string::npos);
     EXPECT_NE((faults[0] + faults[1]).find("its text is of a gesture 'circle'"), std::string::npos);
+}
+
+/// The same strokes under another name.
+gesture::Gesture renamed(gesture::Gesture gesture, std::string name) {
+    gesture.name = std::move(name);
+    return gesture;
+}
+
+TEST(OwnGestures, ACopyOfAnotherGestureIsRefusedWithTheReason) {
+    const auto& data = *own_data();
+    const auto shipped = data.gestures->gestures();
+    const auto v = std::find_if(shipped.begin(), shipped.end(), [](const auto& g) { return g.name == "v"; });
+    const auto refusal = [&](const gesture::Gesture& gesture, std::vector<input::ProfileData> profile,
+                             std::uint32_t player = 0) {
+        const auto fits = check_own_gesture(gesture, data, profile, player);
+        return fits ? std::string() : fits.error().message;
+    };
+    EXPECT_EQ(refusal(triangle(), {}), "");
+    const auto copied = refusal(renamed(*v, "star"), {});
+    EXPECT_EQ(copied.find("too like v, "), 0U) << copied;
+    EXPECT_NE(copied.find(" %"), std::string::npos) << copied;
+    EXPECT_EQ(refusal(triangle(), {game::profile_of(triangle(), 0)}), "") << "it replaces an older one";
+    // The gestures of this player count: one whose own star is a triangle may draw the usual star for a circle.
+    const auto star =
+        std::find_if(shipped.begin(), shipped.end(), [](const auto& g) { return g.name == "star"; });
+    const std::vector<input::ProfileData> own{game::profile_of(renamed(triangle(), "star"), 0)};
+    EXPECT_EQ(refusal(renamed(*star, "circle"), own, 0), "");
+    EXPECT_EQ(refusal(renamed(*star, "circle"), own, 1).find("too like star"), 0U);
+    EXPECT_EQ(refusal(renamed(triangle(), "v"), own, 0).find("too like star"), 0U);
+}
+
+TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
+    // Each has more than half of all strokes that a set may have.
+    auto many = triangle();
+    while (many.strokes.size() <= gesture::most_templates / 2) {
+        many.strokes.push_back(triangle().strokes.front());
+        while (many.strokes.back().size() > 4) many.strokes.back().pop_back();
+    }
+    const OwnFolder folder;
+    for (const auto* name : {"circle", "star", "v"})
+        ASSERT_TRUE(
+            save_own_gesture(folder.path, renamed(name == std::string("v") ? triangle() : many, name)));
+    std::vector<std::string> faults;
+    const auto own = load_own_gestures(folder.path, *own_data(), 0, faults);
+    ASSERT_EQ(own.size(), 2U);
+    EXPECT_EQ(own[0].name, "circle");
+    EXPECT_EQ(own[1].name, "v");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(
+        faults[0].find("star.toml: it is left out, since it does not fit beside the other own gestures"),
+        std::string::npos)
+        << faults[0];
+    game::MatchSetup setup;
+    EXPECT_TRUE(game::use_profile(*own_data(), own, setup)) << "the others count";
 }
 
 TEST(OwnGestures, StandForTheShippedOneOfThisPlayerOnly) {

@@ -440,6 +440,59 @@ TEST_F(PracticeTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
     EXPECT_NE(wall.lines[0].find("Shield, "), 0U);
 }
 
+TEST_F(PracticeTest, WhileTheWallRecordsStrokesCastNothing) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    const auto count = [&](game::EventKind kind) {
+        const auto& events = practice.match().events();
+        int found = 0;
+        for (auto i = events.first(); i < events.count(); ++i) found += events[i].kind == kind ? 1 : 0;
+        return found;
+    };
+    const auto& world = practice.match().world();
+    practice.wall().record("v");
+    for (int stroke = 0; stroke < 3; ++stroke) player.draw(1500, circle_on_wall);
+    ASSERT_TRUE(practice.wall().take_recorded());
+    EXPECT_EQ(count(game::EventKind::cast) + count(game::EventKind::unread), 0);
+    EXPECT_EQ(world.get<game::Focus>(game::wizard_of(world, game::practising)).points, 100);
+    player.draw(1500, circle_on_wall);
+    EXPECT_EQ(count(game::EventKind::cast), 1) << "the next stroke is a spell again";
+}
+
+TEST_F(PracticeTest, WhileTheWallRecordsAChangeOfTheFilesChangesNothingOfThat) {
+    auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    practice.wall().record("v");
+    player.play(20);
+    set_damage("7");
+    look(range, practice);
+    player.draw(1500, circle_on_wall);
+    const auto& world = practice.match().world();
+    EXPECT_EQ(world.get<game::Focus>(game::wizard_of(world, game::practising)).points, 100);
+}
+
+TEST_F(PracticeTest, TheWallHasTheBandsOfForceByWhichTheMatchCasts) {
+    auto range = game::RangeFiles::open(
+        folder_, {.overrides = {"casting.force.gentle_below_n=0.1", "casting.force.harsh_from_n=0.2"}});
+    ASSERT_TRUE(range) << range.error().message;
+    auto practice = practice_of(*range);
+    WallPlayer player{practice};
+    player.play(20);
+    player.draw(1500, circle_on_wall);
+    const auto wall = picture(practice).practice.wall;
+    EXPECT_NE(wall.lines[0].find("harsh"), std::string::npos) << wall.lines[0];
+    practice.wall().record("circle");
+    for (int stroke = 0; stroke < 3; ++stroke) player.draw(800, triangle_on_wall);
+    const auto own = practice.wall().take_recorded();
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own->options.gentle_below, 0.1);
+    EXPECT_EQ(own->options.harsh_above, 0.2);
+}
+
 TEST_F(PracticeTest, WithoutSpellsThereIsNoWall) {
     auto files = game::RangeFiles::open(folder_, {.rules = "classic"});
     ASSERT_TRUE(files);
