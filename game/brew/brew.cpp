@@ -72,6 +72,7 @@ void read_brewing(const ConfigTable& table, CauldronRules& rules) {
     rules.spoil_harm = table.number("spoil_harm", {0, 1e6});
     rules.niche_radius = table.number("niche_radius_m", {0.1, 5});
     rules.niche_again = ticks(table.number("niche_again_s", {0, 3600}));
+    rules.put_back = ticks(table.number("put_back_s", {0, 3600}));
 }
 
 /// `look` has the ingredient's shape under its name. It is a table of its own, since a log hashes the ingredients.

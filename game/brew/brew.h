@@ -90,6 +90,7 @@ struct CauldronRules {
     double spoil_push{}, spoil_harm{};  ///< effect of boiling over on wizards at the rim (m/s, HP)
     double niche_radius{};              ///< greatest distance at which a wizard picks up an ingredient (m)
     Tick niche_again{};
+    Tick put_back{};  ///< time after which an ingredient that was put away is back in its niche (ticks)
     std::vector<Ingredient> ingredients;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numeric>
 
 #include "game/cauldron/ladle.h"
@@ -46,6 +47,68 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
                      .by = who,
                      .detail = niche.ingredient,
                      .place = place});
+}
+
+/// An ingredient that lies ready in a niche within a wizard's reach, other than the carried one; no_ingredient: none.
+std::uint32_t other_in_reach(const MatchContext& context, vec3 body, std::uint32_t carried, Tick tick) {
+    std::uint32_t other = no_ingredient;
+    double nearest = context.data.cauldron->niche_radius;
+    std::as_const(context.world)
+        .view<const Niche, const Motion>()
+        .each([&](const Niche& niche, const Motion& motion) {
+            if (tick < niche.back_at || niche.ingredient == carried) return;
+            const auto way = distance_on_floor(context.data.wizard, body, motion.position, nearest);
+            if (!way) return;
+            other = niche.ingredient;
+            nearest = *way;
+        });
+    return other;
+}
+
+/// Tells wizards who come to a niche why they cannot take what lies there: they carry something else.
+void refuse_second(MatchContext& context, Tick tick) {
+    context.world.view<const Wizard, const Motion, Pouch, ecs::Without<Dead>>().each(
+        [&](const Wizard& wizard, const Motion& motion, Pouch& pouch) {
+            const auto before = pouch.refused;
+            pouch.refused = other_in_reach(context, motion.position, pouch.ingredient, tick);
+            if (pouch.refused == before || pouch.refused == no_ingredient) return;
+            record(context, {.tick = tick,
+                             .kind = EventKind::hands_full,
+                             .subject = wizard.player,
+                             .by = wizard.player,
+                             .detail = pouch.refused,
+                             .place = motion.position});
+        });
+}
+
+/// Puts the carried ingredient away. It will lie in the nearest of its niches. So a wizard at that niche does not take it
+/// up again at once, and one at another niche has free hands for what lies there.
+void put_away(MatchContext& context, ecs::Entity e, std::uint32_t player, vec3 body, const Pouch& pouch,
+              Tick tick) {
+    Niche* home = nullptr;
+    double nearest = std::numeric_limits<double>::max();
+    context.world.view<Niche, const Motion>().each([&](Niche& niche, const Motion& motion) {
+        const double way = glm::distance(body, motion.position);
+        if (niche.ingredient != pouch.ingredient || way >= nearest) return;
+        home = &niche;
+        nearest = way;
+    });
+    if (home != nullptr) home->back_at = tick + context.data.cauldron->put_back;
+    context.world.commands().remove<Pouch>(e);
+    record(context, {.tick = tick,
+                     .kind = EventKind::put_away,
+                     .subject = player,
+                     .by = player,
+                     .detail = pouch.ingredient,
+                     .place = body});
+}
+
+/// Whether a wand of the wizard holds a thing. Then the button is for throwing that thing.
+bool holds_thing(const MatchContext& context, ecs::Entity wizard) {
+    const auto& wands = context.data.wands;
+    return std::any_of(wands.begin(), wands.end(), [&](const LoadedWand& wand) {
+        return static_cast<bool>(wand.rules->held_thing(context.world, wizard));
+    });
 }
 
 /// Drops the carried ingredient. Does nothing if all substances hold other ingredients.
@@ -244,6 +307,31 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     return is_thick(aura, cauldron) && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
 
+void add_put_away_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
+    auto reads = world.mask<Wizard, Controls, Motion, Dead, Ladle>();
+    for (const auto& wand : context.data.wands) reads |= wand.rules->writes(world);
+    const auto writes = world.mask<Niche, Pouch, EventLog, resource::Journal>();
+    schedule.add(
+        {.name = "put away",
+         .period = gameplay_period,
+         .reads = reads,
+         .writes = writes,
+         .needs = world.mask<Pouch>(),
+         .run = [&context](ecs::World& w, Tick tick) {
+             using input::Button;
+             w.view<const Wizard, const Controls, const Motion, const Pouch, ecs::Without<Dead>>().each(
+                 [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, const Motion& motion,
+                     const Pouch& pouch) {
+                     const bool asks = (controls.pressed & bit(Button::throw_)) != 0;
+                     const bool drops = (controls.pressed & bit(Button::fire)) != 0 &&
+                                        std::as_const(context.world).has<Ladle>(e);  // into the brew
+                     if (asks && !drops && !holds_thing(context, e))
+                         put_away(context, e, wizard.player, motion.position, pouch, tick);
+                 });
+         }});
+}
+
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "niches",
@@ -252,6 +340,7 @@ void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedul
                   .writes = world.mask<Niche, Pouch, EventLog, resource::Journal>(),
                   .needs = world.mask<Niche>(),
                   .run = [&context](ecs::World& w, Tick tick) {
+                      refuse_second(context, tick);
                       Takers takers{};
                       w.view<Niche, const Motion>().each([&](Niche& niche, const Motion& motion) {
                           if (tick >= niche.back_at) pick_up(context, niche, motion.position, tick, takers);

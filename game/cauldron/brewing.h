@@ -16,6 +16,10 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 /// stirring with the flow, the boon of a well-mixed brew, and spoiling. Every tick: lift on wizards near a light brew.
 void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
 
+/// Adds the system that puts a carried ingredient away when its wizard presses Throw and no wand holds a thing. It must
+/// come before the wands, which let go of a thing in the tick of the press.
+void add_put_away_system(MatchContext& context, ecs::Schedule& schedule);
+
 /// Tells whether the brew is light enough to lift wizards near it.
 bool is_light(const AuraRules& aura, const Cauldron& cauldron);
 /// Tells whether the brew is thick enough to slow wizards near it.

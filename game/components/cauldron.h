@@ -188,8 +188,12 @@ struct Niche {
 /// Ingredient carried by a wizard.
 struct Pouch {
     std::uint32_t ingredient{};
+    /// Ingredient of the niche at which the wizard stands with full hands, told once; no_ingredient: at none.
+    std::uint32_t refused{no_ingredient};
     static constexpr std::string_view name = "Pouch";
-    static constexpr auto fields() { return std::tuple(field("ingredient", &Pouch::ingredient)); }
+    static constexpr auto fields() {
+        return std::tuple(field("ingredient", &Pouch::ingredient), field("refused", &Pouch::refused));
+    }
 };
 
 }  // namespace thaum::game

@@ -85,7 +85,11 @@ enum class EventKind : std::uint32_t {
     poison = 36,       ///< poison hurts a wizard
     recipe_told = 37,  ///< a player learns a drawn recipe; detail: potion, then its ingredients, 8 bits each
     work_half = 38,    ///< a wizard holds half of the Great Work
-    work_lost = 39     ///< a wizard has lost it by death
+    work_lost = 39,    ///< a wizard has lost it by death
+    put_away = 40,     ///< a wizard has put a carried ingredient away; detail: its number
+    hands_full =
+        41,      ///< a wizard who carries one ingredient stands at the niche of another; detail: its number
+    caught = 42  ///< a wand has caught a thing that flew to its wizard; amount: its mass (kg)
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

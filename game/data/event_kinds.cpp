@@ -78,6 +78,11 @@ const RuleKind rule_kinds[] = {
      {.name = "recipe_told", .cause = {}, .with = EventWith::recipe, .has_subject = true}},
     {EventKind::work_half, {.name = "work_half", .cause = {}, .placed = true, .has_subject = true}},
     {EventKind::work_lost, {.name = "work_lost", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::put_away,
+     {.name = "put_away", .cause = {}, .with = EventWith::ingredient, .placed = true, .has_subject = true}},
+    {EventKind::hands_full,
+     {.name = "hands_full", .cause = {}, .with = EventWith::ingredient, .placed = true, .has_subject = true}},
+    {EventKind::caught, {.name = "caught", .cause = {}, .unit = "kg", .placed = true, .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/text.h"
+#include "game/data/control_words.h"
 #include "game/data/words_pattern.h"
 
 namespace thaum::game {
@@ -15,19 +16,31 @@ struct Known {
     std::string_view whose;
 };
 
-constexpr std::array<std::string_view, 11> word_names{
-    "by", "whom", "cause", "power_up", "amount", "gain", "spell", "potion", "effect", "fault", "recipe"};
+constexpr std::array<std::string_view, 12> word_names{"by",     "whom",  "cause",  "power_up",
+                                                      "amount", "gain",  "spell",  "potion",
+                                                      "effect", "fault", "recipe", "ingredient"};
 
-/// Reads words, and reports braces without a known name.
-std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback) {
+bool has_brace(std::string_view plain) { return plain.find_first_of("{}") != std::string_view::npos; }
+
+/// Whether all braces of the words are names of controls.
+bool only_controls_in_braces(std::string_view words) {
+    const auto pieces = control_pieces_of(words);
+    return std::none_of(pieces.begin(), pieces.end(),
+                        [](const auto& piece) { return has_brace(piece.plain); });
+}
+
+/// Reads words, and reports braces without a known name. `controls`: names of controls are known, too.
+std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback,
+                       bool controls = false) {
     auto words = table.string(key, std::move(fallback));
     for (const auto& piece : pieces_of(words)) {
-        if (piece.plain.find_first_of("{}") != std::string::npos)
+        if (controls ? !only_controls_in_braces(piece.plain) : has_brace(piece.plain))
             table.report(
                 key,
                 text("'", key,
                      "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, "
-                     "{effect}, {fault}, {recipe}"));
+                     "{effect}, {fault}, {recipe}, {ingredient}",
+                     controls ? ", and controls such as {fire}" : ""));
     }
     return words;
 }
@@ -35,7 +48,7 @@ std::string read_words(const ConfigTable& table, std::string_view key, std::stri
 EventRow read_row(const ConfigTable& table) {
     EventRow row;
     row.mark = static_cast<HudMark>(table.choice("mark", {"none", "hit", "fall", "warning", "gift"}, 0));
-    row.caption = read_words(table, "caption", "");
+    row.caption = read_words(table, "caption", "", row.mark == HudMark::gift);
     row.feed = read_words(table, "feed", "");
     row.feed_alone = read_words(table, "feed_alone", row.feed);
     row.feed_fall = read_words(table, "feed_fall", row.feed_alone);

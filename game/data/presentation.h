@@ -13,8 +13,8 @@
 //     sound = ""        # name of a sound of assets/sounds; may contain {power_up}
 //     tactile = ""      # name of an effect on the body (assets/tactile/effects)
 //
-// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect}, {fault} and
-// {recipe}. A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect}, {fault},
+// {recipe} and {ingredient}; the caption of a gift also controls (game/data/control_words.h). A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
 #pragma once
 #include <memory>
 #include <optional>
@@ -49,7 +49,8 @@ enum class EventWord : std::uint8_t {
     potion,
     effect,
     fault,
-    recipe
+    recipe,
+    ingredient
 };
 
 /// Plain words, and the name in braces that follows them.

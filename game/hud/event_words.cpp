@@ -50,6 +50,7 @@ std::string word_of(EventWord word, const Event& event, const PlayerNames& names
         case EventWord::effect: return effect_words(event, brew);
         case EventWord::fault: return std::string(words_of_fault(static_cast<BrewFault>(event.detail)));
         case EventWord::recipe: return words_of_order(brew, event.detail);
+        case EventWord::ingredient: return std::string(brew.ingredient(event.detail));
     }
     return {};
 }

@@ -24,9 +24,27 @@ const SpellStats* spell_in_need(const PlayerPicture& p) {
     return casting.first_spell;
 }
 
+/// Whether the brew wants the carried ingredient next, or there are no recipes.
+bool is_wanted(std::string_view carried, const RecipePicture& recipe) {
+    switch (recipe.step) {
+        case RecipeStep::none: return true;
+        case RecipeStep::choose:
+            return std::any_of(recipe.choice_ingredients.begin(),
+                               recipe.choice_ingredients.begin() + recipe.choices,
+                               [&](const auto& ingredients) { return ingredients[0] == carried; });
+        case RecipeStep::ingredient: return recipe.next == carried;
+        case RecipeStep::stroke:
+        case RecipeStep::spoilt: break;
+    }
+    return false;
+}
+
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
+    const bool at_brew = p.stirs || p.at_rim;
+    if (at_brew && !p.carries.empty() && !is_wanted(p.carries, p.recipe))
+        return Offer{PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
     if (p.stirs) {
         const bool too_soon = p.recipe.step == RecipeStep::ingredient && p.recipe.reached < p.recipe.least;
         if (p.carries.empty() || too_soon) return std::nullopt;
@@ -47,7 +65,9 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     const auto done = [&](PromptKind kind) { ++uses.of(player, kind); };
     if (before.lives != now.lives || now.dead) return;
     if (!before.stirs && now.stirs) done(PromptKind::stir);
-    if (now.stirs && !before.carries.empty() && now.carries.empty()) done(PromptKind::drop);
+    const bool hands_free = !before.carries.empty() && now.carries.empty();
+    const bool put_away = now.gift.kind == EventKind::put_away && now.gift.tick != before.gift.tick;
+    if (hands_free && (now.stirs || put_away)) done(put_away ? PromptKind::put_away : PromptKind::drop);
     if (!before.held && now.held) done(now.holds_thing ? PromptKind::lift : PromptKind::swing);
     const auto& reading = now.casting.reading;
     if (reading.outcome == StrokeOutcome::cast && reading.age_s < before.casting.reading.age_s)

@@ -23,8 +23,8 @@ struct ControlNames {
 /// control that toggles is "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
-enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing, cast };
-inline constexpr std::size_t prompt_kinds = 6;
+enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing, cast, put_away };
+inline constexpr std::size_t prompt_kinds = 7;
 
 /// When prompts are shown. The settings file has the names.
 enum class PromptWish : std::uint8_t { until_learnt, always, never };

@@ -416,9 +416,10 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     }
     add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
     const bool given = captions && p.since_gift_s <= gift_seconds;
-    const auto gift = given ? event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift,
-                                          settings.names, {}, picture.shown->brew)
-                            : std::string();
+    auto gift = given ? event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift,
+                                    settings.names, {}, picture.shown->brew)
+                      : std::string();
+    gift = with_controls(gift, settings.controls[player], *picture.shown);
     if (p.stirs || p.at_rim) {
         if (p.gift.kind == EventKind::brew_fault) add(gift, paints.light_red);
         add_brew_messages(picture, settings, player, all);

@@ -73,6 +73,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_wand_forces(context, live_);
     add_body_systems(context, live_);
     add_missile_systems(context, live_);
+    if (data_->cauldron) add_put_away_system(context, live_);
     add_belt_system(context, live_);
     add_casting_systems(context, live_);
     add_free_casting_systems(context, live_);

@@ -37,6 +37,7 @@ struct LiftData {
     /// Largest speed of a held thing by a turn of the view (m/s).
     double follow_speed{};
     double wheel{};  ///< distance per wheel step (m, world)
+    Tick caught{};   ///< time for which a thing that flew to the hand is held without fire (ticks)
     double metres_per_metre{}, finest{};
     double felt_stiffness{};  ///< stiffness felt at the device (N/m)
     double weight{};          ///< felt force per mass, the felt share of the weight (N/kg)
@@ -62,8 +63,8 @@ struct LiftHand {
     double metres_per_metre{};
     double impulse{};  ///< impulse of the spring that is not yet paid for by energy (N s)
     Tick next_blow{};
-    std::uint32_t caught{};  ///< 1: the thing came to the hand; it is held without fire until fire is pressed
-    std::uint32_t spare{};
+    /// Tick before which a thing that came to the hand is held without fire; 0: fire holds it.
+    Tick caught_until{};
     static constexpr std::string_view name = "LiftHand";
     static constexpr auto fields() {
         using H = LiftHand;
@@ -74,7 +75,7 @@ struct LiftHand {
                           field("base", &H::base), field("base_velocity", &H::base_velocity),
                           field("coupling", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
                           field("impulse", &H::impulse), field("next_blow", &H::next_blow),
-                          field("caught", &H::caught), field("spare", &H::spare));
+                          field("caught_until", &H::caught_until));
     }
 };
 
@@ -102,6 +103,7 @@ LiftData read(const ConfigTable& root) {
     data.follow_acceleration = hold.number("follow_deg_per_s2", {0, 1e6}) * radians_per_degree;
     data.follow_speed = hold.number("follow_m_s", {0, 1000});
     data.wheel = hold.number("wheel_m", {0, 10});
+    data.caught = ticks(hold.number("caught_s", {0, 3600}));
     const auto hand = root.table("hand");
     data.metres_per_metre = hand.number("metres_per_metre", {0.01, 1000});
     data.finest = hand.number("finest", {0.001, 1});
@@ -257,14 +259,21 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     if (auto* last = world.find<LastProp>(use.wizard)) last->thing = thing;
 }
 
-/// Takes a thing that has come near. It is held until fire is pressed and let go, or the thing is thrown.
+/// Takes a thing that has come near, and holds it without fire for some seconds. A press of fire holds it until fire is
+/// let go.
 bool catch_loose(const WandUse& use, const LiftData& data, ecs::Entity thing) {
     auto& world = use.context.world;
     auto& hand = world.get<LiftHand>(use.wizard);
     const bool light = use.context.physics.read().desc(thing.index).mass <= data.mass_max;
     if (hand.held || !light || !spend(world.get<WandBelt>(use.wizard), use.stats)) return false;
     take(use.context, data, use.wizard, thing, hand);
-    hand.caught = 1;
+    hand.caught_until = use.tick + data.caught;
+    record(use.context, {.tick = use.tick,
+                         .kind = EventKind::caught,
+                         .subject = std::as_const(world).get<Wizard>(use.wizard).player,
+                         .by = std::as_const(world).get<Wizard>(use.wizard).player,
+                         .amount = use.context.physics.read().desc(thing.index).mass,
+                         .place = std::as_const(world).get<Motion>(thing).position});
     return true;
 }
 
@@ -294,8 +303,9 @@ void fire(const WandUse& use, const LiftData& data) {
     go_on(use, data, controls, hand);
     if (!hand.held) return;
     if ((controls.pressed & input::bit(Button::throw_)) != 0) return throw_thing(use, data, hand);
-    if ((controls.pressed & input::bit(Button::fire)) != 0) hand.caught = 0;
-    const bool keeps = hand.caught != 0 || (controls.held & input::bit(Button::fire)) != 0;
+    const bool fires = ((controls.held | controls.pressed) & input::bit(Button::fire)) != 0;
+    if (fires) hand.caught_until = 0;
+    const bool keeps = fires || use.tick < hand.caught_until;
     if (!keeps) let_thing_go(use.context, use.wizard, hand);
 }
 

@@ -50,7 +50,7 @@ TEST(EventKinds, KindsOfTheGameKeepTheirNumbersAndNewOnesFollowByName) {
     EXPECT_EQ(static_cast<int>(hit_kind("bolt_hit")), 2);
     EXPECT_EQ(static_cast<int>(hit_kind("blast_hit")), 11);
     EXPECT_EQ(static_cast<int>(hit_kind("lob_hit")), 12);
-    constexpr int last = static_cast<int>(EventKind::work_lost);
+    constexpr int last = static_cast<int>(EventKind::caught);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_frost")), last + 1);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_hit")), last + 2);
     const std::vector<std::string_view> wanted{"bolt", "blast", "lob",   "blow", "fall",
@@ -80,7 +80,7 @@ TEST(EventKinds, NumbersDoNotDependOnTheOrderOfRegistration) {
     }
     EXPECT_EQ(first.kinds.back().name, "d_hit");
     EXPECT_EQ(first.kinds.back().cause_number,
-              first.kinds[static_cast<std::size_t>(EventKind::work_lost) + 1].cause_number)
+              first.kinds[static_cast<std::size_t>(EventKind::caught) + 1].cause_number)
         << "one cause for two hits";
 }
 
@@ -125,6 +125,10 @@ TEST(EventRows, EveryEventHasItsRowAndUnknownNamesAreErrorsWithTheirLine) {
     missing.erase(missing.find("[death]\n"), 8);
     EXPECT_NE(fault(missing).find("event 'death' has no row"), std::string::npos);
     EXPECT_NE(fault("[shot]\nfeed = \"{bye}\"\n").find("events.toml:3"), std::string::npos);
+    EXPECT_NE(fault("[shot]\ncaption = \"{throw}\"\n").find("events.toml:3"), std::string::npos);
+    EXPECT_EQ(fault(complete + "mark = \"gift\"\ncaption = \"{throw} {amount}\"\n"), "");
+    EXPECT_NE(fault(complete + "mark = \"gift\"\ncaption = \"{thro}\"\n").find("controls such as {fire}"),
+              std::string::npos);
     EXPECT_NE(fault("[shot]\nmark = \"cross\"\n").find("events.toml:3"), std::string::npos);
 }
 

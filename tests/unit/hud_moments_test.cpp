@@ -94,6 +94,22 @@ TEST(Messages, SayThatTheRimIsTooFar) {
     EXPECT_TRUE(has_text(overlay_of(picture, settings), words));
 }
 
+TEST(Messages, OfAGiftNameThePlayersOwnControls) {
+    auto picture = picture_of(*new_match());
+    auto& p = picture.wizards[0];
+    p.since_gift_s = 0.1;
+    HudSettings settings;
+    settings.captions = {true, true};
+    settings.controls[0] = {.fire = "LMB", .throw_ = "G"};
+    p.gift = {.kind = EventKind::hands_full, .subject = 0, .by = 0, .detail = 1};
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), "your hands are full: [G] takes salt instead"));
+    p.gift.kind = EventKind::put_away;
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), "the salt goes back to its niche"));
+    p.gift.kind = EventKind::caught;
+    EXPECT_TRUE(
+        has_text(overlay_of(picture, settings), "caught: [G] throws it, a press of [LMB] lets it go"));
+}
+
 TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     auto picture = picture_of(*new_match());
     HudSettings settings;

@@ -37,6 +37,30 @@ TEST(Prompts, NameTheControlOfWhatCanBeDone) {
     EXPECT_EQ(said_to(p), "");
 }
 
+TEST(Prompts, SayHowToPutAwayWhatTheBrewDoesNotWant) {
+    PlayerPicture p;
+    p.carries = "iron";
+    EXPECT_EQ(said_to(p), "") << "far from the cauldron";
+    p.at_rim = true;
+    EXPECT_EQ(said_to(p), "[E] Stir") << "no recipes";
+    p.recipe.step = RecipeStep::choose;
+    p.recipe.choices = 2;
+    p.recipe.choice_ingredients = {{{"ember", "iron", ""}, {"iron", "resin", ""}}};
+    EXPECT_EQ(said_to(p), "[E] Stir") << "one of the recipes begins with it";
+    p.recipe.choices = 1;
+    EXPECT_EQ(said_to(p), "[F] Put away iron");
+    p.recipe.step = RecipeStep::ingredient;
+    p.recipe.next = "salt";
+    p.stirs = true;
+    EXPECT_EQ(said_to(p), "[F] Put away iron");
+    p.recipe.next = "iron";
+    EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
+    for (const auto step : {RecipeStep::stroke, RecipeStep::spoilt}) {
+        p.recipe.step = step;
+        EXPECT_EQ(said_to(p), "[F] Put away iron");
+    }
+}
+
 TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
     const auto data = picture_of(*new_match()).shown;
     const auto filled = [&](std::string_view words) { return with_controls(words, names, *data); };
@@ -129,6 +153,12 @@ TEST(Prompts, UsesAreCountedFromWhatThePicturesShow) {
     start.wizards[0].stirs = true;
     start.wizards[0].carries = "iron";
     EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.carries = {}; }).of(0, PromptKind::drop), 1U);
+    const auto away = uses_of(start, [](PlayerPicture& p) {
+        p.carries = {};
+        p.gift = {.tick = 5, .kind = EventKind::put_away};
+    });
+    EXPECT_EQ(away.of(0, PromptKind::put_away), 1U);
+    EXPECT_EQ(away.of(0, PromptKind::drop), 0U);
     start = {};
     start.wizards[0].held = vec3(0);
     start.wizards[0].holds_thing = true;
