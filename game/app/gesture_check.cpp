@@ -45,12 +45,6 @@ int run_gesture_check(const std::vector<std::string>& words) {
     for (const auto& path : arguments->plain()) {
         auto gesture = gesture::load_gesture(path);
         if (!gesture) return refuse(gesture.error());
-        const auto same = std::find_if(gestures.begin(), gestures.end(),
-                                       [&](const auto& other) { return other.name == gesture->name; });
-        if (same != gestures.end())
-            return refuse({text(arguments->plain()[static_cast<std::size_t>(same - gestures.begin())],
-                                " and ", path, ": both have the name '", printable(gesture->name, 40),
-                                "'; change one, or leave a file out")});
         for (const auto& stroke : gesture->strokes) {
             depth =
                 depth || std::any_of(stroke.begin(), stroke.end(), [](const auto& p) { return p.at.z != 0; });

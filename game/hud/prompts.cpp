@@ -24,26 +24,16 @@ const SpellStats* spell_in_need(const PlayerPicture& p) {
     return casting.first_spell;
 }
 
-/// Whether the brew wants the carried ingredient next, or there are no recipes.
-bool is_wanted(std::string_view carried, const RecipePicture& recipe) {
-    switch (recipe.step) {
-        case RecipeStep::none: return true;
-        case RecipeStep::choose:
-            return std::any_of(recipe.choice_ingredients.begin(),
-                               recipe.choice_ingredients.begin() + recipe.choices,
-                               [&](const auto& ingredients) { return ingredients[0] == carried; });
-        case RecipeStep::ingredient: return recipe.next == carried;
-        case RecipeStep::stroke:
-        case RecipeStep::spoilt: break;
-    }
-    return false;
+/// Whether the carried ingredient would spoil the recipe that is begun.
+bool would_spoil(std::string_view carried, const RecipePicture& recipe) {
+    return recipe.step == RecipeStep::stroke ||
+           (recipe.step == RecipeStep::ingredient && recipe.next != carried);
 }
 
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
-    const bool at_brew = p.stirs || p.at_rim;
-    if (at_brew && !p.carries.empty() && !is_wanted(p.carries, p.recipe))
+    if (p.stirs && !p.carries.empty() && would_spoil(p.carries, p.recipe))
         return Offer{PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
     if (p.stirs) {
         const bool too_soon = p.recipe.step == RecipeStep::ingredient && p.recipe.reached < p.recipe.least;

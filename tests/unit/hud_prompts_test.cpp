@@ -37,28 +37,24 @@ TEST(Prompts, NameTheControlOfWhatCanBeDone) {
     EXPECT_EQ(said_to(p), "");
 }
 
-TEST(Prompts, SayHowToPutAwayWhatTheBrewDoesNotWant) {
+TEST(Prompts, SayHowToPutAwayWhatWouldSpoilTheRecipe) {
     PlayerPicture p;
     p.carries = "iron";
-    EXPECT_EQ(said_to(p), "") << "far from the cauldron";
     p.at_rim = true;
-    EXPECT_EQ(said_to(p), "[E] Stir") << "no recipes";
-    p.recipe.step = RecipeStep::choose;
-    p.recipe.choices = 2;
-    p.recipe.choice_ingredients = {{{"ember", "iron", ""}, {"iron", "resin", ""}}};
-    EXPECT_EQ(said_to(p), "[E] Stir") << "one of the recipes begins with it";
-    p.recipe.choices = 1;
+    p.recipe.step = RecipeStep::stroke;
+    EXPECT_EQ(said_to(p), "[E] Stir");
+    p.stirs = true;
     EXPECT_EQ(said_to(p), "[F] Put away iron");
     p.recipe.step = RecipeStep::ingredient;
     p.recipe.next = "salt";
-    p.stirs = true;
     EXPECT_EQ(said_to(p), "[F] Put away iron");
+    for (const auto step : {RecipeStep::none, RecipeStep::choose, RecipeStep::spoilt}) {
+        p.recipe.step = step;
+        EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
+    }
+    p.recipe.step = RecipeStep::ingredient;
     p.recipe.next = "iron";
     EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
-    for (const auto step : {RecipeStep::stroke, RecipeStep::spoilt}) {
-        p.recipe.step = step;
-        EXPECT_EQ(said_to(p), "[F] Put away iron");
-    }
 }
 
 TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
