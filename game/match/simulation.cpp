@@ -105,6 +105,9 @@ void Simulation::tick(const input::InputFrame& frame) {
     publish_models(context_, brew_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
+    // A state that is saved at a keyframe must have the impulses that systems gave to bodies after the step of physics,
+    // such as those of a recalled thing in its flight.
+    if (now_ % keyframe_interval == 0) copy_places(context_);
 }
 
 void Simulation::keyframe() {

@@ -225,6 +225,42 @@ TEST(Casting, TheSpaceIsViscousWhileAStrokeIsDrawn) {
     EXPECT_EQ(drawer.match.world().get<HandState>(drawer.wizard()).servo.viscosity, 0);
 }
 
+TEST(Casting, ARecallGoesOnFromAKeyframeToTheSameBits) {
+    Simulation match(data(), two_hands());
+    auto& world = match.world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    const vec3 from = std::as_const(world).get<Motion>(wizard).position;
+    ecs::Entity thing;
+    world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body& body) {
+        if (body.mass > 0 && body.mass < 20) thing = e;
+    });
+    ASSERT_TRUE(thing);
+    const auto key_chord = [&](int t) {  // the chord of the star
+        input::InputFrame frame;
+        if (t >= 1900 && t < 1960) frame.devices[0].press(input::Button::trace);
+        frame.devices[0].wand = t >= 1930 && t < 1940 ? 4 : 0;
+        return frame;
+    };
+    for (int t = 0; t < 1900; ++t) match.tick(key_chord(t));
+    world.get<LastProp>(wizard).thing = thing;
+    auto& motion = world.get<Motion>(thing);
+    motion = {};
+    motion.position = from * vec3(0.3, 1, 0.3);
+    match.physics().set_state(thing.index, motion);
+    for (int t = 1900; t < 2048; ++t) match.tick(key_chord(t));
+    ASSERT_GT(glm::length(std::as_const(world).get<Motion>(thing).velocity), 1) << "it flies";
+    Bytes saved;
+    match.save(saved);
+    Simulation restored(data(), two_hands());
+    ASSERT_TRUE(restored.restore(saved, match.now()));
+    EXPECT_EQ(restored.state_hash(), match.state_hash());
+    for (int t = 0; t < 200; ++t) {
+        match.tick({});
+        restored.tick({});
+        ASSERT_EQ(restored.state_hash(), match.state_hash()) << t;
+    }
+}
+
 TEST(Casting, TwoGesturesOfOneNameAreRefusedWithTheirFiles) {
     namespace fs = std::filesystem;
     auto folder = (fs::temp_directory_path() / "thaum-gestures-XXXXXX").string();
