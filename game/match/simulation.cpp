@@ -31,7 +31,9 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 void add_hand_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     if (context.data.cauldron) add_stir_system(context, brew, schedule);
     add_hand_system(context, brew, schedule);
-    if (context.data.cauldron) add_ladle_system(context, schedule);
+    if (!context.data.cauldron) return;
+    add_ladle_system(context, schedule);
+    add_put_away_system(context, schedule);
 }
 
 void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
@@ -73,7 +75,6 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_wand_forces(context, live_);
     add_body_systems(context, live_);
     add_missile_systems(context, live_);
-    if (data_->cauldron) add_put_away_system(context, live_);
     add_belt_system(context, live_);
     add_casting_systems(context, live_);
     add_free_casting_systems(context, live_);

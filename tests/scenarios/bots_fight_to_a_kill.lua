@@ -1,5 +1,5 @@
 -- Two bots of high levels find each other, shoot and pick up what they need, and one of them dies.
-match {set = {"quick.kills=1"}, seed = 2, players = {"bot 3", "bot 2"}}
+match {set = {"quick.kills=1"}, seed = 6, players = {"bot 3", "bot 2"}}
 trace("fight", {"1.health", "2.health", "1.energy", "2.energy"})
 wait_until(function() return round_over() end, 240)
 local over, how, winner = round_over()
