@@ -119,9 +119,15 @@ WandSounds read_wand_sounds(const ConfigTable& wand) {
 
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell) {
     const auto table = spell.table("event");
+    const auto sign = spell.table("look").choice("sign", {spell_signs.begin(), spell_signs.end()}, 0);
     return {.name = std::string(name),
             .sound = table.string("sound", ""),
-            .tactile = table.string("tactile", "")};
+            .tactile = table.string("tactile", ""),
+            .sign = static_cast<SpellSign>(sign)};
+}
+
+SpellSign sign_of(const Presentation& shown, std::uint32_t spell) {
+    return spell < shown.spells.size() ? shown.spells[spell].sign : SpellSign::none;
 }
 
 const EventRow& row_of(const EventRows& rows, EventKind kind) {

@@ -16,6 +16,7 @@
 // Words may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, {effect}, {fault},
 // {recipe} and {ingredient}; the caption of a gift also controls (game/data/control_words.h). A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,17 +95,27 @@ struct WandPresentation {
 /// Name of a sound or an effect that stands for the one of the spell concerned.
 inline constexpr std::string_view of_spell = "{spell}";
 
+/// What is seen of a spell in the world.
+enum class SpellSign : std::uint8_t {
+    none,
+    shell,  ///< a shell round the caster while the caster's shield lasts
+    beads,  ///< beads of light from the thing that flies back to the caster
+    dust    ///< dust before the caster
+};
+inline constexpr std::array<std::string_view, 4> spell_signs{"none", "shell", "beads", "dust"};
+
 /// How one spell is shown, heard and felt.
 struct SpellPresentation {
     std::string name;       ///< assets/spells/NAME.toml
     std::string sound;      ///< name of a sound of assets/sounds; empty: none
     std::string tactile;    ///< name of an effect on the caster's body; empty: none
+    SpellSign sign{};       ///< key `sign` of the table `look`; default: "none"
     std::string shown{};    ///< name on the screen
     std::string gesture{};  ///< name of the gesture that casts it
     std::uint32_t slot{};   ///< key of its chord, 0 to wand_slots - 1
     double focus{};         ///< focus of a gentle cast
 };
-/// Reads what is heard and felt, from the table `event` of the spell's data file.
+/// Reads what is seen, heard and felt, from the tables `look` and `event` of the spell's data file.
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell);
 
 /// How a match is shown.
@@ -115,6 +126,9 @@ struct Presentation {
     std::vector<WandPresentation> wands;  ///< in the order of MatchData::wands
     BrewWords brew;
 };
+
+/// Sign of a spell by its number; none for a number without a spell.
+SpellSign sign_of(const Presentation& shown, std::uint32_t spell);
 
 /// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.
 EventRows read_event_rows(const Config& file);

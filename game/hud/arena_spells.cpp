@@ -145,7 +145,7 @@ void add_dust(const ArenaScene& arena_scene, const Picture& picture, std::vector
     constexpr int puffs = 16;
     for (std::uint32_t c = 0; c < picture.cast_count; ++c) {
         const auto& cast = picture.casts[c];
-        if (cast.spell != "push" || cast.age_s >= push_seconds) continue;
+        if (cast.sign != SpellSign::dust || cast.age_s >= push_seconds) continue;
         const double age = cast.age_s / push_seconds, yaw = picture.wizards[cast.player % players].yaw;
         for (int i = 0; i < puffs; ++i) {
             const double aside = 0.6 * (2.0 * (i % 8) / 7 - 1), far = (0.5 + 4.7 * age) * (i < 8 ? 1 : 0.7);

@@ -327,7 +327,7 @@ void note(const EventJournal& events, std::uint64_t number, double age_s, Pictur
     if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
         out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
     if (event.kind == EventKind::cast && age_s < cast_seconds && out.cast_count < out.casts.size())
-        out.casts[out.cast_count++] = {age_s, event.subject, name_of_spell(event.detail), event.amount,
+        out.casts[out.cast_count++] = {age_s, event.subject, sign_of(*out.shown, event.detail), event.amount,
                                        event.place};
     if (!feed_pattern(row, event).empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
         out.feed[out.feed_lines++] = {age_s, event, thing_that_killed(events, number)};

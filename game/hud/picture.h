@@ -68,9 +68,9 @@ inline constexpr double cast_seconds = 1;
 struct CastShown {
     double age_s{};
     std::uint32_t player{};
-    std::string_view spell{};  ///< name of the spell's kind
-    double strength{};         ///< 1 for a gentle stroke
-    vec3 place{};              ///< middle of the caster's body
+    SpellSign sign{};
+    double strength{};  ///< 1 for a gentle stroke
+    vec3 place{};       ///< middle of the caster's body
 };
 
 /// A cloud of fog.
