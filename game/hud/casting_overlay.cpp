@@ -105,6 +105,24 @@ void add_stroke(Overlay& out, const CastingPicture& casting, std::uint32_t playe
             ArcItem{page.at(stroke.points[stroke.count - 1]), 0, 4.5F * u, 0, whole_turn, paints.white});
 }
 
+void add_free_trail(Overlay& out, const CastingPicture& casting, std::uint32_t player, const ViewLayout& l) {
+    const auto& free = casting.free;
+    if (free.count < 2 || casting.stroke.drawing) return;
+    const auto edge = static_cast<float>(std::min(l.view.width, l.view.height));
+    const auto& newest = free.trail[free.count - 1];
+    const auto at = [&](fvec3 p) {
+        const fvec2 way = usual_share * edge / usual_size * fvec2(p.x - newest.x, newest.y - p.y);
+        const float most = most_share * edge / 2;
+        return l.centre + glm::clamp(way, fvec2(-most), fvec2(most));
+    };
+    const auto paint = team_colours(player).light;
+    for (std::uint32_t i = 1; i < free.count; ++i) {
+        const float age = 1 - static_cast<float>(i) / static_cast<float>(free.count - 1);
+        out.items.emplace_back(LineItem{at(free.trail[i - 1]), at(free.trail[i]),
+                                        std::max(1.5F, 1.5F * l.unit), opaque(paint, 0.4F * (1 - age))});
+    }
+}
+
 void add_force_band(Overlay& out, const CastingPicture& casting, const ViewLayout& l) {
     const auto& stroke = casting.stroke;
     if (!stroke.drawing) return;

@@ -5,6 +5,10 @@
 
 namespace thaum::game {
 
+/// Adds the way of a hand that may cast without a button, faintly. It ends at the crosshair, and its older part fades.
+void add_free_trail(render::Overlay& out, const CastingPicture& casting, std::uint32_t player,
+                    const ViewLayout& l);
+
 /// Adds the stroke of a hand that draws in the air, round the crosshair. It is the wider and the brighter the more
 /// force it has. A finished stroke fades: green if it was read, grey and broken if not.
 void add_stroke(render::Overlay& out, const CastingPicture& casting, std::uint32_t player,

@@ -5,6 +5,7 @@
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/cauldron/ladle.h"
+#include "game/data/presentation.h"
 #include "game/hud/event_words.h"
 #include "game/match/simulation.h"
 
@@ -37,6 +38,13 @@ void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out
     }
 }
 
+/// Puts the force of a key chord in place of the stroke's, if a chord was pressed during the stroke.
+void take_chord(const Simulation& match, ecs::Entity wizard, const DrawnStroke& drawn, StrokePicture& out) {
+    const auto* last = match.world().find<LastReading>(wizard);
+    out.chord = drawn.over != 0 && last != nullptr && last->at >= std::max<Tick>(drawn.began, 1);
+    if (out.chord) out.force_now = out.force_mean = last->force;
+}
+
 void take_stroke(const Simulation& match, ecs::Entity wizard, std::uint32_t player, StrokePicture& out) {
     out.count = 0;
     out.drawing = false;
@@ -55,6 +63,7 @@ void take_stroke(const Simulation& match, ecs::Entity wizard, std::uint32_t play
     if (drawn == nullptr) return;
     out.on_brew = drawn->on_brew != 0;
     choose_points(*drawn, out);
+    take_chord(match, wizard, *drawn, out);
     find_places(match, wizard, out);
 }
 
@@ -93,6 +102,28 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     }
 }
 
+/// Takes the way of a hand that may cast without a button, and its last near miss.
+void take_free(const Simulation& match, ecs::Entity wizard, FreePicture& out) {
+    constexpr std::uint32_t shown = 125;  // points of one second
+    out.count = 0;
+    out.miss_age_s = 1e6;
+    const auto& world = match.world();
+    const auto* miss = world.find<NearMiss>(wizard);
+    const auto played = match.match().played;
+    if (miss != nullptr && miss->at != 0 && played >= miss->at) {
+        out.miss = *miss;
+        out.miss_age_s = seconds(played - miss->at);
+    }
+    const auto* hand = world.find<FreeHand>(wizard);
+    if (hand == nullptr || hand->count == 0) return;
+    const auto points = std::min(hand->count, shown);
+    out.count = std::min<std::uint32_t>(points, FreePicture::most_points);
+    for (std::uint32_t i = 0; i < out.count; ++i) {
+        const auto back = out.count > 1 ? (out.count - 1 - i) * (points - 1) / (out.count - 1) : 0;
+        out.trail[i] = hand->points[(hand->first + hand->count - 1 - back) % free_points];
+    }
+}
+
 /// Number of the first event of the last `age` ticks.
 std::uint64_t first_since(const EventJournal& events, Tick played, Tick age) {
     auto i = events.count();
@@ -113,7 +144,9 @@ void take_ward(const Simulation& match, const Health& health, std::uint32_t play
     for (auto i = first_since(events, played, longest); i < events.count(); ++i) {
         const auto& event = events[i];
         if (event.subject != player) continue;
-        if (event.kind == EventKind::cast && name_of_spell(event.detail) == "shield") taken = 0;
+        if (event.kind == EventKind::cast &&
+            sign_of(*match.data().presentation, event.detail) == SpellSign::shell)
+            taken = 0;
         if (event.kind != EventKind::held_off) continue;
         taken += event.amount;
         if (!flash || event.tick >= *flash + ticks(flash_apart_seconds)) flash = event.tick;
@@ -128,7 +161,7 @@ std::optional<vec3> recalled_thing(const Simulation& match, ecs::Entity wizard,
                                    const ReadingPicture& reading) {
     constexpr double longest_s = 0.8;
     const bool recalls = reading.outcome == StrokeOutcome::cast && reading.age_s < longest_s &&
-                         name_of_spell(reading.event.detail) == "recall";
+                         sign_of(*match.data().presentation, reading.event.detail) == SpellSign::beads;
     const auto* last = recalls ? match.world().find<LastProp>(wizard) : nullptr;
     const auto* motion = last != nullptr && last->thing ? match.world().find<Motion>(last->thing) : nullptr;
     return motion == nullptr ? std::nullopt : std::optional(motion->position);
@@ -153,6 +186,7 @@ void take_casting(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     take_ward(match, match.world().get<Health>(wizard), player, out);
     take_stroke(match, wizard, player, out.stroke);
     take_reading(match, wizard, player, out.reading);
+    take_free(match, wizard, out.free);
     out.recalled = recalled_thing(match, wizard, out.reading);
 }
 

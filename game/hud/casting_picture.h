@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "game/components/casting.h"
+#include "game/components/free_hand.h"
 #include "game/components/match.h"
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
@@ -37,6 +38,7 @@ struct StrokePicture {
     double since_end_s{};  ///< time since the end of a finished stroke
     double force_now{};    ///< force at the newest point (N)
     double force_mean{};   ///< mean force along the stroke, which decides between gentle and harsh (N)
+    bool chord{};  ///< a key chord has taken the stroke's place, and the forces are those of the chord
     /// The points on the brew (m, world); of a stroke of the ladle only.
     std::array<fvec3, most_points> places{};
 };
@@ -60,6 +62,16 @@ struct ReadingPicture {
     std::string refusal{};  ///< why the spell has nothing to act on; empty: unknown
 };
 
+/// The hand of a wizard who casts without a button.
+struct FreePicture {
+    static constexpr std::size_t most_points = 64;
+    /// Way of the hand in the last second, evenly chosen, the newest point last; the first `count` (m).
+    std::array<fvec3, most_points> trail{};
+    std::uint32_t count{};
+    double miss_age_s{1e6};  ///< time since the hand last almost cast a spell
+    NearMiss miss{};
+};
+
 struct CastingPicture {
     bool there{};  ///< the match has spells
     double focus{}, focus_cap{};
@@ -69,6 +81,7 @@ struct CastingPicture {
     std::optional<vec3> recalled{};  ///< place of a thing that flies to the wizard (m)
     StrokePicture stroke;
     ReadingPicture reading;
+    FreePicture free;
     std::shared_ptr<const GestureSet> gestures;  ///< the wizard's own gestures, or those of the match
     const SpellStats* first_spell{};             ///< the spell of the first chord; null without spells
     const CastingRules* rules{};                 ///< of the match's data; null without spells

@@ -9,15 +9,9 @@
 namespace thaum::game {
 namespace {
 
-/// A probability in whole per cent. Only a certain reading has 100 %.
-std::string percent(double probability) {
-    const auto whole = std::lround(100 * probability);
-    return text(probability < 1 && whole == 100 ? 99 : whole, " %");
-}
-
 std::string gesture_and_percent(const CastingPicture& casting, std::uint32_t gesture) {
     const auto name = shown_gesture(casting, gesture);
-    return text(name.empty() ? "Own gesture" : name, " ", percent(casting.reading.probability));
+    return text(name.empty() ? "Own gesture" : name, " ", whole_percent(casting.reading.probability), " %");
 }
 
 /// Name of the spell that the gesture casts; empty if it casts none.
@@ -50,7 +44,31 @@ std::string words_on_brew(const CastingPicture& casting) {
     return text(words, ", ", force_word(*casting.rules, reading.force));
 }
 
+/// Why a hand without a button cast nothing, in words.
+std::string_view words_of(Miss reason) {
+    switch (reason) {
+        case Miss::none: break;
+        case Miss::unclear: return "unclear";
+        case Miss::too_fast: return "too fast";
+        case Miss::too_small: return "too small";
+        case Miss::too_soon: return "too soon after the last spell";
+    }
+    return {};
+}
+
+/// Words for a gesture that a hand without a button nearly cast: "almost: Star 60 %, unclear".
+std::string words_of_near_miss(const CastingPicture& casting) {
+    const auto& miss = casting.free.miss;
+    return text("almost: ", shown_gesture(casting, miss.gesture), " ", whole_percent(miss.probability),
+                " %, ", words_of(miss.reason));
+}
+
 }  // namespace
+
+int whole_percent(double probability) {
+    const auto whole = static_cast<int>(std::lround(100 * probability));
+    return probability < 1 && whole == 100 ? 99 : whole;
+}
 
 std::string_view force_word(const CastingRules& rules, double force) {
     if (force < rules.gentle_below) return "gentle";
@@ -59,7 +77,10 @@ std::string_view force_word(const CastingRules& rules, double force) {
 
 StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown) {
     const auto& reading = casting.reading;
-    if (!casting.there || casting.rules == nullptr || reading.age_s > reading_seconds) return {};
+    if (!casting.there || casting.rules == nullptr) return {};
+    const double missed_s = casting.free.miss_age_s;
+    if (missed_s < reading.age_s && missed_s <= reading_seconds) return {words_of_near_miss(casting), true};
+    if (reading.age_s > reading_seconds) return {};
     const auto spell = spell_of(casting, shown);
     const auto about = text(gesture_and_percent(casting, reading.gesture), ": ", spell);
     switch (reading.outcome) {

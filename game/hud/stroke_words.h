@@ -1,5 +1,6 @@
 // game/hud/stroke_words.h: the caption after a stroke. It says what was read, how sure that is, and what came of it:
-// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus".
+// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A hand that casts
+// without a button has a caption where it nearly cast something: "almost: Star 60 %, unclear".
 #pragma once
 #include <string>
 
@@ -10,6 +11,9 @@ namespace thaum::game {
 
 /// Word for the force of a stroke: "gentle", "normal" or "harsh".
 std::string_view force_word(const CastingRules& rules, double force);
+
+/// A probability in whole per cent, as captions and the gesture wall show it. Only a certain reading has 100.
+int whole_percent(double probability);
 
 struct StrokeCaption {
     std::string words;  ///< empty: no stroke was read just now

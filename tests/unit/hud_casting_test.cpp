@@ -171,6 +171,72 @@ TEST(Focus, ItsNumberStandsBesideTheHealth) {
     EXPECT_TRUE(has_text(casting_overlay_of(picture), "37"));
 }
 
+TEST(FreeCaption, SaysWhatWasAlmostCastAndWhyNot) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    auto& miss = casting.free.miss;
+    miss = {.at = 1, .probability = 0.6, .gesture = gesture_number(casting, "star"), .reason = Miss::unclear};
+    casting.free.miss_age_s = 0.3;
+    const auto said = [&] { return stroke_caption(casting, *picture.shown).words; };
+    EXPECT_EQ(said(), "almost: Star 60 %, unclear");
+    EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
+    miss.reason = Miss::too_fast;
+    EXPECT_EQ(said(), "almost: Star 60 %, too fast");
+    miss.reason = Miss::too_small;
+    EXPECT_EQ(said(), "almost: Star 60 %, too small");
+    casting.reading = reading_of(casting, StrokeOutcome::cast, "circle", 0.97, 0.6);
+    EXPECT_EQ(said(), "Circle 97 %: Shield, gentle") << "the newer one counts";
+    casting.reading.age_s = 1;
+    EXPECT_EQ(said(), "almost: Star 60 %, too small");
+    casting.free.miss_age_s = reading_seconds + 0.1;
+    EXPECT_EQ(said(), "Circle 97 %: Shield, gentle");
+}
+
+TEST(FreeTrail, IsFaintEndsAtTheCrosshairAndGivesWayToAStroke) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    const auto layout = *lay_out({}, {1280, 720}, 5).views[0];
+    const auto trail = [&] {
+        render::Overlay out;
+        add_free_trail(out, casting, 0, layout);
+        return out;
+    };
+    EXPECT_TRUE(trail().items.empty()) << "a hand that needs a button";
+    casting.free.count = 30;
+    for (std::uint32_t i = 0; i < casting.free.count; ++i)
+        casting.free.trail[i] = fvec3(0.002F * static_cast<float>(i), 3, 0);
+    const auto drawn = trail();
+    ASSERT_EQ(drawn.items.size(), 29U);
+    const auto& last = std::get<render::LineItem>(drawn.items.back());
+    EXPECT_NEAR(last.to.x, layout.centre.x, 0.01);
+    EXPECT_NEAR(last.to.y, layout.centre.y, 0.01);
+    EXPECT_LT(std::get<render::LineItem>(drawn.items.front()).to.x, layout.centre.x);
+    EXPECT_LE(last.colour.a, 0.4F);
+    EXPECT_LT(std::get<render::LineItem>(drawn.items.front()).colour.a, last.colour.a);
+    draw_arc(casting.stroke, 0.3F);
+    EXPECT_TRUE(trail().items.empty());
+}
+
+TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
+    auto match = new_match();
+    const auto wizard = wizard_of(match->world(), 0);
+    match->tick({});
+    auto& world = match->world_to_change();
+    world.add(wizard, DrawnStroke{.began = 1, .count = 2, .over = 1});
+    CastingPicture casting;
+    take_casting(*match, wizard, 0, casting);
+    EXPECT_FALSE(casting.stroke.chord) << "nothing was read since the stroke began";
+    world.get<LastReading>(wizard) = {.at = 1, .probability = 1, .force = 1.5, .gesture = 0, .nearest = 0};
+    take_casting(*match, wizard, 0, casting);
+    EXPECT_TRUE(casting.stroke.drawing && casting.stroke.chord);
+    EXPECT_EQ(force_word(*casting.rules, casting.stroke.force_mean), "harsh");
+    casting.there = true;
+    auto picture = new_casting_picture();
+    picture.wizards[0].casting = casting;
+    EXPECT_TRUE(has_text(casting_overlay_of(picture), "harsh"));
+    EXPECT_FALSE(has_text(casting_overlay_of(picture), "gentle"));
+}
+
 /// Lines of an overlay between two heights of the first view, which the HUD without strokes does not have.
 std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& layout, render::Overlay& out) {
     out.items.clear();
