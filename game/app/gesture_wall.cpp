@@ -8,6 +8,7 @@
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/components/casting.h"
+#include "game/context/match_context.h"
 #include "game/hud/stroke_words.h"
 #include "gesture/comparison.h"
 
@@ -18,6 +19,7 @@ using game::practising;
 
 constexpr Tick shown_after = ticks(8.0);
 constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
+constexpr double hasty = 0.35;              // time of a stroke that was drawn too fast to be read well (s)
 
 std::string words_of_force(const game::CastingRules& rules, double force) {
     return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
@@ -59,6 +61,21 @@ void GestureWall::list(const game::Simulation& match) {
     gestures_ = std::make_shared<const std::vector<game::WallGesture>>(std::move(gestures));
 }
 
+std::string GestureWall::words_of_haste() const {
+    return text("too fast: ", fixed(stroke_.back().t, 1), " s; take a second");
+}
+
+/// Shows why a stroke was not even read.
+void GestureWall::refuse(const game::Simulation& match) {
+    lines_.clear();
+    chosen_ = -1;
+    if (stroke_.empty()) return;
+    if (stroke_.back().t < seconds(match.data().casting->shortest))
+        lines_.push_back(words_of_haste());
+    else
+        lines_.emplace_back("too small: draw 5 to 10 cm with the hand");
+}
+
 /// Shows the newest reading: the gesture, its score, and what to do better.
 void GestureWall::read(const game::Simulation& match) {
     const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
@@ -71,7 +88,7 @@ void GestureWall::read(const game::Simulation& match) {
     }
     const auto& nearest = listed_->gestures()[reading.nearest];
     chosen_ = static_cast<int>(reading.nearest);
-    const int score = static_cast<int>(std::lround(100 * reading.probability));
+    const int score = game::whole_percent(reading.probability);
     const bool meant = reading.gesture != game::no_gesture;
     scores_[reading.nearest] = score;
     const auto& spell = (*gestures_)[reading.nearest].spell;
@@ -80,6 +97,8 @@ void GestureWall::read(const game::Simulation& match) {
                               words_of_force(*match.data().casting, reading.force)));
     else
         lines_.push_back(text("not sure: the nearest is ", nearest.name, ", ", score, " %"));
+    if (chord_) return lines_.emplace_back("a key chord: nothing was drawn"), void();
+    if (!meant && !stroke_.empty() && stroke_.back().t < hasty) lines_.push_back(words_of_haste());
     for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest),
                                          by_bands_of(*match.data().casting, nearest), reading.force))
         lines_.push_back(std::move(line));
@@ -128,7 +147,10 @@ void GestureWall::follow(const game::Simulation& match) {
     const auto* drawn = world.find<game::DrawnStroke>(wizard);
     const auto now = match.match().played;
     if (drawn != nullptr) {
+        // At the cauldron the card guides the strokes (hud/rim_card.h).
+        if (drawn->on_brew != 0) return;
         if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
+        chord_ = drawn->over != 0;
         drawing_ = true;
         shown_until_ = now + shown_after;
         return;
@@ -139,6 +161,8 @@ void GestureWall::follow(const game::Simulation& match) {
         keep(match);
     else if (world.get<game::LastReading>(wizard).at != read_at_)
         read(match);
+    else
+        refuse(match);
 }
 
 void GestureWall::show(const game::Simulation& match, game::GestureWallPicture& picture) const {

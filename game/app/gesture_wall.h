@@ -27,6 +27,8 @@ public:
 
 private:
     void read(const game::Simulation& match);
+    void refuse(const game::Simulation& match);
+    std::string words_of_haste() const;
     void keep(const game::Simulation& match);
     void list(const game::Simulation& match);
     void tell_recording();
@@ -36,6 +38,7 @@ private:
     std::vector<int> scores_{};
     std::vector<gesture::StrokePoint> stroke_{};
     bool drawing_ = false;
+    bool chord_ = false;  ///< a key chord took the place of the newest stroke
     int chosen_ = -1;
     Tick read_at_{};  ///< LastReading::at of the newest reading that was shown
     Tick shown_until_{};

@@ -41,7 +41,8 @@ WallLayout lay_out_wall(const Panel& box, std::size_t gestures, float u) {
 std::string title_of(const GestureWallPicture& wall, std::size_t i) {
     const auto& g = (*wall.gestures)[i];
     const int score = i < wall.scores.size() ? wall.scores[i] : -1;
-    return text(g.name, g.own ? " (yours)" : "", score >= 0 ? text(" ", score, " %") : std::string());
+    return text(g.name, g.spell.empty() ? "" : ": ", g.spell, g.own ? " (yours)" : "",
+                score >= 0 ? text(" ", score, " %") : std::string());
 }
 
 void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t i, const Panel& cell,
@@ -67,6 +68,8 @@ void add_cell(render::Overlay& out, const GestureWallPicture& wall, std::size_t 
 
 void add_gesture_wall(render::Overlay& out, const GestureWallPicture& wall, const Panel& box, float unit) {
     if (!wall.on || !wall.gestures) return;
+    constexpr float least_high = 240;  // units
+    unit = std::min(unit, (box.high.y - box.low.y) / least_high);
     const auto l = lay_out_wall(box, wall.gestures->size(), unit);
     out.items.emplace_back(render::RectItem{box.low, box.high, paints.plate, 12 * unit});
     for (std::size_t i = 0; i < wall.gestures->size(); ++i) add_cell(out, wall, i, l.cell_at(i), unit);

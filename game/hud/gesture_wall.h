@@ -1,8 +1,8 @@
 // game/hud/gesture_wall.h: the gesture wall of the range on the screen: each gesture with its ghost, the newest stroke over
 // the gesture that it was read as, and what to do better.
 //
-//     circle 97 %   s
-//     star          v        a ghost in each cell; the chosen one is framed
+//     circle: Shield 97 %   s: Fog
+//     star: Recall          v: Push   a ghost in each cell; the chosen one is framed
 //     Shield, gentle         what was read
 //     end where you began    what to do better
 #pragma once

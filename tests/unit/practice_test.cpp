@@ -15,6 +15,7 @@
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/hud/layout.h"
+#include "game/hud/stroke_words.h"
 
 namespace thaum::app {
 namespace {
@@ -405,6 +406,33 @@ TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     EXPECT_EQ(wall.lines[1], "well drawn");
     player.play(8100);
     EXPECT_FALSE(picture(practice).practice.wall.on) << "some seconds after the stroke";
+}
+
+TEST_F(PracticeTest, TheWallSaysWhyAStrokeWasNotEvenRead) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    player.draw(60, triangle_on_wall);
+    auto wall = picture(practice).practice.wall;
+    ASSERT_FALSE(wall.lines.empty());
+    EXPECT_EQ(wall.lines[0].find("too fast"), 0U) << wall.lines[0];
+    player.draw(600, [](int t) { return t % 100 == 0 ? vec2(5, 0) : vec2(0); });
+    wall = picture(practice).practice.wall;
+    ASSERT_FALSE(wall.lines.empty());
+    EXPECT_EQ(wall.lines[0].find("too small"), 0U) << wall.lines[0];
+}
+
+TEST_F(PracticeTest, TheWallAndTheCaptionShowTheSameScore) {
+    const auto range = files();
+    auto practice = practice_of(range);
+    WallPlayer player{practice};
+    player.play(20);
+    player.draw(1500, circle_on_wall);
+    const auto shown = picture(practice);
+    const auto words = game::stroke_caption(shown.wizards[game::practising].casting, *shown.shown).words;
+    const auto score = text(shown.practice.wall.scores[0], " %");
+    EXPECT_NE(words.find(score), std::string::npos) << words << " and " << score;
 }
 
 TEST_F(PracticeTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
