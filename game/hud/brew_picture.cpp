@@ -120,6 +120,7 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
     const auto played = match.match().played, end = spoils_at(match.data(), cauldron);
     const bool spoils = rules.spoils_after < never_spoils;
+    out.whole_time_s = spoils ? seconds(rules.spoils_after) : 0;
     out.spoils_in_s = spoils && cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
     out.fresh = out.spoils_in_s / std::max(seconds(rules.spoils_after + cauldron.more_time), 1e-3);
     out.potion = cauldron.fluid_potion < match.data().recipes.size()

@@ -53,9 +53,11 @@ struct CauldronPicture {
     double mixed{};  ///< share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share)
     double heat{};   ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
     double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
-    double fresh{};        ///< spoils_in_s as a share of the whole time, 0 to 1
-    double well_mixed{};   ///< value of `mixed` from which the owner is rewarded
-    double boon_in_s{};    ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
+    /// Time from the first ingredient to boiling over; 0: the brew never boils over.
+    double whole_time_s{};
+    double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
+    double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
+    double boon_in_s{};   ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
     Tick mixed_at{};                    ///< fluid step of which `mixed` tells (ticks of play)
     bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it

@@ -28,6 +28,7 @@ constexpr float flat_least_wide = 410;
 // With room for a sound in words and for the figure: below the score, below the notices under it, and below the feed.
 constexpr float flat_alone_high = 220, flat_beside_high = 284, flat_stacked_high = 224;
 constexpr float flat_messages_wide = 220;
+constexpr float messages_high = 8 * line;  // most height of the messages in a tall view
 constexpr float ring_gap = 16;  // distance of the corner panels from the smallest ring, or from the score
 
 struct Strip {
@@ -41,7 +42,7 @@ Strip strip_of(std::size_t wands, float rows) {
 
 /// How the views lie beside each other.
 struct Arrangement {
-    bool alone{}, stacked{}, lesson{};
+    bool alone{}, stacked{}, lesson{}, brews{};
     std::uint32_t player{};
     bool upper() const { return stacked && player == 0; }
     bool lower() const { return stacked && player == 1; }
@@ -77,7 +78,7 @@ struct InUnits {
     float wide{}, high{};
     bool tall{};
 
-    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{};
+    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{}, aside{};
     float ring{}, columns{};
 };
 
@@ -105,10 +106,11 @@ void place_middle(const Arrangement& how, InUnits& out) {
     const float above = how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
     const float aside =
         out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
-    out.ring = std::clamp(std::min({h / 2 - above - edge / 2, bottom - h / 2 - edge - 2 * line, aside}),
+    const float least = (how.brews && out.tall ? 6 : 2) * line;  // height of the messages
+    out.ring = std::clamp(std::min({h / 2 - above - edge / 2, bottom - h / 2 - edge - least, aside}),
                           ring_least, ring_most);
     const float top = h / 2 + out.ring + edge / 2;
-    out.messages = out.tall ? Panel{{edge, std::max(top, bottom - 6 * line)}, {w - edge, bottom}}
+    out.messages = out.tall ? Panel{{edge, std::max(top, bottom - messages_high)}, {w - edge, bottom}}
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
 }
 
@@ -177,6 +179,19 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
+/// Room right of the ring, left of the figure and of the strip.
+void place_aside(const Arrangement& how, InUnits& out) {
+    constexpr float least_wide = 180, least_high = 48;
+    if (how.alone && how.lesson) return;
+    const float above = how.beside()  ? under_notices
+                        : how.alone   ? under_score
+                        : how.lower() ? score_half_high
+                                      : 0;
+    const fvec2 low(out.wide / 2 + out.ring + edge, std::max(out.feed.high.y, above) + edge / 2);
+    const fvec2 high(out.figure.low.x - edge, std::min(out.messages.low.y, out.strip.low.y) - edge / 2);
+    if (high.x - low.x >= least_wide && high.y - low.y >= least_high) out.aside = {low, high};
+}
+
 InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands, bool curve) {
     InUnits out{.wide = size.x, .high = size.y, .tall = size.y > tall_least_high - 1};
     place_corners(how, wands, out);
@@ -186,6 +201,7 @@ InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands, bool cur
     place_forces(how, curve, out);
     place_heard(how, out);
     place_figure(how, out);
+    place_aside(how, out);
     return out;
 }
 
@@ -211,6 +227,7 @@ ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float u
             .messages = box(units.messages),
             .forces = box(units.forces),
             .figure = box(units.figure),
+            .aside = box(units.aside),
             .heard = box(units.heard)};
 }
 
@@ -271,14 +288,22 @@ std::size_t longest_part(std::string_view words, float size, float wide) {
     return bytes;
 }
 
-/// Number of bytes up to the first space at which a line may end. Controls in brackets and "100 %" are not broken.
+/// Whether words begin with a unit that belongs to the number before it: "%" or "s".
+bool begin_with_unit(std::string_view words) {
+    if (words.empty()) return false;
+    const bool alone = words.size() == 1 || words[1] == ' ' || words[1] == ',';
+    return words[0] == '%' || (words[0] == 's' && alone);
+}
+
+/// Number of bytes up to the first space at which a line may end. Controls in brackets, "100 %" and "20 s" are not
+/// broken.
 std::size_t unbroken_part(std::string_view words) {
     const auto last = words.rfind(']');
     bool inside = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == '[') inside = last != std::string_view::npos && i < last;
         if (words[i] == ']') inside = false;
-        if (words[i] == ' ' && !inside && words.substr(i + 1, 1) != "%") return i;
+        if (words[i] == ' ' && !inside && !begin_with_unit(words.substr(i + 1))) return i;
     }
     return words.size();
 }
@@ -330,22 +355,24 @@ bool fits(const FittedWords& words, fvec2 room) {
 
 }  // namespace
 
-HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands, bool lesson) {
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,
+                  const LayoutWishes& wishes) {
     HudLayout out;
     const auto views = views_of(settings, window);
     if (settings.replay) out.replay = lay_out_replay_bar(settings.text_scale, window);
     window = area_of_views(settings, window);
     Arrangement how{.alone = settings.watch != Watch::both || settings.split == render::Split::none,
                     .stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom,
-                    .lesson = lesson};
+                    .lesson = wishes.lesson};
     for (how.player = 0; how.player < players; ++how.player) {
         const auto& view = views[how.player];
+        how.brews = wishes.brews[how.player];
         if (view.width <= 0 || view.height <= 0) continue;
         const float wanted = wanted_unit(how, view, window, settings.text_scale);
         out.unit = unit_of(how, view, wanted, wands);
         out.views[how.player] = view_layout(how, view, out.unit, wands, settings.forces);
         out.lesson_size = lesson_words * wanted;
-        if (how.alone && lesson) out.lesson = lesson_of(*out.views[how.player]);
+        if (how.alone && wishes.lesson) out.lesson = lesson_of(*out.views[how.player]);
     }
     place_shared(how, window, out);
     out.count_size = count_size_of(out.views);

@@ -4,6 +4,7 @@
 //     feed      |  score  |                the feed is in the outer corner beside the score
 //     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
 //     heard     ring around the crosshair  heard: what is heard and felt in words
+//                       aside               the card at the cauldron, where it has more room than below the ring
 //                                 figure   what the body feels; not in a window with words of a lesson
 //               messages                   captions, prompts, the brew in words
 //     name, health           strip         the strip of wands
@@ -30,6 +31,7 @@ struct ViewLayout {
     Panel messages;
     Panel forces;  ///< the curve of the forces, or only the name of the strongest
     Panel figure;  ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
+    Panel aside;   ///< right of the ring, for the card at the cauldron (rim_card.h); empty: there is no room
     Panel heard;   ///< empty if the curve of the forces leaves no room
 };
 
@@ -56,8 +58,15 @@ inline constexpr float force_word_wide = 96, force_word_high = 27;
 /// Height of a line of what is heard (units).
 inline constexpr float heard_line_high = 20;
 
-/// `lesson`: there are words of a lesson. In an only view the other panels then grow only as far as its words have room.
-HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands, bool lesson = false);
+/// What is shown beside the usual panels.
+struct LayoutWishes {
+    /// There are words of a lesson. In an only view the other panels then grow only as far as its words have room.
+    bool lesson = false;
+    /// Players at the cauldron. In a tall view the ring then leaves room below it for the card (rim_card.h).
+    std::array<bool, players> brews{};
+};
+HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,
+                  const LayoutWishes& wishes = {});
 
 /// Words in lines that fit a box.
 struct FittedWords {

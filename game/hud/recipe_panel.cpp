@@ -15,15 +15,18 @@ using render::LineItem;
 using render::Overlay;
 using render::RectItem;
 
-constexpr float panel_high = 50, panel_wide = 196;  // units
+constexpr float least_row = 18, dot_wide = 14;      // units
+constexpr float band_least = 60;                    // least width of the band (units)
+constexpr float words_size = 13, words_least = 12;  // em of the words of the force: units, and px
 constexpr double most_shown_n = 2.5;                ///< force at the end of the band (N)
 
 std::string percent(double share) { return text(std::lround(100 * share), " %"); }
 
-std::string words_of_choices(const RecipePicture& recipe) {
+/// Recipes with their ingredients, three spaces between them. `before`: a word before each.
+std::string words_of_choices(const RecipePicture& recipe, std::string_view before = {}) {
     std::string words;
     for (std::uint32_t i = 0; i < recipe.choices; ++i) {
-        words += text(i == 0 ? "" : "   ", capitalised(recipe.choice_names.at(i)), ": ");
+        words += text(i == 0 ? "" : "   ", before, capitalised(recipe.choice_names.at(i)), ": ");
         bool first = true;
         for (const auto name : recipe.choice_ingredients.at(i)) {
             if (name.empty()) continue;
@@ -63,27 +66,19 @@ std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const Contr
     return text(stirs ? "hold " : "stir, then hold ", trace, " and draw: ", how, count);
 }
 
-/// Shape of the next stroke with its start, and a dot that runs along it.
-void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float half, double seconds, float u) {
-    const std::span points(recipe.ghost.data(), recipe.ghost_points);
-    double largest = 1e-6;
-    for (const auto& point : points) largest = std::max({largest, std::abs(point.x), std::abs(point.y)});
-    const auto at = [&](std::size_t i) {
-        return centre + half / static_cast<float>(largest) * fvec2(vec2(points[i].x, -points[i].y));
-    };
-    for (std::size_t i = 1; i < points.size(); ++i)
-        out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
-    out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
-    constexpr double period = 1.6, rest = 0.25;  // s, share of the period at the end
-    const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - rest));
-    const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));
-    out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});
+/// The wanted force: "gently", "hard", "any force".
+std::string words_of_band(const RecipePicture& recipe) {
+    const auto words = words_of_force(recipe);
+    return words.empty() ? "any force" : std::string(words.substr(1));
 }
+
+/// Em of the words of the force (px).
+float words_em(float u) { return std::max(words_least, std::floor(words_size * u)); }
 
 /// One dot for each stroke that is wanted: full ones are done.
 void add_dots(Overlay& out, const RecipePicture& recipe, fvec2 low, float u) {
     for (std::uint32_t i = 0; i < recipe.times; ++i) {
-        const fvec2 centre = low + u * fvec2(6 + 14 * static_cast<float>(i), 6);
+        const fvec2 centre = low + u * fvec2(6 + dot_wide * static_cast<float>(i), 6);
         out.items.emplace_back(ArcItem{centre, 3.5F * u, 5.5F * u, 0, whole_turn, paints.white});
         if (i < recipe.done)
             out.items.emplace_back(ArcItem{centre, 0, 3.5F * u, 0, whole_turn, paints.white});
@@ -120,7 +115,8 @@ std::string words_of_step(const PlayerPicture& player, const ControlNames& contr
         case RecipeStep::ingredient:
             if (player.stirs && !recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
             return text(potion, player.carries == recipe.next ? ": drop " : ": fetch ", recipe.next,
-                        player.carries == recipe.next ? " now" : " next");
+                        player.carries == recipe.next ? " now" : " next", recipe.choices > 0 ? "   " : "",
+                        words_of_choices(recipe, "or "));
         case RecipeStep::stroke:
             if (!recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
             return text(potion, ": ", words_of_stroke(recipe, player.stirs, controls));
@@ -128,25 +124,40 @@ std::string words_of_step(const PlayerPicture& player, const ControlNames& contr
     return {};
 }
 
-float recipe_panel_high(const RecipePicture& recipe) {
-    return recipe.step == RecipeStep::stroke && recipe.ghost_points > 1 ? panel_high : 0;
+void add_ghost(Overlay& out, const RecipePicture& recipe, fvec2 centre, float half, double seconds, float u) {
+    const std::span points(recipe.ghost.data(), recipe.ghost_points);
+    double largest = 1e-6;
+    for (const auto& point : points) largest = std::max({largest, std::abs(point.x), std::abs(point.y)});
+    const auto at = [&](std::size_t i) {
+        return centre + half / static_cast<float>(largest) * fvec2(vec2(points[i].x, -points[i].y));
+    };
+    for (std::size_t i = 1; i < points.size(); ++i)
+        out.items.emplace_back(LineItem{at(i - 1), at(i), std::max(1.5F, 2 * u), paints.soft});
+    out.items.emplace_back(ArcItem{at(0), 0, 3 * u, 0, whole_turn, paints.white});
+    constexpr double period = 1.6, rest = 0.25;  // s, share of the period at the end
+    const double share = std::min(1.0, std::fmod(seconds, period) / period / (1 - rest));
+    const auto runner = static_cast<std::size_t>(share * static_cast<double>(points.size() - 1));
+    out.items.emplace_back(ArcItem{at(runner), 0, 4.5F * u, 0, whole_turn, paints.amber});
 }
 
-void add_recipe_panel(Overlay& out, const RecipePicture& recipe, const Panel& box, float top, double seconds,
-                      float u) {
-    if (recipe_panel_high(recipe) == 0) return;
-    const float wide = std::min(panel_wide * u, box.high.x - box.low.x);
-    const float left = (box.low.x + box.high.x - wide) / 2;
-    const fvec2 low(left, top + 2 * u), high(left + wide, top + (panel_high - 2) * u);
-    out.items.emplace_back(RectItem{low, high, paints.panel, 6 * u});
-    const float half = (high.y - low.y) / 2;
-    add_ghost(out, recipe, low + fvec2(half + 4 * u, half), half - 8 * u, seconds, u);
-    const float right = low.x + 2 * half + 12 * u;
-    add_dots(out, recipe, {right, low.y + 2 * u}, u);
-    const auto words = words_of_force(recipe);
-    add_text_in(out, {{right, low.y + 15 * u}, {high.x - 6 * u, low.y + 30 * u}},
-                words.empty() ? "any force" : words.substr(1), 12 * u, paints.white, render::Align::left);
-    add_force_band(out, recipe, {{right, low.y + 34 * u}, {high.x - 8 * u, low.y + 40 * u}}, u);
+float stroke_row_high(float u) { return std::max(least_row * u, FittedWords::line_spacing * words_em(u)); }
+
+float stroke_row_wide(const RecipePicture& recipe, float u) {
+    return (dot_wide * static_cast<float>(recipe.times) + 4 + band_least + 16) * u +
+           width_of(words_of_band(recipe), words_em(u)) + 2;
+}
+
+void add_stroke_row(Overlay& out, const RecipePicture& recipe, const Panel& row, float u) {
+    const float middle = (row.low.y + row.high.y) / 2;
+    add_dots(out, recipe, {row.low.x, middle - 6 * u}, u);
+    const auto words = words_of_band(recipe);
+    const float left = row.low.x + (dot_wide * static_cast<float>(recipe.times) + 4) * u;
+    const float right = std::min(left + width_of(words, words_em(u)) + 2, row.high.x);
+    add_text_in(out, {{left, row.low.y}, {right, row.high.y + 1}}, words, words_em(u), paints.white,
+                render::Align::left);
+    if (row.high.x - right >= band_least * u)
+        add_force_band(out, recipe, {{right + 8 * u, middle - 4 * u}, {row.high.x - 8 * u, middle + 4 * u}},
+                       u);
 }
 
 }  // namespace thaum::game

@@ -1,4 +1,4 @@
-// game/hud/recipe_panel.h: helps a wizard at the cauldron through a recipe: the next step in words, the ghost of the next
+// game/hud/recipe_panel.h: parts of the card at the cauldron (rim_card.h): the next step in words, the ghost of the next
 // stroke, how often it was drawn, and the band of its force.
 #pragma once
 #include <string>
@@ -13,12 +13,15 @@ namespace thaum::game {
 /// three spaces between them.
 std::string words_of_step(const PlayerPicture& player, const ControlNames& controls);
 
-/// Height of the panel (units); 0: it is not shown.
-float recipe_panel_high(const RecipePicture& recipe);
+/// Adds the shape of the next stroke with its start, and a dot that runs along it. `half`: half of its size (px);
+/// `seconds`: clock of the dot; `u`: a unit (px).
+void add_ghost(render::Overlay& out, const RecipePicture& recipe, fvec2 centre, float half, double seconds,
+               float u);
 
-/// Adds ghost, dots and force band in the middle of a box, with the top at `top`. `seconds`: clock of the ghost's moving
-/// dot; `u`: a unit (px).
-void add_recipe_panel(render::Overlay& out, const RecipePicture& recipe, const Panel& box, float top,
-                      double seconds, float u);
+/// Height of the row of a stroke, and its least width (px).
+float stroke_row_high(float u);
+float stroke_row_wide(const RecipePicture& recipe, float u);
+/// Adds a row: a dot for each stroke that is wanted, the wanted force in words, and its band with the present force.
+void add_stroke_row(render::Overlay& out, const RecipePicture& recipe, const Panel& row, float u);
 
 }  // namespace thaum::game

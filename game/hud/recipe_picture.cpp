@@ -65,17 +65,18 @@ void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe
     }
 }
 
-void take_choices(const Simulation& match, std::uint32_t player, const RecipeList& open, RecipePicture& out) {
-    out.step = open.count > 0 ? RecipeStep::choose : RecipeStep::none;
+/// Takes the names of open recipes but one, with their ingredients from the step `before` on.
+void take_choices(const Simulation& match, std::uint32_t player, const RecipeList& open, const Recipe* but,
+                  std::size_t before, RecipePicture& out) {
     for (std::size_t i = 0; i < open.count; ++i) {
         const auto& recipe = match.data().recipes[open.numbers[i]];
+        if (&recipe == but) continue;
         const auto order = order_of(recipe, match.world(), player);
-        out.choice_names.at(i) = recipe.name;
-        for (std::size_t k = 0; k < order.count; ++k)
-            out.choice_ingredients.at(i).at(k) =
+        for (std::size_t k = before; k < order.count; ++k)
+            out.choice_ingredients.at(out.choices).at(k - before) =
                 match.data().cauldron->ingredients[order.steps[k].ingredient].name;
+        out.choice_names.at(out.choices++) = recipe.name;
     }
-    out.choices = static_cast<std::uint32_t>(open.count);
 }
 
 /// The recipe to show: one that wants what the wizard carries, or else the first.
@@ -99,7 +100,10 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     const auto& cauldron = match.world().single<Cauldron>();
     const auto open = recipes_open_to(data, match.world(), cauldron, player);
     const auto before = ingredients_in(cauldron);
-    if (cauldron.begun == 0) return take_choices(match, player, open, out);
+    if (cauldron.begun == 0) {
+        if (open.count > 0) out.step = RecipeStep::choose;
+        return take_choices(match, player, open, nullptr, 0, out);
+    }
     out.reached = cauldron.reached;
     if (open.count == 0) {
         out.step = RecipeStep::spoilt;
@@ -121,6 +125,7 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     if (before >= order.count) return take_stroke(match, cauldron, recipe, player, out);
     out.step = RecipeStep::ingredient;
     out.next = names[order.steps[before].ingredient].name;
+    take_choices(match, player, open, &recipe, before, out);
 }
 
 }  // namespace thaum::game

@@ -39,7 +39,8 @@ struct RecipePicture {
     std::array<vec2, most_ghost_points> ghost{};
     std::uint32_t ghost_points{};
     double yaw{};  ///< direction of the ladle's frame (rad); meaningful while the wizard stirs
-    /// Recipes that can be begun, in words: "Haste: ember, salt"; the first `choices`.
+    /// Recipes that can be begun, or other ones that can go on: their names, and the ingredients that come; the first
+    /// `choices`.
     std::array<std::string_view, 8> choice_names{};
     std::array<std::array<std::string_view, 3>, 8> choice_ingredients{};
     std::uint32_t choices{};

@@ -10,7 +10,7 @@
 #include "game/hud/feed_overlay.h"
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
-#include "game/hud/recipe_panel.h"
+#include "game/hud/rim_card.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 
@@ -272,134 +272,19 @@ std::string_view caption_of(const ForcePicture& force) {
     }
 }
 
-/// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and salt, mixed
-/// 57 %, yours, slows, spoils in 12 s".
-std::string words_of_brew(const CauldronPicture& cauldron, const RecipePicture& recipe,
-                          std::uint32_t player) {
-    std::string words;
-    for (const auto name : cauldron.contents) {
-        if (!name.empty()) words += text(words.empty() ? "" : " and ", name);
-    }
-    if (words.empty() && !cauldron.potion.empty()) {
-        words = text("The brew of ", cauldron.potion);
-        if (cauldron.slows) words += ", slows";
-        if (cauldron.lifts) words += ", lifts";
-        return words;
-    }
-    if (words.empty()) return "Pure brew";
-    const bool open = recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke;
-    words = text(capitalised(words), ", mixed ",
-                 static_cast<int>(100 * (open ? recipe.reached : cauldron.mixed)), " %");
-    if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
-    if (cauldron.slows) words += ", slows";
-    if (cauldron.lifts) words += ", lifts";
-    if (cauldron.boon_for == player) words += ", heals you";
-    if (cauldron.boon_in_s > 0 && cauldron.owner == player)
-        words += text(", heals in ", std::lround(std::ceil(cauldron.boon_in_s)), " s");
-    if (cauldron.spoils_in_s > 0)
-        words += text(", spoils in ", std::lround(std::ceil(cauldron.spoils_in_s)), " s");
-    return words;
-}
-
-/// The potions that act on a wizard, with the time that is left: "Haste 12 s".
-std::string words_of_potions(const PlayerPicture& p) {
-    std::string words;
-    const auto add = [&](const std::string& more) { words += text(words.empty() ? "" : "   ", more); };
-    for (std::uint32_t i = 0; i < p.potions; ++i)
-        add(text(capitalised(p.potion_names.at(i)), " ", std::lround(std::ceil(p.potion_left_s.at(i))),
-                 " s"));
-    if (p.work_half) add("half of the Great Work");
-    if (p.poisoned_s > 0) add(text("poisoned ", std::lround(std::ceil(p.poisoned_s)), " s"));
-    return words;
-}
-
-/// Bars below a message about the brew: how well it is mixed, and the time until it spoils (shares).
-struct BrewGauge {
-    float mixed{}, fresh{};
-    float goal{};  ///< share from which the brew is well mixed
-    /// Shares between which the next step of a recipe may come; std::nullopt: no recipe waits for its moment.
-    std::optional<fvec2> window{};
-    fvec4 paint{};  ///< colour of the owner
-};
-
 struct Message {
     std::string words;
     fvec4 paint{};
-    std::optional<BrewGauge> gauge{};
-    const RecipePicture* recipe = nullptr;  ///< recipe whose next stroke is shown below the words
 };
 
-BrewGauge gauge_of(const CauldronPicture& cauldron, const RecipePicture& recipe) {
-    const bool owned = cauldron.owner < players;
-    const auto paint = owned ? opaque(team_colours(cauldron.owner).glow) : paints.white;
-    const auto fresh = static_cast<float>(std::clamp(cauldron.fresh, 0.0, 1.0));
-    if (recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke)
-        return {.mixed = static_cast<float>(recipe.reached),
-                .fresh = fresh,
-                .window = recipe.begun ? std::optional<fvec2>() : fvec2(vec2(recipe.least, recipe.most)),
-                .paint = paint};
-    return {.mixed = static_cast<float>(std::clamp(cauldron.mixed, 0.0, 1.0)),
-            .fresh = fresh,
-            .goal = static_cast<float>(std::clamp(cauldron.well_mixed, 0.0, 1.0)),
-            .paint = paint};
-}
-
-constexpr float gauge_high = 11, gauge_wide = 150;  // units
-
-/// Adds the two bars with their top at `top`. The time is amber in its last quarter.
-void add_gauge(Overlay& out, const BrewGauge& gauge, const Panel& box, float top, float u) {
-    const float wide = std::min(gauge_wide * u, box.high.x - box.low.x);
-    const float left = (box.low.x + box.high.x - wide) / 2;
-    const auto bar = [&](float from, float high, float share, fvec4 paint) {
-        const fvec2 low(left, top + from * u);
-        out.items.emplace_back(RectItem{low, low + fvec2(wide, high * u), paints.track, high * u / 3});
-        if (share > 0)
-            out.items.emplace_back(RectItem{low, low + fvec2(share * wide, high * u), paint, high * u / 3});
-    };
-    bar(1, 5, gauge.mixed, gauge.paint);
-    const auto mark = [&](float share) {
-        const float x = left + share * wide;
-        out.items.emplace_back(LineItem{{x, top}, {x, top + 7 * u}, std::max(1.5F, 1.5F * u), paints.white});
-    };
-    if (gauge.goal > 0) mark(gauge.goal);
-    if (gauge.window) {
-        // A line over the bar between two marks: the moment for the next step.
-        mark(gauge.window->x);
-        mark(gauge.window->y);
-        out.items.emplace_back(LineItem{{left + gauge.window->x * wide, top},
-                                        {left + gauge.window->y * wide, top},
-                                        std::max(2.0F, 2 * u),
-                                        paints.amber});
-    }
-    if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
-}
-
-/// Adds the brew in words, and the next step of a recipe.
-void add_brew_messages(const Picture& picture, const HudSettings& settings, std::uint32_t player,
-                       std::vector<Message>& all) {
-    const auto& p = picture.wizards[player];
-    const bool captions = settings.captions[player];
-    auto step = captions ? words_of_step(p, settings.controls[player]) : std::string();
-    const auto gauge = gauge_of(picture.cauldron, p.recipe);
-    if (p.stirs && recipe_panel_high(p.recipe) > 0) {  // there is no room for the brew in words as well
-        all.push_back({std::move(step), paints.white, gauge, &p.recipe});
-        return;
-    }
-    if (!step.empty()) all.push_back({std::move(step), paints.white, {}, nullptr});
-    std::string words;
-    if (captions) words = words_of_brew(picture.cauldron, p.recipe, player);
-    if (captions && p.refilled) words += ", refills your wands";
-    all.push_back({std::move(words), paints.white, gauge, nullptr});
-}
-
-/// Returns all messages to a player, the most important first. A gauge without words stays where captions are off.
+/// Returns all messages to a player, the most important first.
 std::vector<Message> messages_to(const Picture& picture, const HudSettings& settings, std::uint32_t player,
                                  const ViewLayout& l) {
     const auto& p = picture.wizards[player];
     const auto& device_message = settings.device_messages[player];
     std::vector<Message> all;
     const auto add = [&](std::string words, fvec4 paint) {
-        if (!words.empty()) all.push_back({std::move(words), paint, {}, nullptr});
+        if (!words.empty()) all.push_back({std::move(words), paint});
     };
     if (!p.dead && !warns_at_crosshair(l)) add(std::string(warning_of(picture, p)), paints.light_red);
     const bool captions = settings.captions[player];
@@ -410,49 +295,75 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     if (p.dead) return all;
     const auto stroke = stroke_caption(p.casting, *picture.shown);
     add(stroke.words, stroke.failed ? paints.light_red : paints.white);
-    if (const auto prompt = prompt_of(p, settings.controls[player])) {
-        const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
-        if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
-    }
-    add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
     const bool given = captions && p.since_gift_s <= gift_seconds;
     auto gift = given ? event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift,
                                     settings.names, {}, picture.shown->brew)
                       : std::string();
     gift = with_controls(gift, settings.controls[player], *picture.shown);
-    if (p.stirs || p.at_rim) {
-        if (p.gift.kind == EventKind::brew_fault) add(gift, paints.light_red);
-        add_brew_messages(picture, settings, player, all);
-        if (p.gift.kind == EventKind::brew_fault) return all;
-    } else if (captions && !p.carries.empty()) {
-        add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
+    const bool fault_of_brew = p.gift.kind == EventKind::brew_fault;
+    if (fault_of_brew) add(gift, paints.light_red);
+    if (const auto prompt = prompt_of(p, settings.controls[player])) {
+        const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
+        if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
-    if (captions) add(words_of_potions(p), paints.soft);
-    add(gift, paints.white);
+    add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
+    if (!at_cauldron(p) && captions) {
+        if (!p.carries.empty()) add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
+        add(words_of_potions(p), paints.soft);
+    }
+    if (!fault_of_brew) add(gift, paints.white);
     return all;
 }
 
-/// Adds the messages from the bottom of their box upwards, as many as fit.
-/// `seconds`: clock for what moves in them.
-void add_messages(Overlay& out, const std::vector<Message>& messages, double seconds, const ViewLayout& l) {
-    const float size = std::floor(15 * l.unit), gap = 3 * l.unit;
-    float bottom = l.messages.high.y;
+/// Adds the messages from the bottom of a box upwards, as many as fit.
+void add_messages(Overlay& out, const std::vector<Message>& messages, const Panel& box, float unit) {
+    const float size = std::floor(15 * unit), gap = 3 * unit;
+    float bottom = box.high.y;
     for (const auto& message : messages) {
-        const fvec2 room(l.messages.high.x - l.messages.low.x - size, bottom - l.messages.low.y);
-        const float panel = message.recipe != nullptr ? recipe_panel_high(*message.recipe) * l.unit : 0;
-        const float below = (message.gauge ? gauge_high * l.unit : 0) + panel;
-        const bool first = bottom >= l.messages.high.y;
-        const float least = message.words.empty() ? below : FittedWords::line_spacing * size + below;
-        if (!first && room.y < least) return;
-        const auto words = fit(message.words, size, room - fvec2(0, below));
+        const fvec2 room(box.high.x - box.low.x - size, bottom - box.low.y);
+        const bool first = bottom >= box.high.y;
+        if (!first && room.y < FittedWords::line_spacing * size) return;
+        const auto words = fit(message.words, size, room);
         if (!first && words.size < size) return;
-        const float top = bottom - words.height() - below;
-        if (!words.lines.empty()) add_plate(out, l.messages, top, words, message.paint);
-        if (message.recipe != nullptr)
-            add_recipe_panel(out, *message.recipe, l.messages, bottom - panel, seconds, l.unit);
-        if (message.gauge) add_gauge(out, *message.gauge, l.messages, bottom - below, l.unit);
+        const float top = bottom - words.height();
+        add_plate(out, box, top, words, message.paint);
         bottom = top - gap;
     }
+}
+
+/// Adds the card of a player at the cauldron. It stands beside the ring or below it, wherever it is more readable.
+/// Returns the box that it leaves to the messages. `said`: there are messages.
+Panel add_cauldron(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
+                   const ViewLayout& l, bool said) {
+    const float gap = 3 * l.unit;
+    const auto card = rim_card_of(picture, settings, player);
+    const auto beside = fit_card(card, l.aside.high - l.aside.low, l.unit);
+    auto below = fit_card(card, l.messages.high - l.messages.low, l.unit);
+    if (fits_better(beside, below)) {
+        // At the right, so that the foe beyond the bowl stays in sight.
+        add_rim_card(out, card, beside, {l.aside.high.x - beside.size.x, l.aside.low.y}, picture.played_s);
+        return l.messages;
+    }
+    for (const float em : {12.0F, std::floor(15 * l.unit)}) {
+        const float line = said ? FittedWords::line_spacing * em + gap : 0;
+        const auto less = fit_card(card, l.messages.high - l.messages.low - fvec2(0, line), l.unit);
+        if (says_all(less)) below = less;
+    }
+    const fvec2 low((l.messages.low.x + l.messages.high.x - below.size.x) / 2,
+                    l.messages.high.y - below.size.y);
+    add_rim_card(out, card, below, low, picture.played_s);
+    const Panel above{l.messages.low, {l.messages.high.x, low.y - gap}};
+    return holds_line(l.aside) && !holds_line(above) ? l.aside : above;
+}
+
+/// Adds the card of a player at the cauldron, and the messages where it leaves room for them.
+void add_words_below(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
+                     const ViewLayout& l) {
+    const auto& p = picture.wizards[player];
+    const auto messages = messages_to(picture, settings, player, l);
+    const bool card = !p.dead && at_cauldron(p);
+    const auto box = card ? add_cauldron(out, picture, settings, player, l, !messages.empty()) : l.messages;
+    if (!card || holds_line(box)) add_messages(out, messages, box, l.unit);
 }
 
 // Forces ----------------------------------------------------------------------------------------------------
@@ -559,11 +470,12 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     if (plays && !p.dead) {
         add_crosshair(out, picture, player, l);
         add_ward(out, p.casting, l);
+        add_free_trail(out, p.casting, player, l);
         add_stroke(out, p.casting, player, l);
         add_force_band(out, p.casting, l);
         add_hurt_marks(out, p, l);
     }
-    if (plays) add_messages(out, messages_to(picture, settings, player, l), picture.played_s, l);
+    if (plays) add_words_below(out, picture, settings, player, l);
     add_health(out, p, player, l);
     add_text_on_plate(out, l.name, name_of(settings.names, player), 14 * l.unit,
                       opaque(team_colours(player).light), Align::left);

@@ -6,6 +6,7 @@
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
 #include "game/hud/result_panel.h"
+#include "game/hud/rim_card.h"
 #include "game/hud/view_overlay.h"
 
 namespace thaum::game {
@@ -149,6 +150,22 @@ Panel wall_box(const HudLayout& layout) {
     return {{left, layout.notices.high.y + beside * u}, {right, view.name.low.y - beside * u}};
 }
 
+bool shows_wall(const Picture& picture, const HudLayout& layout) {
+    return picture.practice.wall.on && layout.views[wall_player].has_value();
+}
+
+/// Moves what else is on the left to the right while the wall is shown: the force, what is heard, and the messages.
+void make_room_for_wall(const Panel& wall, ViewLayout& view) {
+    const float gap = 8 * view.unit;
+    const fvec2 size = view.forces.high - view.forces.low;
+    const float left = view.centre.x + view.ring + gap, top = view.feed.high.y + gap;
+    view.messages.low.x = std::max(view.messages.low.x, wall.high.x + gap);
+    view.forces = {{left, top}, fvec2(left, top) + size};
+    const float bottom = std::min(view.messages.low.y, view.strip.low.y) - gap / 2;
+    view.heard = {{left, view.forces.high.y + gap / 2}, {view.figure.low.x - gap, bottom}};
+    view.aside = {};
+}
+
 /// Adds what players see while they play: the overlays of the views, the score and the lesson.
 void add_play(Overlay& out, const Picture& picture, const HudSettings& settings, const HudLayout& layout) {
     for (std::uint32_t player = 0; player < players; ++player) {
@@ -163,8 +180,7 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
         add_lesson(out, lesson, *layout.lesson, layout.unit);
         size = std::min(title_size * layout.unit, lesson.words.size);
     }
-    if (practice.wall.on && layout.views[wall_player])
-        add_gesture_wall(out, practice.wall, wall_box(layout), layout.unit);
+    if (shows_wall(picture, layout)) add_gesture_wall(out, practice.wall, wall_box(layout), layout.unit);
     if (practice.on)
         add_practice(out, picture, controls, layout.score, layout.unit, size);
     else
@@ -184,8 +200,10 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     out.items.clear();
     add_seam(out, settings, size);
     if (settings.menu) return;
-    const auto layout =
-        lay_out(settings, size, picture.shown->wands.size(), !picture.practice.lesson.empty());
+    auto layout = lay_out(settings, size, picture.shown->wands.size(),
+                          {.lesson = !picture.practice.lesson.empty(),
+                           .brews = {at_cauldron(picture.wizards[0]), at_cauldron(picture.wizards[1])}});
+    if (shows_wall(picture, layout)) make_room_for_wall(wall_box(layout), *layout.views[wall_player]);
     const bool result = picture.phase != Phase::playing && seconds_to_start(picture) == 0;
     if (!result) add_play(out, picture, settings, layout);
     add_notices(out, picture, layout.notices, layout.unit);

@@ -8,6 +8,7 @@
 #include "game/hud/menu.h"
 #include "render/font.h"
 #include "unit/hud_rig.h"
+#include "unit/hud_words.h"
 
 namespace thaum::game::hud_tests {
 namespace {
@@ -90,22 +91,18 @@ std::vector<NamedBox> boxes_of(const HudLayout& layout) {
         add("forces", v.forces);
         add("heard", v.heard);
         if (!layout.lesson) add("figure", v.figure);
+        if (v.aside.high.x > v.aside.low.x) add("aside", v.aside);
         add("ring", {v.centre - fvec2(v.ring), v.centre + fvec2(v.ring)});
     }
     return boxes;
-}
-
-bool overlap(const Panel& a, const Panel& b) {
-    constexpr float slack = 0.01F;
-    return a.low.x + slack < b.high.x && b.low.x + slack < a.high.x && a.low.y + slack < b.high.y &&
-           b.low.y + slack < a.high.y;
 }
 
 TEST(HudLayout, NoTwoPanelsOverlapAtAnySize) {
     for (const std::size_t wands : {1U, 5U, 6U, 9U, 105U}) {
         const bool lesson = wands > 100;
         each_case([&](const HudSettings& settings, render::Size window, const std::string& name) {
-            const auto boxes = boxes_of(lay_out(settings, window, wands % 100, lesson));
+            const auto boxes = boxes_of(lay_out(settings, window, wands % 100,
+                                                {.lesson = lesson, .brews = {wands == 5, wands == 6}}));
             for (std::size_t a = 0; a < boxes.size(); ++a) {
                 for (std::size_t b = a + 1; b < boxes.size(); ++b) {
                     EXPECT_FALSE(overlap(boxes[a].box, boxes[b].box))
@@ -277,33 +274,6 @@ Picture talkative() {
     picture.skipped = 1107;
     picture.mark = 3;
     return picture;
-}
-
-struct SaidWords {
-    std::string words;
-    Panel box;
-};
-
-/// The words of an overlay and where they are. Each is drawn twice, because a dark copy lies below it.
-std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& font) {
-    std::vector<SaidWords> all;
-    const render::TextItem* before = nullptr;
-    for (const auto& item : overlay.items) {
-        const auto* said = std::get_if<render::TextItem>(&item);
-        if (said == nullptr) continue;
-        if (before != nullptr && before->text == said->text) {
-            const auto size = font.measure(said->text, said->size);
-            const float left = said->align == render::Align::left     ? 0
-                               : said->align == render::Align::centre ? size.x / 2
-                                                                      : size.x;
-            const fvec2 low = said->position - fvec2(left, 0);
-            all.push_back({said->text, {low, low + size}});
-            before = nullptr;
-        } else {
-            before = said;
-        }
-    }
-    return all;
 }
 
 TEST(HudLayout, ASoundInWordsHasRoomAtAnySize) {

@@ -1,0 +1,255 @@
+// Tests of the card at the cauldron, and of the HUD at its busiest: all words are readable, and none overlap.
+#include "game/hud/rim_card.h"
+
+#include <cmath>
+#include <memory>
+
+#include "core/text.h"
+#include "game/hud/gesture_wall.h"
+#include "game/hud/layout.h"
+#include "game/hud/recipe_panel.h"
+#include "render/font.h"
+#include "unit/hud_rig.h"
+#include "unit/hud_words.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+constexpr float readable = 12;  // least em of words at 1280 x 720 (px)
+
+void put_circle(RecipePicture& recipe) {
+    recipe.ghost_points = most_ghost_points;
+    for (std::uint32_t i = 0; i < recipe.ghost_points; ++i) {
+        const double angle = 2 * pi * i / (most_ghost_points - 1);
+        recipe.ghost.at(i) = 0.3 * vec2(std::sin(angle), std::cos(angle));
+    }
+}
+
+/// A step of a recipe, with the longest words that it can have.
+RecipePicture recipe_at(RecipeStep step) {
+    RecipePicture recipe;
+    recipe.step = step;
+    recipe.potion = "ironhide";
+    recipe.newest = "ember";
+    recipe.next = step == RecipeStep::ingredient ? "resin" : "";
+    recipe.reached = 0.575;
+    recipe.least = 0.6;
+    recipe.most = 0.95;
+    recipe.gesture = "circle";
+    recipe.sense = CircleSense::counterclockwise;
+    recipe.times = 3;
+    recipe.done = 1;
+    recipe.begun = true;
+    recipe.least_force = 0.3;
+    recipe.most_force = 1;
+    if (step == RecipeStep::stroke) put_circle(recipe);
+    constexpr std::array<std::string_view, 5> names{"azoth", "feather", "haste", "ironhide", "venom"};
+    if (step == RecipeStep::choose) {
+        for (const auto name : names) {
+            recipe.choice_names.at(recipe.choices) = name;
+            recipe.choice_ingredients.at(recipe.choices++) = {"ember", "resin",
+                                                              name == "azoth" ? "mist" : ""};
+        }
+    }
+    return recipe;
+}
+
+/// A player at the cauldron in the middle of everything: a brew with a clock, a potion that acts, a stroke in words.
+Picture busy_at(RecipeStep step) {
+    auto picture = picture_of(*new_match());
+    picture.cauldron.contents[0] = step == RecipeStep::choose ? "" : "ember";
+    picture.cauldron.contents[1] = step == RecipeStep::stroke ? "salt" : "";
+    picture.cauldron.spoils_in_s = step == RecipeStep::choose ? 0 : 11.2;
+    picture.cauldron.whole_time_s = 20;
+    picture.cauldron.fresh = 0.55;
+    for (auto& p : picture.wizards) {
+        p.stirs = p.at_rim = true;
+        p.recipe = recipe_at(step);
+        p.potion_names[0] = "haste";
+        p.potion_left_s[0] = 12.4;
+        p.potions = 1;
+        auto& reading = p.casting.reading;
+        reading = {.age_s = 0.5, .gesture = 0, .nearest = 0, .probability = 0.97, .force = 0.6, .turns = 1};
+        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
+        p.heard.fill({.words = "stirring", .from = HeardFrom::ahead, .important = true, .verb = "pushes"});
+    }
+    picture.cauldron.owner = 0;
+    picture.feed_lines = static_cast<std::uint32_t>(picture.feed.size());
+    for (auto& line : picture.feed) line.event = {.kind = EventKind::work_half, .subject = 0, .by = 0};
+    return picture;
+}
+
+HudSettings busy_settings(render::Split split, Watch watch, double scale) {
+    HudSettings settings{.split = split, .watch = watch, .text_scale = scale};
+    settings.heard = {HeardWish::all, HeardWish::all};
+    settings.prompts.fill(PromptWish::always);
+    for (auto& one : settings.controls)
+        one = {.fire = "Left mouse", .stir = "E", .throw_ = "F", .trace = "Right mouse"};
+    return settings;
+}
+
+constexpr std::array steps{RecipeStep::choose, RecipeStep::ingredient, RecipeStep::stroke,
+                           RecipeStep::spoilt};
+
+/// Calls f(settings, name) for a full view and both splits, at all sizes of the text.
+template <class F>
+void each_view(F f) {
+    for (double scale = 1; scale <= 2.5; scale += 0.5) {
+        f(busy_settings(render::Split::top_bottom, Watch::both, scale), text("stacked at ", scale));
+        f(busy_settings(render::Split::side_by_side, Watch::both, scale), text("beside at ", scale));
+        f(busy_settings(render::Split::top_bottom, Watch::first, scale), text("alone at ", scale));
+    }
+}
+
+render::Overlay busy_overlay_of(const Picture& picture, const HudSettings& settings,
+                                render::Size window = {1280, 720}) {
+    render::Overlay overlay;
+    make_overlay(picture, settings, window, overlay);
+    return overlay;
+}
+
+/// Em of the smallest text that has a part, and how many views have it.
+struct Found {
+    float least{1e6F};
+    std::size_t number{};
+};
+Found find_words(const render::Overlay& overlay, std::string_view part) {
+    Found found;
+    for (const auto& item : overlay.items) {
+        const auto* words = std::get_if<render::TextItem>(&item);
+        if (words == nullptr || words->text.find(part) == std::string::npos) continue;
+        found.least = std::min(found.least, words->size);
+        ++found.number;
+    }
+    return found;
+}
+
+TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
+    const std::array<std::pair<RecipeStep, std::vector<std::string_view>>, 4> needed{
+        {{RecipeStep::choose, {"Azoth: ember", "Venom: ember", "20 s", "hurts", "Haste 13 s"}},
+         {RecipeStep::ingredient, {"Ironhide: ", "resin", "mixed 57 %", "12 s", "Haste 13 s"}},
+         {RecipeStep::stroke,
+          {"Ironhide: ", "circle", "Right mouse", "mixed 57 %", "12 s", "gently", "Haste 13 s"}},
+         {RecipeStep::spoilt, {"Nothing comes", "12 s", "Haste 13 s"}}}};
+    for (const auto& [step, parts] : needed) {
+        const auto picture = busy_at(step);
+        each_view([&](const HudSettings& settings, const std::string& name) {
+            const auto overlay = busy_overlay_of(picture, settings);
+            const std::size_t views = settings.watch == Watch::both ? 2 : 1;
+            for (const auto part : parts) {
+                const auto found = find_words(overlay, part);
+                EXPECT_GE(found.number, 2 * views) << name << ": " << part << " (each with its shadow)";
+                EXPECT_GE(found.least, readable) << name << ": " << part;
+            }
+        });
+    }
+}
+
+TEST(RimCard, AStrokeInWordsHidesNeitherTheStepNorTheClock) {
+    const auto picture = busy_at(RecipeStep::stroke);
+    each_view([&](const HudSettings& settings, const std::string& name) {
+        const auto overlay = busy_overlay_of(picture, settings);
+        for (const std::string_view part : {"Circle 97 %", "12 s", "Ironhide"})
+            EXPECT_GE(find_words(overlay, part).least, readable) << name << ": " << part;
+        for (const std::string_view part : {"Circle 97 %", "12 s", "Ironhide"})
+            EXPECT_GE(find_words(overlay, part).number, 2U) << name << ": " << part;
+    });
+}
+
+TEST(RimCard, NoTwoTextsOverlapAtTheBusiestMoment) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    for (const auto step : steps) {
+        for (const bool draws : {false, true}) {
+            auto picture = busy_at(step);
+            for (auto& p : picture.wizards) {
+                p.casting.stroke.drawing = draws;
+                p.casting.stroke.on_brew = true;
+                p.force.source = "recoil";
+                p.force.cap = 1;
+                p.force.now = vec3(0.5);
+            }
+            each_view([&](const HudSettings& settings, const std::string& name) {
+                for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
+                    const auto words = words_of(busy_overlay_of(picture, settings, window), *font);
+                    EXPECT_GT(words.size(), 8U);
+                    expect_apart(words, text(name, ", ", window.width, ", step ", static_cast<int>(step)));
+                }
+            });
+        }
+    }
+}
+
+TEST(RimCard, NamesEveryRecipeThatCanGoOn) {
+    auto picture = busy_at(RecipeStep::ingredient);
+    for (auto& p : picture.wizards) {
+        p.recipe.potion = "azoth";
+        p.recipe.next = "salt";
+        p.recipe.choices = 1;
+        p.recipe.choice_names[0] = "venom";
+        p.recipe.choice_ingredients[0] = {"ember"};
+        p.stirs = false;
+    }
+    EXPECT_EQ(words_of_step(picture.wizards[0], {}), "Azoth: fetch salt next   or Venom: ember");
+}
+
+/// The practice range with the gesture wall on and much to say beside it.
+Picture at_wall() {
+    auto picture = busy_at(RecipeStep::spoilt);
+    picture.practice.on = true;
+    picture.practice.score = "Bolt 12 of 14";
+    picture.practice.below = "dummy: still";
+    auto& wall = picture.practice.wall;
+    wall.on = true;
+    auto gestures = std::make_shared<std::vector<WallGesture>>();
+    for (const auto& [name, spell] :
+         {std::pair{"circle", "Shield"}, {"s", "Fog"}, {"star", "Recall"}, {"v", "Push"}}) {
+        auto& one = gestures->emplace_back(WallGesture{.name = name, .spell = spell, .ghost = {}});
+        for (int i = 0; i < 20; ++i)
+            one.ghost.push_back({0.01 * i, 0.03 * vec3(std::sin(0.3 * i), std::cos(0.3 * i), 0), 0.5});
+    }
+    wall.gestures = gestures;
+    wall.scores = {97, -1, 42, -1};
+    wall.chosen = 0;
+    wall.lines = {"Shield, 97 % sure, gentle (0.6 N)", "end where you began",
+                  "the upper left is the farthest off"};
+    auto& p = picture.wizards[0];
+    p.stirs = p.at_rim = false;
+    p.carries = "iron";
+    p.force.source = "recoil";
+    p.force.cap = 1;
+    p.force.now = vec3(0.5);
+    return picture;
+}
+
+TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    const auto picture = at_wall();
+    for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
+        for (double scale = 1; scale <= 2; scale += 0.5) {
+            auto settings = busy_settings(render::Split::top_bottom, Watch::first, scale);
+            const auto words = words_of(busy_overlay_of(picture, settings, window), *font);
+            const auto where = text(window.width, " at ", scale);
+            expect_apart(words, where);
+            // All words of the wall are in its box: below the first title, beside nothing else.
+            const auto said = [&](std::string_view part) {
+                return std::find_if(words.begin(), words.end(),
+                                    [&](const auto& w) { return w.words.find(part) != std::string::npos; });
+            };
+            for (const std::string_view part :
+                 {"circle: Shield 97 %", "v: Push", "recoil", "Carrying iron", "stirring"})
+                EXPECT_TRUE(scale > 1 || said(part) != words.end()) << where << ": " << part;
+            if (said("circle: ") == words.end() || said("s: Fog") == words.end()) continue;
+            const Panel cells{said("circle: ")->box.low,
+                              {said("s: Fog")->box.high.x, said("the upper left")->box.low.y}};
+            for (const std::string_view part : {"recoil", "Carrying", "stirring", "Circle 97 %"}) {
+                if (said(part) == words.end()) continue;
+                EXPECT_FALSE(overlap(said(part)->box, cells)) << where << ": " << part;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
