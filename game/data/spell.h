@@ -10,7 +10,7 @@
 //     tactile = ""          # name of an effect on the caster's body (assets/tactile/effects)
 //     [look]                # changes no match
 //     shown = "Shield"
-//     sign = "shell"        # what is seen in the world: none (default), shell, beads or dust (game/data/presentation.h)
+//     sign = "shell"        # what is seen in the world: none, shell, beads or dust (game/data/presentation.h)
 #pragma once
 #include <memory>
 #include <string>

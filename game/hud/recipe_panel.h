@@ -1,4 +1,4 @@
-// game/hud/recipe_panel.h: parts of the card at the cauldron (rim_card.h): the next step in words, the ghost of the next
+// game/hud/recipe_panel.h: parts of the card at the cauldron (rim_card.h): the next step in words, the ghost of that
 // stroke, how often it was drawn, and the band of its force.
 #pragma once
 #include <string>

@@ -30,7 +30,8 @@ std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(se
 /// The pure brew in words, with what a player must know before the first ingredient.
 std::string words_of_pure_brew(const CauldronPicture& cauldron, const RecipePicture& recipe) {
     if (recipe.step != RecipeStep::choose || cauldron.whole_time_s <= 0) return "Pure brew";
-    return text("All within ", whole_seconds(cauldron.whole_time_s), ", or it boils over and hurts");
+    return text("Pure brew: all within ", whole_seconds(cauldron.whole_time_s),
+                ", or it boils over and hurts");
 }
 
 /// The state of the brew in words: ingredients, mixing, owner, effects and time left. Example: "Ember and salt, mixed

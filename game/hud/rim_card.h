@@ -1,4 +1,4 @@
-// game/hud/rim_card.h: the card of a wizard at the cauldron. It helps through a recipe, and all of it is readable at once:
+// game/hud/rim_card.h: the card of a wizard at the cauldron. It helps through a recipe, all of it readable at once:
 //
 //     +-------+  Haste: hold [Right mouse] and draw: circle      the next step
 //     | ghost |  Ember and salt, mixed 57 %, boils over in 9 s   the brew

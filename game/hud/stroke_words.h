@@ -1,6 +1,6 @@
 // game/hud/stroke_words.h: the caption after a stroke. It says what was read, how sure that is, and what came of it:
-// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A hand that casts
-// without a button has a caption where it nearly cast something: "almost: Star 60 %, unclear".
+// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A hand without
+// a button has a caption where it nearly cast something: "almost: Star 60 %, unclear".
 #pragma once
 #include <string>
 

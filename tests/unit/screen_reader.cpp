@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/hud/layout.h"
+#include "game/hud/rim_card.h"
 
 namespace thaum::app::screen {
 namespace {
@@ -22,7 +23,7 @@ Part part_of(const game::HudLayout& layout, fvec2 place) {
     const auto& view = *layout.views[viewer];
     if (layout.lesson && is_in(*layout.lesson, place)) return Part::lesson;
     if (is_in(layout.score, place)) return Part::score;
-    if (is_in(view.messages, place)) return Part::messages;
+    if (is_in(view.messages, place) || is_in(view.aside, place)) return Part::messages;
     if (is_in(view.strip, place)) return Part::strip;
     if (is_in(view.name, place)) return Part::name;
     if (is_in(view.feed, place)) return Part::feed;
@@ -68,7 +69,9 @@ void read_hud(const Shown& shown, Screen& out) {
     render::Overlay overlay;
     game::make_overlay(shown.picture, hud, shown.size, overlay);
     const auto layout = game::lay_out(hud, shown.size, shown.picture.shown->wands.size(),
-                                      !shown.picture.practice.lesson.empty());
+                                      {.lesson = !shown.picture.practice.lesson.empty(),
+                                       .brews = {game::at_cauldron(shown.picture.wizards[0]),
+                                                 game::at_cauldron(shown.picture.wizards[1])}});
     const bool ended = shown.picture.phase != game::Phase::playing;
     std::size_t veil = overlay.items.size();
     for (std::size_t i = 0; ended && i < overlay.items.size(); ++i)
