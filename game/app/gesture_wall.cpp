@@ -19,7 +19,6 @@ using game::practising;
 
 constexpr Tick shown_after = ticks(8.0);
 constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
-constexpr double hasty = 0.35;              // time of a stroke that was drawn too fast to be read well (s)
 
 std::string words_of_force(const game::CastingRules& rules, double force) {
     return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
@@ -98,7 +97,8 @@ void GestureWall::read(const game::Simulation& match) {
     else
         lines_.push_back(text("not sure: the nearest is ", nearest.name, ", ", score, " %"));
     if (chord_) return lines_.emplace_back("a key chord: nothing was drawn"), void();
-    if (!meant && !stroke_.empty() && stroke_.back().t < hasty) lines_.push_back(words_of_haste());
+    if (!meant && !stroke_.empty() && game::is_too_fast(*match.data().casting, reading.force))
+        lines_.push_back(words_of_haste());
     for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest),
                                          by_bands_of(*match.data().casting, nearest), reading.force))
         lines_.push_back(std::move(line));

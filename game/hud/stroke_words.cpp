@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "game/casting/reading.h"
 #include "game/data/spell.h"
 #include "game/hud/event_words.h"
 
@@ -28,8 +29,9 @@ std::string words_of_miss(const CastingPicture& casting) {
     const auto& reading = casting.reading;
     if (reading.gesture != no_gesture)
         return text(gesture_and_percent(casting, reading.gesture), ": no spell");
-    if (shown_gesture(casting, reading.nearest).empty()) return "not read";
-    return text("not read; nearest: ", gesture_and_percent(casting, reading.nearest));
+    const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
+    if (shown_gesture(casting, reading.nearest).empty()) return why;
+    return text(why, "; nearest: ", gesture_and_percent(casting, reading.nearest));
 }
 
 /// Words of a stroke on the brew: "Circle 97 %, 2 turns, gentle".
