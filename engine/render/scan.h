@@ -21,6 +21,7 @@
 #include <variant>
 
 #include "core/maths.h"
+#include "field/voxels.h"
 
 namespace thaum::render {
 
@@ -69,7 +70,7 @@ struct Scan {
     /// Version of each brick, x contiguous. Bricks with a new version are sent. Empty: all bricks are sent.
     std::span<const std::uint32_t> brick_versions{};
     /// Factor of the colour of each sample, as the square root of its share. Empty: 1.
-    std::span<const std::array<std::uint8_t, 3>> colours{};
+    std::span<const field::Rgb8> colours{};
     std::span<const std::uint8_t> materials{};       ///< index into `material_table` of each sample; empty: 0
     std::span<const ScanMaterial> material_table{};  ///< up to 256 materials; a missing one changes nothing
 

@@ -12,6 +12,8 @@
 #include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/program.h"
+#include "game/app/volume_lab.h"
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
@@ -306,11 +308,9 @@ int run_headless(LabPlan plan) {
     return done;
 }
 
-int run_lab(const std::vector<std::string>& words) {
+int run_brew_lab(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, lab_options);
     if (!arguments) return refuse(arguments.error());
-    if (!arguments->has("--fluid"))
-        return refuse({"lab: volumes are not there yet; `thaum lab --fluid` has the cauldron's brew"});
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab --fluid --headless"});
     for (const auto* word : {"--load", "--stir"}) {
@@ -319,6 +319,15 @@ int run_lab(const std::vector<std::string>& words) {
     auto plan = read_plan(*arguments);
     if (!plan) return refuse(plan.error());
     return arguments->has("--headless") ? run_headless(std::move(*plan)) : run_lab_window(std::move(*plan));
+}
+
+int run_lab(const std::vector<std::string>& words) {
+    const bool fluid = std::ranges::find(words, "--fluid") != words.end();
+    if (asks_for_help(words)) {
+        std::printf("%s", std::string(fluid ? lab_help : volume_lab_help()).c_str());
+        return done;
+    }
+    return fluid ? run_brew_lab(words) : run_volume_lab(words);
 }
 
 }  // namespace
@@ -344,7 +353,7 @@ void LabTrace::add(const game::LabState& lab, const game::LabFigures& figures) {
 Expected<void> LabTrace::close() { return file_ ? file_->close() : Expected<void>(); }
 
 Command lab_command() {
-    return {"lab", "the cauldron's brew alone: stir, change and measure it", lab_help, run_lab};
+    return {"lab", "a volume to feel, read and carve, or the cauldron's brew alone", {}, run_lab};
 }
 
 }  // namespace thaum::app

@@ -167,7 +167,7 @@ TEST_F(ScanPicture, OfOtherSampleTypesIsTheSame) {
 TEST_F(ScanPicture, MaterialsColourAndHideSurfaces) {
     std::vector<std::uint8_t> materials(samples.size(), 0);
     for (std::size_t i = 0; i < materials.size(); ++i) materials[i] = i % scan_side < scan_side / 2 ? 1 : 0;
-    const std::vector<std::array<std::uint8_t, 3>> colours(samples.size(), {255, 128, 0});
+    const std::vector<field::Rgb8> colours(samples.size(), {255, 128, 0});
     std::array<ScanMaterial, 2> kinds{};
     auto scan = translucent();
     scan.look = ScanLook::surface;

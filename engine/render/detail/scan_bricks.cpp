@@ -115,9 +115,9 @@ void pack_paint(const Scan& scan, const ScanBox& box, std::vector<std::uint8_t>&
     visit_rows(box, [&](int y, int z) {
         for (int x = box.first[0]; x < box.first[0] + box.count[0]; ++x) {
             const auto i = index_of(scan, x, y, z);
-            for (std::size_t c = 0; c < 3; ++c)
-                out.push_back(scan.colours.empty() ? std::uint8_t{255} : scan.colours[i][c]);
-            out.push_back(scan.materials.empty() ? std::uint8_t{0} : scan.materials[i]);
+            const auto colour = scan.colours.empty() ? field::Rgb8{255, 255, 255} : scan.colours[i];
+            const std::uint8_t material = scan.materials.empty() ? std::uint8_t{0} : scan.materials[i];
+            out.insert(out.end(), {colour.r, colour.g, colour.b, material});
         }
     });
 }

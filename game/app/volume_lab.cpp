@@ -1,0 +1,400 @@
+// thaum lab VOLUME: explores a volume by touch.
+#include "game/app/volume_lab.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/clock.h"
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/text.h"
+#include "core/write_rule.h"
+#include "field/nrrd.h"
+#include "field/volume_file.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/data/match_data.h"
+#include "game/lab/volume_trace.h"
+
+namespace thaum::app {
+namespace {
+
+using game::LabMode;
+using game::VolumeLab;
+
+constexpr std::string_view help =
+    R"(usage: thaum lab VOLUME [OPTIONS]      thaum lab --fluid --help: the brew alone
+
+A volume to feel and carve: in a window, or with --headless as a script. VOLUME: a
+.nrrd or .nhdr file, a .toml that describes a raw file, or one that is made: sphere
+or gyroid (bodies), vortices or beltrami (flows).
+
+  --count N, --seed N   samples along each axis (64) and seed of one that is made
+  --mode M[,S]     a haptic mode and its strength (N): follow, isosurface, ...; a
+                   wrong name lists them; repeats: all act together
+  --transfer M,X:Y,...   strength of mode M by the property it reads, 32 points most
+  --filter M,F[,A,B]   between data and mode M: magnitude, gradient, curl,
+                   divergence, scale,A,B clamp,A,B smooth,SAMPLES; repeats: in order
+  --level X        value of the felt and drawn surface (the middle of the range)
+  --hand PATH      rest, press, circle, or FILE.csv with time_s,x_m,y_m,z_m
+                   (headless: press; the window: the mouse)
+  --carve T,A,B    holds tool T (melt, construct, paint, ...) from second A to B
+  --device NAME    model of the simulated arm (touch)
+  --look NAME      surface (default) or translucent
+  --session FILE   settings that the window saved, in place of VOLUME
+  --save FILE      .nrrd: the body at the end;  --trace FILE  CSV, a row a tick of 1 ms
+  --shots DIR      pictures;  --every N  ticks from picture to picture (500)
+  --size WxH       size of the pictures or of the window in px (1280x720)
+  --headless       no window;  --seconds S  length of the session (headless: 4)
+)";
+
+constexpr Option volume_options[] = {
+    {"--count", 1},   {"--seed", 1},  {"--mode", 1, true},  {"--filter", 1, true}, {"--transfer", 1, true},
+    {"--level", 1},   {"--hand", 1},  {"--carve", 1, true}, {"--device", 1},       {"--look", 1},
+    {"--session", 1}, {"--save", 1},  {"--trace", 1},       {"--shots", 1},        {"--every", 1},
+    {"--size", 1},    {"--headless"}, {"--seconds", 1}};
+
+std::vector<std::string> split(std::string_view words, char at) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0; from <= words.size();) {
+        const auto end = std::min(words.find(at, from), words.size());
+        parts.emplace_back(words.substr(from, end - from));
+        from = end + 1;
+    }
+    return parts;
+}
+
+// ---- the volume -------------------------------------------------------------------------------------------
+
+bool is_made(std::string_view name) {
+    const auto made = field::volume_names();
+    return std::ranges::find(made, name) != made.end();
+}
+
+/// Session of the command line: from a file, or a new one with the volume's name.
+Expected<game::VolumeSession> read_session(const Arguments& arguments) {
+    game::VolumeSession session;
+    if (const auto file = arguments.value("--session")) {
+        if (!arguments.plain().empty()) return fail("lab takes a volume or --session, not both");
+        auto saved = game::load_session(*file);
+        if (!saved) return saved;
+        session = std::move(*saved);
+    } else if (arguments.plain().size() == 1) {
+        session.volume = arguments.plain()[0];
+    } else {
+        return fail("lab takes one volume, or --fluid; `thaum lab --help` says more");
+    }
+    if (!is_made(session.volume) && (arguments.has("--count") || arguments.has("--seed")))
+        return fail(text("--count and --seed are for volumes that are made, not for '", session.volume, "'"));
+    const auto count = arguments.whole("--count", 8, 512, static_cast<std::uint64_t>(session.count));
+    if (!count) return tl::unexpected(count.error());
+    const auto seed =
+        arguments.whole("--seed", 0, 1'000'000'000'000, static_cast<std::uint64_t>(session.seed));
+    if (!seed) return tl::unexpected(seed.error());
+    session.count = static_cast<std::int64_t>(*count);
+    session.seed = static_cast<std::int64_t>(*seed);
+    session.device = arguments.value("--device").value_or(session.device);
+    return session;
+}
+
+// ---- modes ------------------------------------------------------------------------------------------------
+
+/// Reads "NAME,A,B", the parts of a --filter behind its mode.
+Expected<field::Filter> read_filter(const std::string& words, std::span<const std::string> parts) {
+    const auto names = field::filter_names();
+    const auto name = parts.empty() ? names.end() : std::ranges::find(names, parts[0]);
+    if (name == names.end() || parts.size() > 3) {
+        std::string all;
+        for (const auto each : names) all += text(all.empty() ? "" : ", ", each);
+        return fail(text("--filter '", words, "': must be MODE,FILTER[,A[,B]]; the filters are ", all));
+    }
+    field::Filter filter{.kind = static_cast<field::FilterKind>(name - names.begin())};
+    const std::array<double*, 2> numbers{&filter.a, &filter.b};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const auto number = parse_number(parts[i], "--filter", -1e30, 1e30);
+        if (!number) return tl::unexpected(number.error());
+        *numbers[i - 1] = *number;
+    }
+    return filter;
+}
+
+/// Filters of a mode, in the order of the command line.
+Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, const std::string& mode) {
+    std::vector<field::Filter> filters;
+    for (const auto& words : arguments.values("--filter")) {
+        const auto parts = split(words, ',');
+        if (parts[0] != mode) continue;
+        const auto filter = read_filter(words, std::span(parts).subspan(1));
+        if (!filter) return tl::unexpected(filter.error());
+        filters.push_back(*filter);
+    }
+    return filters;
+}
+
+Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words, const VolumeLab& lab) {
+    const auto parts = split(words, ',');
+    if (parts.size() > 2) return fail(text("--mode '", words, "': must be MODE or MODE,STRENGTH"));
+    auto filters = filters_of(arguments, parts[0]);
+    if (!filters) return tl::unexpected(filters.error());
+    auto mode = game::lab_mode(lab, parts[0], std::move(*filters));
+    if (!mode) return mode;
+    const auto level = arguments.number("--level", -1e30, 1e30);
+    if (!level) return tl::unexpected(level.error());
+    if (*level) mode->settings.level = **level;
+    if (parts.size() == 1) return mode;
+    const auto strength = parse_number(parts[1], "--mode", -1e6, 1e6);
+    if (!strength) return tl::unexpected(strength.error());
+    mode->settings.strength = field::constant(*strength);
+    return mode;
+}
+
+/// Reads "M,X:Y,..." and gives the function to mode M.
+Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
+    const auto parts = split(words, ',');
+    const auto mode = std::ranges::find(modes, parts[0], &LabMode::name);
+    if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
+    std::vector<vec2> points;
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const auto numbers = split(parts[i], ':');
+        if (numbers.size() != 2) return fail(text("--transfer '", words, "': '", parts[i], "' must be X:Y"));
+        const auto x = parse_number(numbers[0], "--transfer", -1e100, 1e100);
+        if (!x) return tl::unexpected(x.error());
+        const auto y = parse_number(numbers[1], "--transfer", -1e6, 1e6);
+        if (!y) return tl::unexpected(y.error());
+        points.emplace_back(*x, *y);
+    }
+    auto function = field::transfer_function(points);
+    if (!function) return fail(text("--transfer '", words, "': ", function.error().message));
+    mode->settings.strength = *function;
+    return {};
+}
+
+Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
+    const auto level = arguments.number("--level", -1e30, 1e30);
+    if (!level) return tl::unexpected(level.error());
+    if (*level) plan.view.level = **level;
+    game::VolumeLabSettings settings = plan.lab.settings;
+    for (const auto& words : arguments.values("--mode")) {
+        auto mode = read_mode(arguments, words, plan.lab);
+        if (!mode) return tl::unexpected(mode.error());
+        if (std::ranges::find(settings.modes, mode->name, &LabMode::name) != settings.modes.end())
+            return fail(text("--mode '", mode->name, "' is given twice"));
+        settings.modes.push_back(std::move(*mode));
+    }
+    for (const auto& words : arguments.values("--filter")) {
+        if (std::ranges::find(settings.modes, split(words, ',')[0], &LabMode::name) == settings.modes.end())
+            return fail(text("--filter '", words, "': it begins with the mode, and there is no such --mode"));
+    }
+    for (const auto& words : arguments.values("--transfer"))
+        if (auto read = read_transfer(words, settings.modes); !read) return read;
+    return game::change_volume_lab(plan.lab, settings);
+}
+
+// ---- the script -------------------------------------------------------------------------------------------
+
+Expected<PlannedCarve> read_carve(const std::string& words, const VolumeLab& lab) {
+    const auto parts = split(words, ',');
+    if (parts.size() != 3) return fail(text("--carve '", words, "': must be TOOL,FROM,TO"));
+    if (!lab.carvable()) return fail("--carve: a flow cannot be carved");
+    const auto& tools = lab.data.tools;
+    const auto tool = std::ranges::find(tools, parts[0], &field::Tool::name);
+    if (tool == tools.end()) {
+        std::string names;
+        for (const auto& each : tools) names += (names.empty() ? "" : ", ") + each.name;
+        return fail(text("--carve '", words, "': there are ", names));
+    }
+    const auto from = parse_number(parts[1], "--carve", 0, 1e6);
+    if (!from) return tl::unexpected(from.error());
+    const auto to = parse_number(parts[2], "--carve", *from, 1e6);
+    if (!to) return tl::unexpected(to.error());
+    return PlannedCarve{static_cast<std::size_t>(tool - tools.begin()), *from, *to};
+}
+
+Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabPlan& plan) {
+    auto path = game::hand_path(arguments.value("--hand").value_or(headless ? "press" : "rest"));
+    if (!path) return fail(text("--hand ", path.error().message));
+    plan.path = std::move(*path);
+    for (const auto& words : arguments.values("--carve")) {
+        const auto carve = read_carve(words, plan.lab);
+        if (!carve) return tl::unexpected(carve.error());
+        plan.carves.push_back(*carve);
+    }
+    return {};
+}
+
+// ---- the whole plan ---------------------------------------------------------------------------------------
+
+std::optional<std::filesystem::path> path_of(const Arguments& arguments, std::string_view option) {
+    const auto word = arguments.value(option);
+    if (!word) return std::nullopt;
+    return *word;
+}
+
+Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
+    plan.save = path_of(arguments, "--save");
+    plan.trace = path_of(arguments, "--trace");
+    plan.shots = path_of(arguments, "--shots");
+    if (plan.save && plan.save->extension() != ".nrrd") return fail("--save: the file must end in .nrrd");
+    if (plan.save && plan.trace && same_target(*plan.save, *plan.trace))
+        return fail("--save and --trace need one file for each");
+    if (arguments.has("--every") && !plan.shots) return fail("--every needs --shots");
+    if (arguments.has("--size") && arguments.has("--headless") && !plan.shots)
+        return fail("--size needs --shots, or a window");
+    const auto every = arguments.whole("--every", 1, 1'000'000, 500);
+    if (!every) return tl::unexpected(every.error());
+    plan.every = static_cast<std::int64_t>(*every);
+    if (const auto word = arguments.value("--size")) {
+        const auto size = parse_size(*word, "--size");
+        if (!size) return tl::unexpected(size.error());
+        plan.size = *size;
+    }
+    const auto look = arguments.value("--look");
+    if (look && *look != "surface" && *look != "translucent")
+        return fail(text("--look '", *look, "': must be surface or translucent"));
+    if (look) plan.view.look = *look == "surface" ? render::ScanLook::surface : render::ScanLook::translucent;
+    return {};
+}
+
+Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
+    const bool headless = arguments.has("--headless");
+    const auto session = read_session(arguments);
+    if (!session) return tl::unexpected(session.error());
+    auto opened = plan_of(*session);
+    if (!opened) return opened;
+    VolumeLabPlan plan = std::move(*opened);
+    plan.session_file = path_of(arguments, "--session");
+    if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
+    if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
+    const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);
+    if (!seconds) return tl::unexpected(seconds.error());
+    plan.seconds = headless ? seconds->value_or(4) : *seconds;
+    return plan;
+}
+
+// ---- without a window -------------------------------------------------------------------------------------
+
+void tell_end(const VolumeLab& lab, std::size_t changed, double most_n, double took_s) {
+    const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
+    std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",
+                fixed(lab.seconds(), 3).c_str(), n[0], n[1], n[2], fixed(took_s, 2).c_str(),
+                fixed(most_n, 3).c_str(), changed);
+    std::printf("state %s\n", hex(game::lab_hash(lab)).c_str());
+}
+
+int run_headless(VolumeLabPlan plan) {
+    if (const auto free = plan.save ? check_output(*plan.save) : Expected<void>(); !free)
+        return refuse(free.error());
+    auto trace = VolumeTrace::open(plan);
+    if (!trace) return refuse(trace.error());
+    auto shots = VolumeShots::open(plan);
+    if (!shots) return refuse(shots.error());
+    double most_n = 0;
+    std::size_t changed = 0;
+    const auto start = monotonic_ns();
+    const auto steps = ticks(*plan.seconds);
+    for (Tick i = 0; i < steps; ++i) {
+        const auto figures = game::step_volume_lab(plan.lab, planned_input(plan));
+        most_n = std::max(most_n, glm::length(figures.force));
+        changed += figures.edit.voxels;
+        trace->add(plan.lab, figures);
+        if (auto put = shots->follow(plan.lab, plan.view, figures); !put) return refuse(put.error());
+    }
+    const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
+    if (auto closed = trace->close(); !closed) return refuse(closed.error());
+    if (plan.save) {
+        if (auto saved = field::write_nrrd(*plan.save, game::volume_now(plan.lab)); !saved)
+            return refuse(saved.error());
+    }
+    tell_end(plan.lab, changed, most_n, took);
+    return done;
+}
+
+}  // namespace
+
+Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
+    auto data = game::load_volume_lab_data(game::find_assets(), session.device);
+    if (!data) return tl::unexpected(data.error());
+    auto volume = is_made(session.volume)
+                      ? field::make_volume(session.volume, static_cast<int>(session.count),
+                                           static_cast<std::uint64_t>(session.seed))
+                      : field::read_volume(session.volume);
+    if (!volume) return tl::unexpected(volume.error());
+    auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
+    if (!lab) return tl::unexpected(lab.error());
+    VolumeLabPlan plan{.volume = session.volume,
+                       .count = session.count,
+                       .seed = session.seed,
+                       .device = session.device,
+                       .lab = std::move(*lab)};
+    plan.view = usual_view(plan.lab);
+    if (session.opacity.count > 0) {
+        plan.view.look = session.translucent ? render::ScanLook::translucent : render::ScanLook::surface;
+        plan.view.level = session.level;
+        plan.view.opacity = session.opacity;
+    }
+    if (auto set = game::change_volume_lab(plan.lab, {session.modes}); !set)
+        return tl::unexpected(set.error());
+    return plan;
+}
+
+game::VolumeSession session_of(const VolumeLabPlan& plan) {
+    return {.volume = plan.volume,
+            .count = plan.count,
+            .seed = plan.seed,
+            .device = plan.device,
+            .translucent = plan.view.look == render::ScanLook::translucent,
+            .level = plan.view.level,
+            .opacity = plan.view.opacity,
+            .modes = plan.lab.settings.modes};
+}
+
+game::VolumeLabInput planned_input(const VolumeLabPlan& plan) {
+    game::VolumeLabInput input;
+    const double now = plan.lab.seconds();
+    input.target = game::wanted_place(plan.path, plan.lab.data.device.workspace, now);
+    for (const auto& carve : plan.carves) {
+        if (now < carve.from || now >= carve.to) continue;
+        input.carve = true;
+        input.tool = carve.tool;
+    }
+    return input;
+}
+
+Expected<VolumeTrace> VolumeTrace::open(const VolumeLabPlan& plan) {
+    VolumeTrace trace;
+    if (!plan.trace) return trace;
+    auto file = FileWriter::create(*plan.trace);
+    if (!file) return tl::unexpected(file.error());
+    trace.file_.emplace(std::move(*file));
+    trace.file_->write(game::volume_trace_header());
+    return trace;
+}
+
+void VolumeTrace::add(const game::VolumeLab& lab, const game::VolumeLabFigures& figures) {
+    if (!file_) return;
+    rows_.clear();
+    game::append_volume_row(lab, figures, rows_);
+    file_->write(rows_);
+}
+
+Expected<void> VolumeTrace::close() { return file_ ? file_->close() : Expected<void>(); }
+
+std::string_view volume_lab_help() { return help; }
+
+int run_volume_lab(const std::vector<std::string>& words) {
+    const auto arguments = Arguments::parse(words, volume_options);
+    if (!arguments) return refuse(arguments.error());
+    if (!arguments->has("--headless") && !display_there())
+        return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
+    for (const auto& file : arguments->plain()) protect_input(file);
+    if (const auto file = arguments->value("--session")) protect_input(*file);
+    if (const auto file = arguments->value("--hand")) protect_input(*file);
+    auto plan = read_plan(*arguments);
+    if (!plan) return refuse(plan.error());
+    return arguments->has("--headless") ? run_headless(std::move(*plan))
+                                        : run_volume_window(std::move(*plan));
+}
+
+}  // namespace thaum::app

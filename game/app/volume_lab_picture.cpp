@@ -1,0 +1,199 @@
+#include "game/app/volume_lab_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "render/colour.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
+constexpr float newton_m = 0.012F;                             // length of the arrow for each newton (m)
+constexpr float layers = 60;  // layers of the table's opacity along the diagonal
+
+double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
+
+fmat4 at(vec3 place, double scale = 1) {
+    fmat4 model(static_cast<float>(scale));
+    model[3] = fvec4(fvec3(place), 1);
+    return model;
+}
+
+fmat4 model_of(const field::Placement& placement) {
+    fmat4 model(glm::mat3(placement.scale * placement.turn));
+    model[3] = fvec4(fvec3(placement.origin), 1);
+    return model;
+}
+
+/// A rod from the proxy along the force.
+fmat4 arrow(vec3 from, vec3 force) {
+    const auto length = static_cast<float>(glm::length(force)) * newton_m;
+    const fvec3 along = length > 0 ? fvec3(glm::normalize(force)) : fvec3(0, 1, 0);
+    const fvec3 aside = glm::normalize(std::abs(along.y) < 0.9F ? glm::cross(along, fvec3(0, 1, 0))
+                                                                : glm::cross(along, fvec3(1, 0, 0)));
+    fmat4 model(1);
+    model[0] = fvec4(aside, 0);
+    model[1] = fvec4(along * length, 0);
+    model[2] = fvec4(glm::cross(aside, along), 0);
+    model[3] = fvec4(fvec3(from) + 0.5F * length * along, 1);
+    return model;
+}
+
+/// Colours from cool and thin to warm and dense.
+fvec3 ramp(float share) {
+    const fvec3 low = render::colour(0x3E6FB0), middle = render::colour(0xE0A878),
+                high = render::colour(0xFFF4E2);
+    return share < 0.5F ? glm::mix(low, middle, 2 * share) : glm::mix(middle, high, 2 * share - 1);
+}
+
+/// A plain room: light from above and from the user's left, on a dark ground.
+render::Environment lab_light() {
+    render::Environment light;
+    light.sun.direction = glm::normalize(fvec3(-0.5F, 0.8F, 0.6F));
+    light.sun.colour = fvec3(1.3F);
+    light.ambient = {.above = fvec3(0.35F, 0.37F, 0.42F), .below = fvec3(0.16F, 0.15F, 0.15F)};
+    light.sky = {
+        .zenith = fvec3(0.02F, 0.025F, 0.035F), .horizon = fvec3(0.05F, 0.055F, 0.07F), .sun_glow = fvec3(0)};
+    light.fog = {.colour = fvec3(0.05F, 0.055F, 0.07F), .density = 0};
+    return light;
+}
+
+void fill_table(const game::VolumeLab& lab, const VolumeView& view, render::ScanTable& table) {
+    const double low = lab.range.low, high = lab.range.high;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double share = static_cast<double>(i) / 255.0;
+        table[i].colour = ramp(static_cast<float>(share));
+        table[i].opacity = static_cast<float>(std::clamp(view.opacity(low + share * (high - low)), 0.0, 1.0));
+    }
+}
+
+}  // namespace
+
+VolumeView usual_view(const game::VolumeLab& lab) {
+    VolumeView view;
+    const double low = lab.range.low, high = lab.range.high;
+    view.level = 0.5 * (low + high);
+    view.opacity = field::window(low + 0.3 * (high - low), high, 0, 0.3);
+    if (!lab.carvable()) view.look = render::ScanLook::translucent;
+    return view;
+}
+
+render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
+    const quat turn = look_rotation(eye.yaw, -eye.pitch);
+    const double away = eye.away * diagonal(lab);
+    render::Camera camera;
+    camera.position = fvec3(turn * vec3(0, 0, away));
+    camera.orientation = fquat(turn);
+    camera.fov_y = 0.7F;
+    camera.near_plane = static_cast<float>(0.02 * away);
+    camera.far_plane = static_cast<float>(20 * away);
+    return camera;
+}
+
+VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab) : renderer_(&renderer) {
+    scan_ = renderer.make_scan();
+    tip_ = renderer.upload(render::sphere(tip_radius, 16, render::colour(0x9FB8D8)));
+    proxy_ = renderer.upload(render::sphere(proxy_radius, 20, render::colour(0xFFB040)));
+    rod_ = renderer.upload(render::cylinder(0.0006F, 1, 12, render::colour(0xFF5A3C)));
+    for (std::size_t i = 0; i < colours_.size(); ++i) colours_[i] = ramp(static_cast<float>(i) / 255.0F);
+    for (const auto& material : lab.data.materials)
+        materials_.push_back({.colour = fvec3(1), .opacity = static_cast<float>(material.opacity)});
+    if (!lab.carvable()) {
+        for (std::size_t i = 0; i + 2 < lab.source.samples.size(); i += 3) {
+            const auto& s = lab.source.samples;
+            lengths_.push_back(glm::length(fvec3(s[i], s[i + 1], s[i + 2])));
+        }
+    }
+    frame_.bloom = false;
+    frame_.quality = render::first_quality(renderer.device());
+}
+
+void VolumePicture::add_ribbons(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+                                const VolumeView& view) {
+    const vec3 half = 0.5 * lab.source.extent();
+    seeds_.clear();
+    seeds_.push_back(field::to_own(lab.placement, figures.proxy));
+    for (int i = 1; i <= view.ribbons; ++i) {
+        // Places that fill a box evenly: multiples of the golden section and its relatives (Roberts 2018).
+        const vec3 share =
+            glm::fract(static_cast<double>(i) * vec3(0.8191725134, 0.6710436067, 0.5497004779));
+        seeds_.push_back(half * (2.0 * share - 1.0));
+    }
+    const double size = glm::length(lab.source.extent());
+    const auto flow = lab.source.vector_grid();
+    const field::StreamlineSettings settings{.length = 0.25 * size,
+                                             .tolerance = 1e-5 * size,
+                                             .longest_step = 0.01 * size,
+                                             .low = -half,
+                                             .high = half};
+    const render::RibbonLook look{.width = static_cast<float>(0.006 * size),
+                                  .colours = &colours_,
+                                  .slowest = 0,
+                                  .fastest = std::max(double{lab.range.high}, 1e-9)};
+    ribbons_.update(*renderer_, field::field_of<field::Vector>(flow), seeds_, settings, look, 1);
+    const auto drawn = ribbons_.instances(model_of(lab.placement));
+    instances_.insert(instances_.end(), drawn.begin(), drawn.end());
+}
+
+void VolumePicture::add_scan(const game::VolumeLab& lab, const VolumeView& view) {
+    fill_table(lab, view, table_);
+    render::Scan scan;
+    scan.id = scan_;
+    scan.count = lab.source.count;
+    scan.low = lab.range.low;
+    scan.high = std::max(lab.range.high, std::nextafter(lab.range.low, lab.range.high + 1));
+    scan.spacing = fvec3(lab.source.spacing);
+    scan.model = model_of(lab.placement);
+    scan.look = view.look;
+    scan.table = &table_;
+    scan.unit = static_cast<float>(glm::length(lab.source.extent())) / layers;
+    scan.lit = lab.carvable();
+    scan.colour = render::colour(0xE8DCC8);
+    scan.level = static_cast<float>((view.level - double{scan.low}) / (double{scan.high} - double{scan.low}));
+    if (lab.carvable()) {
+        scan.version = lab.body.bricks.newest;
+        scan.samples = std::span<const float>(lab.body.density);
+        scan.brick_versions = lab.body.bricks.version;
+        scan.colours = lab.body.colour;
+        scan.materials = lab.body.material;
+        scan.material_table = materials_;
+    } else {
+        scan.version = 1;
+        scan.samples = std::span<const float>(lengths_);
+    }
+    scans_.assign(1, scan);
+}
+
+const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+                                          const VolumeView& view, render::Size size) {
+    add_scan(lab, view);
+    instances_.clear();
+    instances_.push_back({.mesh = tip_, .model = at(figures.tip)});
+    instances_.push_back({.mesh = proxy_, .model = at(figures.proxy), .glow = 0.3F});
+    if (glm::length(figures.force) > 0.01)
+        instances_.push_back({.mesh = rod_, .model = arrow(figures.proxy, figures.force), .glow = 0.4F});
+    if (!lab.carvable()) add_ribbons(lab, figures, view);
+    frame_.width = size.width;
+    frame_.height = size.height;
+    frame_.internal_scale = render::internal_scale_of(frame_.quality, size.height);
+    frame_.views = {{.camera = camera_of(view.eye, lab),
+                     .viewport = {0, 0, size.width, size.height},
+                     .instances = instances_,
+                     .lights = {},
+                     .environment = lab_light()}};
+    frame_.views[0].scan_detail = view.still ? render::ScanDetail::sharp : render::ScanDetail::automatic;
+    frame_.views[0].scans = scans_;
+    frame_.overlay.items.clear();
+    frame_.overlay.items.push_back(
+        render::TextItem{text("force ", fixed(glm::length(figures.force), 2), " N    value ",
+                              fixed(figures.value, 2), "    ", fixed(lab.seconds(), 2), " s"),
+                         {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 40},
+                         20,
+                         fvec4(1),
+                         render::Align::right});
+    return frame_;
+}
+
+}  // namespace thaum::app

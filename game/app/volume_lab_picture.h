@@ -1,0 +1,64 @@
+// game/app/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of the device, its
+// proxy and the force.
+#pragma once
+#include <vector>
+
+#include "field/transfer.h"
+#include "game/lab/volume_lab.h"
+#include "render/context.h"
+#include "render/renderer.h"
+#include "render/ribbons.h"
+
+namespace thaum::app {
+
+/// Camera that orbits the middle of the workspace.
+struct VolumeEye {
+    double yaw = 0.5;    ///< angle about the upright axis (rad)
+    double pitch = 0.4;  ///< angle above the level (rad)
+    double away = 1.6;   ///< distance, in lengths of the volume's diagonal
+};
+
+/// How the volume is shown.
+struct VolumeView {
+    render::ScanLook look = render::ScanLook::surface;
+    double level{};                     ///< value of the surface
+    field::TransferFunction opacity{};  ///< by the value, 0 to 1, for the translucent look
+    int ribbons = 40;    ///< number of stream ribbons of a flow, besides the one through the proxy
+    bool still = false;  ///< draw sharp, however long it takes
+    VolumeEye eye{};
+};
+
+/// Look that suits a volume: a surface at the middle of its range, with an opacity that grows from there.
+VolumeView usual_view(const game::VolumeLab& lab);
+
+class VolumePicture {
+public:
+    /// The renderer's context must be current for the whole life of the picture.
+    VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab);
+
+    /// Builds the frame. The reference stays valid until the next call, and while the lab's body does.
+    const render::Frame& frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+                               const VolumeView& view, render::Size size);
+
+private:
+    void add_ribbons(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+                     const VolumeView& view);
+    void add_scan(const game::VolumeLab& lab, const VolumeView& view);
+
+    render::Renderer* renderer_;
+    render::ScanId scan_{};
+    render::Ribbons ribbons_;
+    render::SpeedColours colours_{};
+    std::vector<vec3> seeds_;
+    render::MeshId tip_{}, proxy_{}, rod_{};
+    render::ScanTable table_{};
+    std::vector<render::ScanMaterial> materials_;
+    std::vector<float> lengths_;  ///< lengths of a flow's vectors
+    std::vector<render::Instance> instances_;
+    std::vector<render::Scan> scans_;
+    render::Frame frame_;
+};
+
+render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab);
+
+}  // namespace thaum::app

@@ -1,0 +1,220 @@
+// A volume of the lab in a window: the hand follows the mouse, panels choose modes, transfer functions and tools. One
+// thread handles input, computes the ticks that are due by the clock, and draws a picture. If ticks take too long, the
+// lab runs more slowly; nothing in it must be on time.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/clock.h"
+#include "core/file.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "field/nrrd.h"
+#include "game/app/command.h"
+#include "game/app/panels.h"
+#include "game/app/settings.h"
+#include "game/app/volume_lab.h"
+#include "game/app/volume_panels.h"
+#include "game/data/match_data.h"
+#include "render/pace.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr Tick ticks_of_a_frame = 100;  // most ticks for one picture; time beyond them is dropped
+constexpr double frames_per_second = 60;
+constexpr double turn_per_px = 0.008, nearer = 0.9;
+constexpr double depth_step = 0.003;  // way of the hand along the view by one step of the wheel (m)
+constexpr float text_px = 14;
+
+struct Session {
+    VolumeLabPlan plan;
+    VolumeTrace trace;
+    game::VolumeLabFigures figures{};
+    VolumePanelState panels{};
+    std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: not yet known
+    vec3 target{};                  ///< where the hand wants to be (m)
+    double depth{};                 ///< of the hand beyond the middle, along the view (m)
+    bool by_mouse = false, carving = false, turning = false, leaves = false, control = false;
+    int history = 0;  ///< undo or redo that is due
+};
+
+/// Place that the mouse points at, in the plane across the view at the hand's depth, within the workspace.
+vec3 pointed_at(const Session& session, render::Size size) {
+    const auto camera = camera_of(session.plan.view.eye, session.plan.lab);
+    const double tall = std::tan(double{camera.fov_y} / 2), half = 0.5 * std::max(size.height, 1);
+    const quat turn(camera.orientation);
+    const vec3 ray = turn * vec3(tall * (double{session.cursor->x} - 0.5 * size.width) / half,
+                                 tall * (half - double{session.cursor->y}) / half, -1);
+    const double away = glm::length(vec3(camera.position)) + session.depth;
+    const vec3 reach = 0.5 * session.plan.lab.data.device.workspace;
+    return glm::clamp(vec3(camera.position) + away * ray, -reach, reach);
+}
+
+void press(Session& session, std::string_view key) {
+    if (key == "Esc") session.leaves = true;
+    if (key == "Z") session.history = -1;
+    if (key == "Y") session.history = 1;
+    if (key == "PageUp") session.depth += depth_step;
+    if (key == "PageDown") session.depth -= depth_step;
+}
+
+void cursor_moved(Session& session, fvec2 to) {
+    if (session.turning && session.cursor) {
+        const fvec2 way = to - *session.cursor;
+        auto& eye = session.plan.view.eye;
+        eye.yaw = std::remainder(eye.yaw - turn_per_px * double{way.x}, 2 * pi);
+        eye.pitch = std::clamp(eye.pitch + turn_per_px * double{way.y}, -1.5, 1.5);
+    }
+    session.cursor = to;
+    session.by_mouse = true;
+}
+
+render::WindowEvents lab_events(Session& session) {
+    render::WindowEvents events;
+    events.key = [&](int key, int, bool pressed) {
+        const auto name = render::key_name(key);
+        if (name == "LeftCtrl" || name == "RightCtrl") session.control = pressed;
+        if (name == "Space") session.carving = pressed;
+        if (pressed) press(session, name);
+    };
+    events.mouse_button = [&](int button, bool pressed) {
+        if (button == 0) session.carving = pressed;
+        if (button == 1) session.turning = pressed;
+    };
+    events.cursor = [&](double x, double y) { cursor_moved(session, fvec2(vec2(x, y))); };
+    events.wheel = [&](double steps) {
+        if (session.control)
+            session.plan.view.eye.away =
+                std::clamp(session.plan.view.eye.away * std::pow(nearer, steps), 0.6, 8.0);
+        else
+            session.depth += depth_step * steps;
+    };
+    events.focus = [&](bool focused) {
+        if (!focused) session.carving = session.turning = session.control = false;
+    };
+    return events;
+}
+
+void step(Session& session, render::Size size) {
+    auto input = planned_input(session.plan);
+    if (session.by_mouse && session.cursor) {
+        if (!session.turning) session.target = pointed_at(session, size);
+        input.target = session.target;
+    }
+    if (session.carving) {
+        input.carve = true;
+        input.tool = session.panels.tool;
+    }
+    input.history = std::exchange(session.history, 0);
+    input.change = std::exchange(session.panels.change, std::nullopt);
+    session.figures = game::step_volume_lab(session.plan.lab, input);
+    if (!session.figures.refused.empty()) session.panels.note = session.figures.refused;
+    session.trace.add(session.plan.lab, session.figures);
+    add_force(session.panels, glm::length(session.figures.force));
+}
+
+/// Does what a button of the panels asks for.
+void obey(Session& session) {
+    auto& panels = session.panels;
+    if (panels.history != 0) session.history = std::exchange(panels.history, 0);
+    if (std::exchange(panels.saves, false)) {
+        const auto file = session.plan.save.value_or("carved.nrrd");
+        const auto saved = field::write_nrrd(file, game::volume_now(session.plan.lab));
+        panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
+    }
+    if (std::exchange(panels.saves_session, false)) {
+        const auto file = session.plan.session_file.value_or("lab.toml");
+        const auto saved = game::save_session(session_of(session.plan), file);
+        panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
+    }
+}
+
+Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& picture,
+                           render::Renderer& renderer) {
+    const auto volume = std::exchange(session.panels.open, std::nullopt);
+    if (!volume) return {};
+    auto next = session_of(session.plan);
+    next.volume = *volume;
+    next.device = session.panels.device;
+    const bool same = *volume == session.plan.volume;
+    if (!same) next.modes.clear();
+    auto plan = plan_of(next);
+    if (!plan) {
+        session.panels.note = in_one_line(plan.error().message);
+        return {};
+    }
+    if (!same) plan->view = usual_view(plan->lab);
+    session.plan.lab = std::move(plan->lab);
+    session.plan.view = plan->view;
+    session.plan.volume = *volume;
+    session.plan.device = next.device;
+    session.panels.modes = session.plan.lab.settings.modes;
+    session.panels.tool = usual_tool(session.plan.lab);
+    picture.emplace(renderer, session.plan.lab);
+    return {};
+}
+
+Expected<void> run(Session& session, render::Window& window, render::Renderer& renderer) {
+    Panels imgui(text_px);
+    const auto events = imgui.listening(lab_events(session));
+    std::optional<VolumePicture> picture(std::in_place, renderer, session.plan.lab);
+    render::Pacer pacer(frames_per_second);
+    auto last = monotonic_ns();
+    double owed = 0;
+    while (!session.leaves && !window.should_close()) {
+        if (session.plan.seconds && session.plan.lab.seconds() >= *session.plan.seconds) break;
+        window.poll(events);
+        const auto size = window.size();
+        const auto now = monotonic_ns();
+        const double passed = static_cast<double>(now - std::exchange(last, now)) * 1e-9;
+        owed = std::min(owed + passed, seconds(ticks_of_a_frame));
+        for (; owed >= tick_seconds; owed -= tick_seconds) step(session, size);
+        if (!window.minimised() && size.width > 0 && size.height > 0) {
+            renderer.draw(picture->frame(session.plan.lab, session.figures, session.plan.view, size));
+            imgui.begin(size, passed);
+            show_panels(session.plan, session.figures, session.panels);
+            imgui.draw();
+            window.present();
+            obey(session);
+            if (auto opened = open_chosen(session, picture, renderer); !opened) return opened;
+        }
+        pacer.wait();
+    }
+    return {};
+}
+
+Expected<void> end(Session& session) {
+    if (auto closed = session.trace.close(); !closed) return closed;
+    return session.plan.save ? field::write_nrrd(*session.plan.save, game::volume_now(session.plan.lab))
+                             : Expected<void>();
+}
+
+}  // namespace
+
+int run_volume_window(VolumeLabPlan plan) {
+    const auto assets = game::find_assets();
+    const auto settings = settings_to_play_with(settings_file(), assets).settings;
+    auto window = render::Window::create(
+        {.title = "Thaum: " + plan.volume, .size = plan.size, .fullscreen = settings.fullscreen});
+    if (!window) return refuse(window.error());
+    auto trace = VolumeTrace::open(plan);
+    if (!trace) return refuse(trace.error());
+    window->make_current();
+    Session session{.plan = std::move(plan), .trace = std::move(*trace)};
+    session.panels.modes = session.plan.lab.settings.modes;
+    session.panels.device = session.plan.device;
+    session.panels.tool = usual_tool(session.plan.lab);
+    Expected<void> went;
+    {
+        auto renderer = render::Renderer::create(assets);
+        went = renderer ? run(session, *window, *renderer) : tl::unexpected(renderer.error());
+    }
+    window->release_current();
+    if (!went) return refuse(went.error());
+    if (auto ended = end(session); !ended) return refuse(ended.error());
+    return done;
+}
+
+}  // namespace thaum::app

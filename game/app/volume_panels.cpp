@@ -1,0 +1,249 @@
+#include "game/app/volume_panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+using game::LabMode;
+using game::VolumeLab;
+
+constexpr float curve_height = 60;
+constexpr int columns = 31;  // of a freehand curve
+constexpr float wide = 330, tall = 700;
+
+/// A curve that the mouse draws: x from low to high, y from 0 to top. Returns whether it changed.
+bool curve(const char* name, field::TransferFunction& f, double low, double high, double top) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::InvisibleButton(name, {width, curve_height});
+    auto* canvas = ImGui::GetWindowDrawList();
+    const ImVec2 to{from.x + width, from.y + curve_height};
+    canvas->AddRectFilled(from, to, IM_COL32(25, 28, 40, 255));
+    const auto screen = [&](double share) {
+        const double y = std::clamp(f(low + share * (high - low)) / top, -0.02, 1.02);
+        return ImVec2{from.x + static_cast<float>(share) * width,
+                      to.y - static_cast<float>(y) * curve_height};
+    };
+    for (int i = 0; i < 128; ++i)
+        canvas->AddLine(screen(i / 128.0), screen((i + 1) / 128.0), IM_COL32(255, 176, 64, 255), 2);
+    if (!ImGui::IsItemActive()) return false;
+    const auto at = [&](ImVec2 mouse) {
+        const double x = std::clamp((mouse.x - from.x) / width, 0.0F, 1.0F);
+        const double y = std::clamp((to.y - mouse.y) / curve_height, 0.0F, 1.0F);
+        return vec2(low + x * (high - low), y * top);
+    };
+    const auto& io = ImGui::GetIO();
+    const ImVec2 before{io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y};
+    field::draw_stroke(f, at(ImGui::IsItemActivated() ? io.MousePos : before), at(io.MousePos),
+                       (high - low) / (columns - 1));
+    return true;
+}
+
+bool slider(const char* name, double& value, double low, double high, const char* format = "%.3g") {
+    return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
+}
+
+// ---- volume and device ------------------------------------------------------------------------------------
+
+void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
+    if (ImGui::BeginCombo("volume", plan.volume.c_str())) {
+        for (const auto name : field::volume_names())
+            if (ImGui::Selectable(std::string(name).c_str(), plan.volume == name))
+                state.open = std::string(name);
+        ImGui::EndCombo();
+    }
+    ImGui::InputText("file", state.path.data(), state.path.size());
+    ImGui::SameLine();
+    if (ImGui::SmallButton("open") && state.path[0] != 0) state.open = state.path.data();
+    if (!ImGui::BeginCombo("device", state.device.c_str())) return;
+    for (const char* name : {"touch", "omni", "premium", "falcon", "omega3"}) {
+        if (!ImGui::Selectable(name, state.device == name)) continue;
+        state.device = name;
+        state.open = plan.volume;
+    }
+    ImGui::EndCombo();
+}
+
+// ---- modes ------------------------------------------------------------------------------------------------
+
+double highest_property(const VolumeLab& lab, const haptics::Mode& mode) {
+    const double range = double{lab.range.high} - double{lab.range.low};
+    if (mode.property.find("per m") == std::string_view::npos) return lab.range.high;
+    return range / (lab.placement.scale *
+                    std::min({lab.source.spacing.x, lab.source.spacing.y, lab.source.spacing.z}));
+}
+
+/// Filters of a mode beside those through which it reads such a volume.
+bool show_filters(LabMode& chosen) {
+    bool changed = false;
+    for (std::size_t i = 0; i < chosen.filters.size(); ++i) {
+        auto& f = chosen.filters[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::Text("through %s",
+                    std::string(field::filter_names()[static_cast<std::size_t>(f.kind)]).c_str());
+        if (f.kind == field::FilterKind::smooth) changed |= slider("samples", f.a, 0, 4);
+        if (f.kind == field::FilterKind::scale || f.kind == field::FilterKind::clamp) {
+            changed |= ImGui::InputDouble("a", &f.a);
+            changed |= ImGui::InputDouble("b", &f.b);
+        }
+        ImGui::PopID();
+    }
+    const auto add = [&](const char* name, field::FilterKind kind) {
+        if (!ImGui::SmallButton(name) || chosen.filters.size() >= field::most_filters) return;
+        chosen.filters.push_back({kind, 1, 1});
+        changed = true;
+    };
+    add("+ smooth", field::FilterKind::smooth);
+    ImGui::SameLine();
+    add("+ scale", field::FilterKind::scale);
+    ImGui::SameLine();
+    if (ImGui::SmallButton("- last") && !chosen.filters.empty()) {
+        const auto kind = chosen.filters.back().kind;
+        // The others change a vector to a scalar or back, without which the mode could read nothing.
+        if (kind == field::FilterKind::smooth || kind == field::FilterKind::scale ||
+            kind == field::FilterKind::clamp) {
+            chosen.filters.pop_back();
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& chosen) {
+    auto& s = chosen.settings;
+    bool changed = show_filters(chosen);
+    ImGui::TextWrapped("%s", text(mode.about, "; strength (N) by ", mode.property).c_str());
+    const double low =
+        mode.property.find("per m") == std::string_view::npos ? std::min(0.0, double{lab.range.low}) : 0;
+    changed |= curve("strength", s.strength, low, std::max(highest_property(lab, mode), low + 1e-9),
+                     lab.data.device.peak_force);
+    if (mode.name == "isosurface") {
+        changed |= slider("level", s.level, lab.range.low, lab.range.high);
+        changed |= slider("magnet (N)", s.magnet, 0, 0.5 * lab.data.device.peak_force);
+        changed |= ImGui::Checkbox("solid below the level", &s.solid_below);
+    }
+    if (mode.name == "isosurface" || mode.name == "surface") {
+        double friction = s.friction(0);
+        if (slider("friction", friction, 0, 1)) {
+            s.friction = field::constant(friction);
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+/// The filter through which a mode reads the volume at all; none if it reads the volume itself.
+std::optional<field::FilterKind> leads(const LabMode& mode) {
+    using enum field::FilterKind;
+    if (mode.filters.empty()) return std::nullopt;
+    const auto kind = mode.filters[0].kind;
+    if (kind == smooth || kind == scale || kind == clamp) return std::nullopt;
+    return kind;
+}
+
+void show_modes(const VolumeLab& lab, VolumePanelState& state) {
+    bool changed = false;
+    for (const auto& offer : haptics::mode_offers(game::kind_of(lab))) {
+        const std::string name(offer.mode->name);
+        const auto at = std::ranges::find(state.modes, name, &LabMode::name);
+        bool on = at != state.modes.end();
+        // A mode that several filters lead to has one place.
+        if (on && offer.through != leads(*at)) continue;
+        const auto label =
+            offer.through
+                ? text(name, " of the ", field::filter_names()[static_cast<std::size_t>(*offer.through)])
+                : name;
+        ImGui::PushID(label.c_str());
+        if (ImGui::Checkbox(label.c_str(), &on)) {
+            if (!on) state.modes.erase(at);
+            std::vector<field::Filter> filters;
+            if (offer.through) filters.push_back({.kind = *offer.through});
+            if (auto chosen = game::lab_mode(lab, name, std::move(filters)); on && chosen)
+                state.modes.push_back(std::move(*chosen));
+            changed = true;
+        } else if (on) {
+            changed |= show_settings(lab, *offer.mode, *at);
+        }
+        ImGui::PopID();
+    }
+    if (changed) state.change = game::VolumeLabSettings{state.modes};
+}
+
+// ---- look, tools, force -----------------------------------------------------------------------------------
+
+void show_look(VolumeLabPlan& plan) {
+    auto& view = plan.view;
+    int look = view.look == render::ScanLook::surface ? 0 : 1;
+    ImGui::RadioButton("surface", &look, 0);
+    ImGui::SameLine();
+    ImGui::RadioButton("translucent", &look, 1);
+    view.look = look == 0 ? render::ScanLook::surface : render::ScanLook::translucent;
+    const double low = plan.lab.range.low, high = std::max(double{plan.lab.range.high}, low + 1e-9);
+    if (look == 0) slider("drawn level", view.level, low, high);
+    if (look == 1) curve("opacity", view.opacity, low, high, 1);
+}
+
+void show_tools(const VolumeLab& lab, VolumePanelState& state) {
+    if (!lab.carvable()) return ImGui::TextUnformatted("A flow cannot be carved.");
+    const auto& tools = lab.data.tools;
+    if (ImGui::BeginCombo("tool", tools[state.tool].name.c_str())) {
+        for (std::size_t i = 0; i < tools.size(); ++i)
+            if (ImGui::Selectable(tools[i].name.c_str(), i == state.tool)) state.tool = i;
+        ImGui::EndCombo();
+    }
+    if (ImGui::Button("undo (Z)")) state.history = -1;
+    ImGui::SameLine();
+    if (ImGui::Button("redo (Y)")) state.history = 1;
+    ImGui::SameLine();
+    if (ImGui::Button("save body")) state.saves = true;
+}
+
+void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& state, double peak) {
+    ImGui::Text("force %.2f N, value %.4g", glm::length(figures.force), figures.value);
+    ImGui::PlotLines("##force", state.force.data(), static_cast<int>(state.force.size()),
+                     static_cast<int>(state.newest), nullptr, 0, static_cast<float>(peak), {-1, 70});
+}
+
+void show_help() {
+    ImGui::TextWrapped(
+        "The mouse moves the hand, the wheel moves it away or nearer. Left button or Space: tool. Right "
+        "button: turn "
+        "the view. Ctrl and wheel: nearer. Draw in a curve to set a strength.");
+}
+
+}  // namespace
+
+std::size_t usual_tool(const game::VolumeLab& lab) {
+    const auto& tools = lab.data.tools;
+    const auto melt = std::ranges::find(tools, "melt", &field::Tool::name);
+    return melt == tools.end() ? 0 : static_cast<std::size_t>(melt - tools.begin());
+}
+
+void add_force(VolumePanelState& state, double newtons) {
+    state.force[state.newest] = static_cast<float>(newtons);
+    state.newest = (state.newest + 1) % state.force.size();
+}
+
+void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state) {
+    ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize({wide, tall}, ImGuiCond_FirstUseEver);
+    if (ImGui::Begin("Lab")) {
+        show_force(figures, state, plan.lab.data.device.peak_force);
+        if (!state.note.empty()) ImGui::TextWrapped("%s", state.note.c_str());
+        if (ImGui::CollapsingHeader("Volume", ImGuiTreeNodeFlags_DefaultOpen)) show_volume(plan, state);
+        if (ImGui::CollapsingHeader("Feel", ImGuiTreeNodeFlags_DefaultOpen)) show_modes(plan.lab, state);
+        if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) show_look(plan);
+        if (ImGui::CollapsingHeader("Carve", ImGuiTreeNodeFlags_DefaultOpen)) show_tools(plan.lab, state);
+        if (ImGui::CollapsingHeader("Help")) show_help();
+        if (ImGui::Button("save session")) state.saves_session = true;
+    }
+    ImGui::End();
+}
+
+}  // namespace thaum::app

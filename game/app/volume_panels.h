@@ -1,0 +1,38 @@
+// game/app/volume_panels.h: the panels of the volume lab: which volume, modes with transfer functions drawn freehand,
+// look, tools, device, and the force over time.
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/app/volume_lab.h"
+
+namespace thaum::app {
+
+/// What a person has set in the panels, and what they ask for.
+struct VolumePanelState {
+    std::vector<game::LabMode> modes{};               ///< chosen modes
+    std::optional<game::VolumeLabSettings> change{};  ///< modes for the next step
+    std::size_t tool{};                               ///< index into VolumeLab::data.tools
+    std::string device{};                             ///< model for the next volume
+    std::optional<std::string> open{};                ///< volume to open
+    bool saves = false, saves_session = false;
+    int history = 0;               ///< -1: undo, 1: redo
+    std::string note{};            ///< message about the last action
+    std::array<char, 256> path{};  ///< text of the field for a file's path
+
+    std::array<float, 2000> force{};  ///< force in the last ticks (N), a ring
+    std::size_t newest{};
+};
+
+/// Index of the tool that a person has first: one that takes material away, so that a first try shows something.
+std::size_t usual_tool(const game::VolumeLab& lab);
+
+/// Adds the force of a tick to the plot.
+void add_force(VolumePanelState& state, double newtons);
+
+/// Shows all panels and takes what is done on them.
+void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, VolumePanelState& state);
+
+}  // namespace thaum::app

@@ -1,0 +1,140 @@
+// game/lab/volume_lab.h: a volume alone, to feel, read and carve: `thaum lab VOLUME`, with or without a window.
+//
+//     VolumeLabInput (hand, tool, changed settings) -> step of 1 ms -> VolumeLab, VolumeLabFigures
+//
+// A scalar volume becomes a body of voxels, so what is carved is at once what is felt and drawn. A vector volume is
+// a flow and can only be read. The hand holds a simulated device, and the modes' primitives act on its proxy.
+//
+// A deterministic session: the same inputs give the same bits, from a person or a script. Frame: the device's, whose
+// origin is the middle of the workspace. The volume's middle lies there, scaled so that it fits.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/units.h"
+#include "field/carving_history.h"
+#include "field/carving_tools.h"
+#include "field/filters.h"
+#include "field/materials.h"
+#include "field/volume.h"
+#include "field/voxels.h"
+#include "haptics/device.h"
+#include "haptics/modes.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+#include "haptics/smooth_grid.h"
+
+namespace thaum::game {
+
+/// Ticks from one use of a tool to the next while it is held.
+inline constexpr Tick ticks_of_a_dab = 8;
+
+struct LabMode {
+    std::string name{};                    ///< of haptics::modes()
+    std::vector<field::Filter> filters{};  ///< between the data and this mode
+    haptics::ModeSettings settings{};
+};
+
+/// Settings that can change during a session.
+struct VolumeLabSettings {
+    std::vector<LabMode> modes{};  ///< modes that act together
+};
+
+/// Data files that the lab uses.
+struct VolumeLabData {
+    field::Materials materials;
+    std::vector<field::Tool> tools;  ///< sorted by name
+    haptics::DeviceSpec device;
+};
+
+/// Reads materials, tools and the device's model. The error names file, line and key.
+Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets, const std::string& device);
+
+/// Views of the samples.
+struct LabSource {
+    haptics::SmoothGrid density{};
+    field::StaggeredGrid flow{};
+};
+
+/// What one mode reads. Refers to LabSource and to itself.
+struct LabField {
+    field::FilteredField filtered{};
+    field::Placed<field::Scalar> scalar{};  ///< in the lab's frame, as the next
+    field::Placed<field::Vector> vector{};
+    field::AnyField placed{};
+};
+
+struct VolumeLab {
+    field::Volume
+        source{};  ///< what is explored; a scalar one has no samples here, they are the body's densities
+    field::Voxels body{};  ///< empty for a vector volume
+    field::CarvingHistory history{};
+    field::SampleRange range{};  ///< of the samples as read; for vectors: of their lengths
+    field::Placement placement{};
+    VolumeLabData data{};
+    VolumeLabSettings settings{};
+    std::unique_ptr<LabSource> views = std::make_unique<LabSource>();
+    std::vector<std::unique_ptr<LabField>> fields{};  ///< one per mode
+
+    haptics::SimulatedDevice device{};
+    haptics::SimulatedState hand{};
+    haptics::Servo servo{};
+    haptics::ServoState servo_state{};
+    haptics::HapticModel model{};
+    Tick tick{};
+    vec3 last_dab{};       ///< place of the tool at its last use (m)
+    bool carving = false;  ///< the tool is held
+    bool edited = false;   ///< the body was carved
+
+    bool carvable() const { return source.components == 1; }
+    double seconds() const { return thaum::seconds(tick); }
+};
+
+struct VolumeLabInput {
+    vec3 target{};       ///< where the hand wants to be (m)
+    bool carve = false;  ///< the tool is held
+    std::size_t tool{};  ///< index into VolumeLab::data.tools
+    int history = 0;     ///< -1: undo, 1: redo
+    std::optional<VolumeLabSettings> change{};
+};
+
+/// Results of one step.
+struct VolumeLabFigures {
+    vec3 tip{}, proxy{}, force{};  ///< m, m, N
+    double value{};         ///< at the proxy, behind the filters: the scalar, or the length of the vector
+    field::Edit edit{};     ///< of this step's use of the tool
+    std::string refused{};  ///< reason why a change of settings was rejected; empty: none
+};
+
+/// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
+Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
+
+/// Kind of the volume's own field.
+haptics::FieldKind kind_of(const VolumeLab& lab);
+
+/// Density at a place of the lab, or length of the vector there, without filters.
+double value_at(const VolumeLab& lab, vec3 place);
+
+/// Mode with strengths that suit the volume's range and the device. Without filters, a mode that does not read such a
+/// volume gets the filter through which it does: an isosurface of a flow is one of its speed. The error lists the modes
+/// that there are.
+Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
+                           std::vector<field::Filter> filters = {});
+
+/// Changes filters and modes. The error names a filter that does not fit, a mode that does not exist or does not read
+/// what the filters give, or says that there is no room for all modes; then nothing changes.
+Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settings);
+
+/// Computes one step of 1 ms.
+VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input);
+
+/// The volume as it is now, for saving: densities as floats after an edit, otherwise as they were read.
+field::Volume volume_now(const VolumeLab& lab);
+
+/// Hash of the state: body, hand and servo.
+std::uint64_t lab_hash(const VolumeLab& lab);
+
+}  // namespace thaum::game

@@ -1,0 +1,126 @@
+#include "game/lab/volume_session.h"
+
+#include "core/file.h"
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::int64_t session_version = 1;
+constexpr std::size_t session_most = std::size_t{1} << 20U;  // bytes
+constexpr Range any{-1e100, 1e100};
+
+std::string points_text(const field::TransferFunction& f) {
+    std::string words = "[";
+    for (std::uint64_t i = 0; i < f.count; ++i)
+        words += text(i == 0 ? "" : ", ", f.points[i].x, ", ", f.points[i].y);
+    return words + "]";
+}
+
+/// A path or a name as a TOML string.
+std::string toml_string(std::string_view words) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string result = "\"";
+    for (const char c : words) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F) {
+            result += text("\\u00", digits.substr(byte / 16, 1), digits.substr(byte % 16, 1));
+            continue;
+        }
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + "\"";
+}
+
+field::TransferFunction read_points(const ConfigTable& table, std::string_view key) {
+    const auto numbers = table.numbers(key, any, 2 * field::most_transfer_points, {0, 0});
+    if (numbers.size() % 2 != 0) {
+        table.report(key, "must be pairs of x and y");
+        return {};
+    }
+    std::vector<vec2> points;
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(numbers[i], numbers[i + 1]);
+    auto function = field::transfer_function(points);
+    if (function) return *function;
+    table.report(key, function.error().message);
+    return {};
+}
+
+LabMode read_lab_mode(const ConfigTable& table) {
+    LabMode mode{.name = table.string("name")};
+    if (haptics::find_mode(mode.name) == nullptr) table.report("name", "there is no such mode");
+    mode.settings.strength = read_points(table, "strength");
+    mode.settings.friction = read_points(table, "friction");
+    mode.settings.level = table.number("level", any, 0);
+    mode.settings.solid_below = table.boolean("solid_below", false);
+    mode.settings.magnet = table.number("magnet", {0, 1e6}, 0);
+    mode.settings.reach = table.number("reach_m", {1e-6, 1}, mode.settings.reach);
+    mode.settings.pitch = table.number("pitch_m", {1e-6, 1}, mode.settings.pitch);
+    const auto kinds = field::filter_names();
+    for (const auto& filter : table.tables("filter")) {
+        const auto kind = filter.choice("kind", {kinds.begin(), kinds.end()});
+        mode.filters.push_back(
+            {static_cast<field::FilterKind>(kind), filter.number("a", any, 0), filter.number("b", any, 0)});
+    }
+    return mode;
+}
+
+}  // namespace
+
+std::string session_text(const VolumeSession& session) {
+    std::string words = text("version = ", session_version, "\nvolume = ", toml_string(session.volume),
+                             "\ncount = ", session.count, "\nseed = ", session.seed,
+                             "\ndevice = ", toml_string(session.device),
+                             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
+                             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    for (const LabMode& mode : session.modes) {
+        const auto& s = mode.settings;
+        words += text("\n[[mode]]\nname = ", toml_string(mode.name), "\nstrength = ", points_text(s.strength),
+                      "\nfriction = ", points_text(s.friction), "\nlevel = ", s.level,
+                      "\nsolid_below = ", s.solid_below ? "true" : "false", "\nmagnet = ", s.magnet,
+                      "\nreach_m = ", s.reach, "\npitch_m = ", s.pitch, '\n');
+        for (const field::Filter& filter : mode.filters)
+            words += text("[[mode.filter]]\nkind = \"",
+                          field::filter_names()[static_cast<std::size_t>(filter.kind)], "\"\na = ", filter.a,
+                          "\nb = ", filter.b, '\n');
+    }
+    return words;
+}
+
+Expected<VolumeSession> read_session(const Config& file) {
+    const auto root = file.root();
+    VolumeSession session;
+    session.volume = root.string("volume");
+    session.count = root.integer("count", {8, 512}, session.count);
+    session.seed = root.integer("seed", {0, 9e15}, session.seed);
+    session.device = root.string("device", session.device);
+    session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
+    session.level = root.number("level", any, 0);
+    session.opacity = read_points(root, "opacity");
+    for (const auto& table : root.tables("mode")) session.modes.push_back(read_lab_mode(table));
+    if (session.modes.size() > haptics::primitive_capacity)
+        file.report(text("at most ", haptics::primitive_capacity, " modes"));
+    if (auto sound = file.check(); !sound) return tl::unexpected(sound.error());
+    return session;
+}
+
+Expected<void> save_session(const VolumeSession& session, const std::filesystem::path& file) {
+    return write_text_file(file, session_text(session));
+}
+
+Expected<VolumeSession> load_session(const std::filesystem::path& file) {
+    const auto words = read_text_file(file, session_most);
+    if (!words) return tl::unexpected(words.error());
+    const auto config = Config::parse(*words, file.string(), session_version);
+    if (!config) return tl::unexpected(config.error());
+    auto session = read_session(*config);
+    if (!session) return session;
+    std::error_code ignored;
+    const auto beside = file.parent_path() / session->volume;
+    if (std::filesystem::path(session->volume).is_relative() && std::filesystem::exists(beside, ignored))
+        session->volume = beside.string();
+    return session;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,51 @@
+// game/lab/volume_session.h: what a person has set in the volume lab, as a TOML file.
+//
+//     version = 1
+//     volume = "head.nrrd"              as on the command line; a relative path is relative to this file
+//     count = 64                        of a volume that is made; seed too
+//     device = "touch"
+//     look = "surface"                  or "translucent"
+//     level = 500.0
+//     opacity = [0, 0, 1000, 0.3]       x, y, x, y, ... of the picture's transfer function
+//     [[mode]]
+//     name = "isosurface"
+//     strength = [0, 0.7]               x, y, ... of the transfer function; friction too
+//     level = 500.0
+//     solid_below = false
+//     magnet = 0.0                      N
+//     reach_m = 0.002
+//     pitch_m = 0.01
+//     [[mode.filter]]                   between the data and this mode; none or more
+//     kind = "smooth"                   a name of field::filter_names(); a and b are its parameters
+//     a = 1.0
+//     b = 0.0
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "field/transfer.h"
+#include "game/lab/volume_lab.h"
+
+namespace thaum::game {
+
+struct VolumeSession {
+    std::string volume{};  ///< path or name
+    std::int64_t count = 64;
+    std::int64_t seed = 1;
+    std::string device = "touch";
+    bool translucent = false;
+    double level{};
+    field::TransferFunction opacity{};
+    std::vector<LabMode> modes{};
+};
+
+std::string session_text(const VolumeSession& session);
+/// The error names file, line and key.
+Expected<VolumeSession> read_session(const Config& file);
+
+Expected<void> save_session(const VolumeSession& session, const std::filesystem::path& file);
+/// Reads a session; a relative path of a volume becomes relative to the program.
+Expected<VolumeSession> load_session(const std::filesystem::path& file);
+
+}  // namespace thaum::game

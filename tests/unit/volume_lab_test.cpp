@@ -1,0 +1,285 @@
+// The volume lab without a window: what a hand feels, carves, takes back and saves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/file.h"
+#include "field/analytic.h"
+#include "field/nrrd.h"
+#include "field/volume_file.h"
+#include "game/lab/hand_path.h"
+#include "game/lab/volume_lab.h"
+#include "game/lab/volume_session.h"
+#include "game/lab/volume_trace.h"
+
+namespace thaum::game {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path assets = fs::path(THAUM_SOURCE_DIR) / "assets";
+
+VolumeLab lab_of(field::Volume volume, const std::string& device = "premium") {
+    auto data = load_volume_lab_data(assets, device);
+    EXPECT_TRUE(data) << data.error().message;
+    auto lab = make_volume_lab(std::move(volume), std::move(*data));
+    EXPECT_TRUE(lab) << lab.error().message;
+    return std::move(*lab);
+}
+
+VolumeLab made(const std::string& name, int count = 48) {
+    return lab_of(*field::make_volume(name, count, 3));
+}
+
+void choose(VolumeLab& lab, const std::string& name, double strength, double level) {
+    auto mode = lab_mode(lab, name);
+    ASSERT_TRUE(mode) << mode.error().message;
+    mode->settings.strength = field::constant(strength);
+    mode->settings.friction = field::constant(0);
+    mode->settings.level = level;
+    auto settings = lab.settings;
+    settings.modes.push_back(*mode);
+    const auto changed = change_volume_lab(lab, settings);
+    ASSERT_TRUE(changed) << changed.error().message;
+}
+
+/// Moves the hand evenly to a place, then holds it there.
+VolumeLabFigures move(VolumeLab& lab, vec3 to, int travel, int hold, bool carve = false,
+                      std::size_t tool = 0) {
+    const vec3 from = lab.hand.target;
+    VolumeLabFigures figures;
+    for (int i = 1; i <= travel + hold; ++i)
+        figures = step_volume_lab(
+            lab,
+            {.target = glm::mix(from, to, std::min(1.0, double(i) / travel)), .carve = carve, .tool = tool});
+    return figures;
+}
+
+std::size_t tool_named(const VolumeLab& lab, std::string_view name) {
+    const auto at = std::ranges::find(lab.data.tools, name, &field::Tool::name);
+    EXPECT_NE(at, lab.data.tools.end());
+    return static_cast<std::size_t>(at - lab.data.tools.begin());
+}
+
+/// Radius of the made ball as it lies in the lab (m).
+double ball_radius(const VolumeLab& lab) { return 0.4 * field::made_extent * lab.placement.scale; }
+
+TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
+    auto lab = made("sphere");
+    choose(lab, "isosurface", 2.5, 127.5);
+    for (const vec3 way : {vec3(0, 1, 0), glm::normalize(vec3(1, 2, 0.5)), glm::normalize(vec3(-1, 1, 1))}) {
+        const double r = ball_radius(lab);
+        lab.hand = haptics::resting_at(1.3 * r * way);
+        lab.servo_state = {};
+        const auto figures = move(lab, (r - 0.003) * way, 300, 400);
+        EXPECT_NEAR(glm::length(figures.proxy), r, 0.03 * r);
+        ASSERT_GT(glm::length(figures.force), 0.3);
+        EXPECT_GT(glm::dot(glm::normalize(figures.force), way), 0.998)
+            << "within 3 degrees of the ball's normal";
+    }
+}
+
+TEST(VolumeLab, APushBeyondTheStrengthPokesThrough) {
+    const auto pressed = [](double strength) {
+        auto lab = made("sphere");
+        choose(lab, "isosurface", strength, 127.5);
+        const double r = ball_radius(lab);
+        lab.hand = haptics::resting_at({0, 1.2 * r, 0});
+        double most = 0;
+        for (int i = 0; i < 1500; ++i)
+            most = std::max(most, glm::length(step_volume_lab(lab, {.target = {0, r - 1e-5 * i, 0}}).force));
+        return std::pair(glm::length(lab.servo_state.proxy) < 0.9 * r, most);
+    };
+    EXPECT_TRUE(pressed(0.8).first);
+    EXPECT_LT(pressed(0.8).second, 1.2);
+    EXPECT_FALSE(pressed(100).first) << "this one holds";
+}
+
+TEST(VolumeLab, AFlowHoldsTheHandAcrossItAndLetsItGoAlong) {
+    auto lab =
+        lab_of(field::sampled(field::field_of<field::Vector>(field::RankineVortex{.radius = 1, .speed = 1}),
+                              {32, 32, 32}, vec3(0.005)));
+    choose(lab, "follow", 1.5, 0);
+    lab.hand = haptics::resting_at({0.02, 0, 0});
+    const double across = glm::length(move(lab, {0.026, 0, 0}, 200, 200).force);
+    lab.hand = haptics::resting_at({0.02, 0, 0});
+    lab.servo_state = {};
+    ++lab.model.set_number;
+    const double along = glm::length(move(lab, {0.02, 0, -0.004}, 200, 200).force);
+    EXPECT_GT(across, 0.5);
+    EXPECT_LT(along, 0.3 * across);
+}
+
+TEST(VolumeLab, WhatIsMeltedIsNoLongerFelt) {
+    auto lab = made("sphere");
+    choose(lab, "isosurface", 1.0, 127.5);
+    const double r = ball_radius(lab);
+    lab.hand = haptics::resting_at({0, 1.2 * r, 0});
+    const auto before = lab_hash(lab);
+    move(lab, {0, r - 0.004, 0}, 200, 1500, true, tool_named(lab, "melt"));
+    EXPECT_LT(lab.servo_state.proxy.y, 0.97 * r) << "the tool has melted its way in";
+    EXPECT_TRUE(lab.edited);
+    EXPECT_NE(lab_hash(lab), before);
+}
+
+TEST(VolumeLab, UndoIsExact) {
+    auto lab = made("gyroid", 32);
+    const auto whole = lab.body.density;
+    move(lab, {0, 0, 0}, 200, 200, true, tool_named(lab, "melt"));
+    move(lab, {0.01, 0, 0}, 50, 50);
+    const auto once = lab.body.density;
+    move(lab, {0.02, 0.01, 0}, 50, 200, true, tool_named(lab, "construct"));
+    EXPECT_NE(lab.body.density, once);
+    step_volume_lab(lab, {.target = lab.hand.target, .history = -1});
+    EXPECT_EQ(lab.body.density, once);
+    step_volume_lab(lab, {.target = lab.hand.target, .history = -1});
+    EXPECT_EQ(lab.body.density, whole);
+    step_volume_lab(lab, {.target = lab.hand.target, .history = 1});
+    EXPECT_EQ(lab.body.density, once);
+}
+
+TEST(VolumeLab, TheSameInputGivesTheSameBits) {
+    const auto run = [] {
+        auto lab = made("sphere", 32);
+        choose(lab, "isosurface", 1, 127.5);
+        choose(lab, "viscosity", 0.5, 0);
+        move(lab, {0.005, 0, 0.004}, 500, 500, true, tool_named(lab, "squirt"));
+        return lab_hash(lab);
+    };
+    EXPECT_EQ(run(), run());
+}
+
+TEST(VolumeLab, FiltersStandBetweenDataAndAMode) {
+    auto lab = made("vortices", 32);
+    const std::vector<field::Filter> speed{{field::FilterKind::magnitude}, {field::FilterKind::smooth, 1}};
+    VolumeLabSettings settings{{*lab_mode(lab, "isosurface", speed), *lab_mode(lab, "follow")}};
+    EXPECT_TRUE(settings.modes[1].filters.empty()) << "each mode has its own";
+    const auto changed = change_volume_lab(lab, settings);
+    ASSERT_TRUE(changed) << changed.error().message;
+    step_volume_lab(lab, {});
+    const auto smoothings = lab.fields[0]->filtered.smoothings;
+    EXPECT_GT(smoothings, 0U);
+    for (int i = 0; i < 50; ++i) step_volume_lab(lab, {});
+    EXPECT_EQ(lab.fields[0]->filtered.smoothings, smoothings) << "nothing has changed";
+    const vec3 place(0.003, 0.002, 0);
+    EXPECT_NEAR(lab.fields[0]->placed.scalar(place).value, value_at(lab, place), 0.1 * lab.range.high);
+    settings.modes[0].filters = {{field::FilterKind::gradient}};
+    EXPECT_FALSE(change_volume_lab(lab, settings)) << "a flow has no gradient";
+    settings.modes[0].filters = {};
+    EXPECT_FALSE(change_volume_lab(lab, settings)) << "an isosurface of vectors";
+    EXPECT_EQ(lab.settings.modes[0].filters.size(), 2U);
+}
+
+TEST(VolumeLab, AModeThatReadsScalarsGetsTheSpeedOfAFlow) {
+    auto lab = made("vortices", 16);
+    const auto mode = lab_mode(lab, "isosurface");
+    ASSERT_TRUE(mode);
+    ASSERT_EQ(mode->filters.size(), 1U);
+    EXPECT_EQ(mode->filters[0].kind, field::FilterKind::magnitude);
+    const auto none = lab_mode(lab, "nothing");
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("follow"), std::string::npos) << none.error().message;
+}
+
+TEST(VolumeLab, MoreModesThanThereIsRoomForAreRefused) {
+    auto lab = made("sphere", 16);
+    VolumeLabSettings settings;
+    for (int i = 0; i < 4; ++i) settings.modes.push_back(*lab_mode(lab, "isosurface"));
+    const auto changed = change_volume_lab(lab, settings);
+    ASSERT_FALSE(changed);
+    EXPECT_NE(changed.error().message.find("room for 16"), std::string::npos) << changed.error().message;
+}
+
+TEST(VolumeLab, HostileVolumesAndHandsDoNoHarm) {
+    auto volume = *field::make_volume("sphere", 16, 1);
+    for (std::size_t i = 0; i < volume.samples.size(); i += 7) volume.samples[i] = std::nanf("");
+    auto lab = lab_of(std::move(volume));
+    for (const char* name : {"gradient", "isosurface", "surface", "viscosity"}) choose(lab, name, 1e6, 100);
+    for (int i = 0; i < 3000; ++i) {
+        const double far = i % 3 == 0 ? 1e9 : (i % 3 == 1 ? std::nan("") : -1e9);
+        const auto f =
+            step_volume_lab(lab, {.target = {far, -far, 0.1 * far}, .carve = i % 40 < 20, .tool = 2});
+        ASSERT_TRUE(is_finite(f.force) && is_finite(f.proxy)) << i;
+        ASSERT_LE(glm::length(f.force), lab.data.device.peak_force * (1 + 1e-9)) << i;
+    }
+}
+
+TEST(VolumeLab, ARealHeadIsTouchedPokedCarvedAndSaved) {
+    const fs::path path = fs::path(THAUM_SOURCE_DIR) / "../shared/data/volumes/head-ct-128.nrrd";
+    if (!fs::exists(path)) GTEST_SKIP() << "there is no folder of volumes beside the source tree";
+    auto lab = lab_of(*field::read_volume(path));
+    choose(lab, "isosurface", 1.5, 300);  // bone
+    // Along z the scan runs from the neck to the top of the head.
+    double bone = 0.5 * lab.source.extent().z * lab.placement.scale;
+    while (value_at(lab, {0, 0, bone}) < 300 && bone > 0) bone -= 1e-4;
+    ASSERT_GT(bone, 0);
+    lab.hand = haptics::resting_at({0, 0, bone + 0.01});
+    lab.servo_state = {};
+    const auto touched = move(lab, {0, 0, bone - 0.002}, 400, 400);
+    EXPECT_GT(touched.force.z, 0.2) << "the skull pushes back";
+    EXPECT_NEAR(value_at(lab, touched.proxy), 300, 60) << "on the surface of the bone";
+    const auto carved = move(lab, {0, 0, bone - 0.005}, 400, 1500, true, tool_named(lab, "melt"));
+    EXPECT_LT(carved.proxy.z, bone - 0.001) << "a hole";
+    TemporaryFolder folder;
+    const auto file = folder.path() / "carved.nrrd";
+    ASSERT_TRUE(field::write_nrrd(file, volume_now(lab)));
+    EXPECT_EQ(field::read_volume(file)->samples, lab.body.density) << "saved and read, every bit";
+}
+
+TEST(VolumeLab, AnUneditedBodyKeepsItsTypeInFiles) {
+    EXPECT_EQ(volume_now(made("sphere", 16)).stored_as, field::SampleType::uint8);
+}
+
+TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
+    auto lab = made("sphere", 16);
+    std::string row;
+    append_volume_row(lab, step_volume_lab(lab, {}), row);
+    EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(volume_trace_header(), ','));
+}
+
+TEST(HandPath, GoesWhereItSays) {
+    const vec3 workspace(0.16, 0.12, 0.07);
+    const auto press = *hand_path("press");
+    EXPECT_GT(wanted_place(press, workspace, 0).y, 0.05);
+    EXPECT_LT(wanted_place(press, workspace, 2).y, -0.05);
+    EXPECT_FALSE(hand_path("sideways"));
+    EXPECT_FALSE(hand_path("/nowhere.csv"));
+    auto file = HandPath{HandWay::file, *parse_stir_path("time_s,x_m,y_m,z_m\n1,0,0,0\n2,0.1,0,0\n", "path")};
+    EXPECT_EQ(wanted_place(file, workspace, 0), vec3(0));
+    EXPECT_DOUBLE_EQ(wanted_place(file, workspace, 1.5).x, 0.05);
+    EXPECT_DOUBLE_EQ(wanted_place(file, workspace, 9).x, 0.1);
+}
+
+TEST(VolumeSession, SavedSettingsComeBack) {
+    auto lab = made("sphere", 16);
+    VolumeSession session{
+        .volume = "a \"b\\.nrrd", .count = 32, .seed = 9, .device = "omni", .translucent = true};
+    session.level = 0.1;
+    session.opacity = field::window(-1, 2.5, 0, 0.75);
+    session.modes = {*lab_mode(lab, "isosurface"), *lab_mode(lab, "viscosity")};
+    session.modes[0].settings.magnet = 0.3;
+    session.modes[0].filters = {{field::FilterKind::smooth, 1.5}, {field::FilterKind::clamp, -1, 200}};
+    session.modes[1].settings.strength =
+        *field::transfer_function(std::array{vec2(0, 1), vec2(3, 0), vec2(3, 2)});
+    TemporaryFolder folder;
+    const auto file = folder.path() / "session.toml";
+    ASSERT_TRUE(save_session(session, file));
+    const auto read = load_session(file);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(session_text(*read), session_text(session));
+    EXPECT_EQ(read->volume, session.volume);
+    EXPECT_EQ(read->opacity, session.opacity);
+    EXPECT_EQ(read->modes[1].settings.strength, session.modes[1].settings.strength);
+}
+
+TEST(VolumeSession, AFaultNamesItsLine) {
+    const auto config =
+        Config::parse("version = 1\nvolume = \"x\"\nlook = \"odd\"\nopacity = [0, 1]\n", "s.toml", 1);
+    ASSERT_TRUE(config);
+    const auto session = read_session(*config);
+    ASSERT_FALSE(session);
+    EXPECT_NE(session.error().message.find("s.toml:3"), std::string::npos) << session.error().message;
+}
+
+}  // namespace
+}  // namespace thaum::game
