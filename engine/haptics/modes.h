@@ -13,6 +13,9 @@
 // has nothing to push with, they have no strength: a gradient or vector of length zero, a field that is not finite,
 // a strength that is not finite or, for point and line, negative. Then directions are arbitrary.
 //
+// A directed force makes the whole set an active source, with a budget of energy (haptics/energy.h). So together with
+// gradient, force or vortex_core the other modes count as active too.
+//
 // Whoever chooses other modes or settings gives HapticModel::set_number a new value, so that the servo fades from
 // one feel to the other.
 //

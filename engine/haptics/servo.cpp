@@ -210,13 +210,11 @@ struct Sources {
     vec3 world{};  ///< part of the passive force whose other end the world holds
 };
 
-/// A directed force has no minimum of energy. It may push for ever and is an active source. One without strength
-/// only keeps its place in the set.
+/// A directed force has no minimum of energy. It may push for ever and is an active source.
 bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
-    return std::none_of(items.begin(), items.end(), [](const Primitive& p) {
-        return p.kind == PrimitiveKind::directed && p.strength > 0;
-    });
+    return std::none_of(items.begin(), items.end(),
+                        [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
 }
 
 /// Adds the force of the primitives to the sources. Without primitives, the proxy follows the tip.

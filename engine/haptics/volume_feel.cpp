@@ -47,7 +47,11 @@ void add_stiffness(double stiff, const Direction& up, const ModeInput& input, Pr
 
 void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
     const Direction down = direction_of(feel.gravity);
-    add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
+    // A directed force makes the whole set an active source, even without strength.
+    if (down.length > 0)
+        add_or_rest(set, {PrimitiveKind::directed, {}, down.unit, std::min(down.length, primitive_limit)});
+    else
+        add_or_rest(set, {.kind = PrimitiveKind::point});
     for (std::size_t i = 0; i < std::min<std::size_t>(feel.guide_count, most_guides); ++i) {
         const GuidePlane& guide = feel.guides[i];
         add_or_rest(set,

@@ -1,6 +1,8 @@
 // Feel of volumes: forces linked to opacity, shells, walls, materials, and scanned surfaces.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "core/random.h"
