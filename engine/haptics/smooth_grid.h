@@ -8,7 +8,7 @@
 // (the hardest edge), and the noise of a tip that slides on the flat face of such a block with 1 N:
 //
 //     kernel                                    largest    median    noise     time
-//     this one                                  0.7 deg    0.09 deg   0.6 %    0.19 us
+//     this one                                  0.8 deg    0.09 deg   0.6 %    0.19 us
 //     the same, averaged 1 : 2 : 1              1.5        0.2        1.5      0.12
 //     cubic B-spline alone                      6.0        1.9
 //     quintic B-spline                          3.0        0.6

@@ -29,6 +29,7 @@ void round_bodies(const Options& options, Report& report);
 /// Haptic modes, and surfaces of scanned volumes.
 void modes(const Options& options, Report& report);
 void modes_hostile(const Options& options, Report& report);
+void servo_rates(const Options& options, Report& report);
 /// Stress test of the area `haptics`.
 void haptics_stress(const Options& options, Report& report);
 void passivity(Report& report);

@@ -265,6 +265,7 @@ void haptics(const Options& options, Report& report) {
     round_bodies(options, report);
     modes(options, report);
     modes_hostile(options, report);
+    servo_rates(options, report);
     passivity(report);
     switches(options, report);
     stirring_passivity(options, report);

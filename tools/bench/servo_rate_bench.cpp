@@ -1,0 +1,92 @@
+// Benchmark of the servo's rate: the stiffest coupling that stays stable on a wall, for steps of 0.2 to 1 ms.
+//
+// The step is the pure one, tip -> modes -> balance -> force, without safety stage and passivity controller, whose
+// limits are counted in ticks of 1 ms. The device is the reference one without a hand, pressed on the wall by 1 N.
+// The passive bound b / (T / 2) says what to expect: five times the rate, five times the stiffness.
+#include <array>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "haptics/implicit.h"
+#include "haptics/modes.h"
+#include "haptics/simulated.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+#include "tools/bench/scanned_volumes.h"
+#include "tools/bench/z_width.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr double wall_damping = 0.5;  // N s/m, of the device
+constexpr std::array rates_ms{0.2, 0.5, 1.0};
+
+/// A device that rests on a wall at the origin, held by the mode isosurface.
+struct WallRun {
+    double dt{};         ///< s
+    double stiffness{};  ///< N/m
+    haptics::HalfSpace ground{.place = {}, .normal = {0, 1, 0}};
+
+    /// Fastest motion in the second and in the last quarter of the time played (m/s).
+    struct Motions {
+        double earlier{}, later{};
+    };
+
+    Motions play(double seconds_long, haptics::SimulatedState& state) const {
+        const auto device =
+            haptics::simulated_device(reference_device(wall_damping, 0), haptics::no_hand, dt);
+        const haptics::ModeUse wall{
+            haptics::find_mode("isosurface"), haptics::any_field(field::field_of<field::Scalar>(ground)), {}};
+        TouchedModes hand{{wall}, stiffness};
+        hand.uses[0].settings.strength = field::constant(1e5);
+        hand.uses[0].settings.solid_below = true;
+        state = haptics::resting_at({0, 1e-4, 0});
+        hand.start(state.position);
+        Motions motions;
+        const int steps = static_cast<int>(seconds_long / dt);
+        for (int i = 0; i < steps; ++i) {
+            const vec3 force = hand.move(state.position) + vec3(0, -1, 0);
+            state = haptics::step(device, state, vec3(0), force);
+            const double speed = glm::length(state.velocity);
+            if (4 * i >= steps && 2 * i < steps) motions.earlier = std::max(motions.earlier, speed);
+            if (4 * i >= 3 * steps) motions.later = std::max(motions.later, speed);
+        }
+        return motions;
+    }
+};
+
+/// Stiffest coupling with which the device calms down (N/m), to 1 %.
+double stiffest(double dt) {
+    double stable = 50, unstable = 50'000;
+    while (unstable > 1.01 * stable) {
+        const double middle = std::sqrt(stable * unstable);
+        haptics::SimulatedState state;
+        const auto motions = WallRun{dt, middle}.play(4, state);
+        (motions.later < 0.99 * motions.earlier ? stable : unstable) = middle;
+    }
+    return stable;
+}
+
+}  // namespace
+
+void servo_rates(const Options& options, Report& report) {
+    for (const double ms : rates_ms) {
+        const double dt = ms / 1000, limit = stiffest(dt);
+        haptics::SimulatedState end;
+        const WallRun run{dt, 300};
+        const Contestant contestant{{}, [&] { run.play(1, end); }};
+        auto samples = measure(std::span(&contestant, 1), {.seconds = options.quick ? 0.2 : 1.0});
+        for (double& us : samples[0]) us *= dt;  // a second has 1 / dt steps
+        report.rows.push_back(
+            {.area = "haptics",
+             .name = "servo_rate",
+             .setting = {{"step_ms", ms}},
+             .time_us = times(samples[0]),
+             .is_default = ms == 1,
+             .metrics = {{"stiffness_n_per_m", limit}, {"passive_bound_n_per_m", 2 * wall_damping / dt}},
+             .hash = hex(hash_value(end))});
+    }
+}
+
+}  // namespace thaum::bench
