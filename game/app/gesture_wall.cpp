@@ -150,7 +150,7 @@ void GestureWall::follow(const game::Simulation& match) {
         // At the cauldron the card guides the strokes (hud/rim_card.h).
         if (drawn->on_brew != 0) return;
         if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
-        chord_ = drawn->over != 0;
+        chord_ = drawn->over == game::by_chord;
         drawing_ = true;
         shown_until_ = now + shown_after;
         return;

@@ -147,7 +147,7 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, trace);
     if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
         const auto chord = chord_reading(context, *gestures, controls);
-        trace.over = 1;
+        trace.over = by_chord;
         if (chord.stroke.gesture != no_gesture) act_on(context, caster, chord, *gestures);
     }
     if (held && !dead) return;

@@ -31,14 +31,17 @@ struct DrawnPoint {
 /// Room for a stroke of 4 s. A longer one keeps every second point, and so on.
 inline constexpr std::size_t most_drawn_points = 512;
 
+/// Value of DrawnStroke::over: a key chord has taken the stroke's place.
+inline constexpr std::uint32_t by_chord = 2;
+
 /// The stroke of a wizard who holds Trace.
 struct DrawnStroke {
     std::array<DrawnPoint, most_drawn_points> points{};
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
     std::uint32_t waits{};   ///< gameplay ticks until the next point
-    std::uint32_t
-        over{};  ///< 1: nothing more is read of it, for instance because a key chord has taken its place
+    /// 0: it is read at its end; 1: the ladle came or went, so nothing is read of it; by_chord
+    std::uint32_t over{};
     std::uint32_t on_brew{};  ///< 1: the ladle draws
     std::uint32_t spare{};
     vec3 home{};  ///< hand position chosen by the player before the stroke (m, device frame)
