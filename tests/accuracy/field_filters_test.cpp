@@ -216,7 +216,8 @@ TEST(Filters, SmoothingKeepsConstantsAndSlopesAndDampsWavesByTheLaw) {
     for (int i = 8; i < 53; ++i) {
         for (int j = 8; j < 33; ++j) {
             const vec3 at = volume.place(i, j, 20);
-            const double found = volume.samples[static_cast<std::size_t>(i + 61 * (j + 41 * 20))];
+            const int at_sample = i + 61 * (j + 41 * 20);
+            const double found = volume.samples[static_cast<std::size_t>(at_sample)];
             EXPECT_NEAR(found, 2 + 3 * at.y + damping * 0.5 * std::sin(8 * at.x), 1e-4);
         }
     }

@@ -49,8 +49,8 @@ TEST(CoreGzip, RefusesWhatIsCutOffDamagedOrTooLarge) {
 }
 
 TEST(CoreGzip, ABombStopsAtTheLimit) {
-    const Bytes bomb = packed(std::string(50'000'000, '\0'));
-    EXPECT_LT(bomb.size(), 60'000);
+    const Bytes bomb = packed(std::string(8'000'000, '\0'));
+    EXPECT_LT(bomb.size(), 10'000);
     EXPECT_FALSE(unpack_gzip(bomb, 1000));
 }
 
