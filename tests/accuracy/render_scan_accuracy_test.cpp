@@ -30,6 +30,11 @@ protected:
     static constexpr float radius = radius_samples * 2 / (n - 1);
     const std::vector<std::uint16_t> samples = ball_samples(n, radius_samples);
 
+    /// Number of a pixel in `distances`, whose rows count from below.
+    static std::size_t number_of(int x, int y) {
+        const auto row = static_cast<std::size_t>(picture_side - 1 - y);
+        return row * picture_side + static_cast<std::size_t>(x);
+    }
     /// Distances ahead of the eye by the depth of the last picture.
     std::vector<float> distances() const {
         std::vector<float> depth(static_cast<std::size_t>(picture_side) * picture_side);
@@ -67,7 +72,7 @@ TEST_F(ScanSurface, HasTheSilhouetteAndDepthOfTheSphere) {
             if (!hit || !meets(camera.position, ray, centre, 0.95F * radius)) continue;
             ++hits;
             // The chord of a cell lies up to 1 / (8 radius) samples inside the sphere.
-            const float there = depth[static_cast<std::size_t>((picture_side - 1 - y) * picture_side + x)];
+            const float there = depth[number_of(x, y)];
             EXPECT_NEAR(there, *hit, 0.05F * 2 / (n - 1)) << x << ", " << y;
         }
     }
@@ -91,8 +96,7 @@ TEST_F(ScanSurface, MeetsAPlaneToAThousandthOfASample) {
             if (glm::any(glm::greaterThan(glm::abs(place), fvec3(0.99F)))) continue;
             ++hits;
             // 16-bit samples and 24-bit depth leave less than this.
-            EXPECT_NEAR(depth[static_cast<std::size_t>((picture_side - 1 - y) * picture_side + x)], expected,
-                        4e-3F * spacing);
+            EXPECT_NEAR(depth[number_of(x, y)], expected, 4e-3F * spacing);
         }
     }
     EXPECT_GT(hits, 300);

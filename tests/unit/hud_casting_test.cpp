@@ -222,7 +222,7 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
     const auto wizard = wizard_of(match->world(), 0);
     match->tick({});
     auto& world = match->world_to_change();
-    world.add(wizard, DrawnStroke{.began = 1, .count = 2, .over = 1});
+    world.add(wizard, DrawnStroke{.count = 2, .over = by_chord});
     CastingPicture casting;
     take_casting(*match, wizard, 0, casting);
     EXPECT_FALSE(casting.stroke.chord) << "nothing was read since the stroke began";

@@ -18,7 +18,6 @@
 namespace thaum::bench {
 namespace {
 
-using render::Quality;
 using render::ScanDetail;
 
 constexpr int side = 128;          // samples
@@ -66,6 +65,11 @@ render::ScanTable tissue() {
         if (d > 0.55F) table[i] = {{1, 0.95F, 0.8F}, std::min(1.6F * (d - 0.5F), 0.9F)};
     }
     return table;
+}
+
+/// Place in an array with `n` elements along a side, x contiguous.
+std::size_t index_of(int x, int y, int z, std::size_t n) {
+    return (static_cast<std::size_t>(z) * n + static_cast<std::size_t>(y)) * n + static_cast<std::size_t>(x);
 }
 
 struct ScanScene {
@@ -141,7 +145,7 @@ void ScanScene::carve() {
     for (int z = low.z; z <= high.z; ++z) {
         for (int y = low.y; y <= high.y; ++y) {
             for (int x = low.x; x <= high.x; ++x) {
-                const auto i = static_cast<std::size_t>((z * side + y) * side + x);
+                const auto i = index_of(x, y, z, side);
                 if (glm::distance(fvec3(glm::ivec3(x, y, z)), centre) < carve_radius)
                     samples[i] = heals ? whole[i] : std::uint16_t{0};
             }
@@ -150,8 +154,7 @@ void ScanScene::carve() {
     const auto from = low / render::scan_brick, to = high / render::scan_brick;
     for (int z = from.z; z <= to.z; ++z) {
         for (int y = from.y; y <= to.y; ++y) {
-            for (int x = from.x; x <= to.x; ++x)
-                ++versions[static_cast<std::size_t>((z * bricks + y) * bricks + x)];
+            for (int x = from.x; x <= to.x; ++x) ++versions[index_of(x, y, z, bricks)];
         }
     }
     ++scan.version;
