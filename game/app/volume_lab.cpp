@@ -80,10 +80,8 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
         auto saved = game::load_session(*file);
         if (!saved) return saved;
         session = std::move(*saved);
-    } else if (arguments.plain().size() == 1) {
-        session.volume = arguments.plain()[0];
     } else {
-        return fail("lab takes one volume, or --fluid; `thaum lab --help` says more");
+        session.volume = arguments.plain()[0];
     }
     if (!is_made(session.volume) && (arguments.has("--count") || arguments.has("--seed")))
         return fail(text("--count and --seed are for volumes that are made, not for '", session.volume, "'"));
@@ -386,6 +384,8 @@ std::string_view volume_lab_help() { return help; }
 int run_volume_lab(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, volume_options);
     if (!arguments) return refuse(arguments.error());
+    if (arguments->plain().size() != 1 && !arguments->has("--session"))
+        return refuse({"lab takes one volume, or --fluid; `thaum lab --help` says more"});
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
     for (const auto& file : arguments->plain()) protect_input(file);

@@ -158,7 +158,20 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 "$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
 
 # The lab: impossible arguments, and damaged states.
-expect 2 "volumes are not there yet" lab
+expect 2 "lab takes one volume" lab
+expect 2 "lab needs a display" lab sphere
+volume=(lab sphere --headless --count 16 --seconds 0.1)
+expect 2 "there are follow" "${volume[@]}" --mode nothing
+expect 2 "is given twice" "${volume[@]}" --mode surface --mode surface
+expect 2 "there is no --mode" "${volume[@]}" --transfer surface,0:1
+expect 2 "must be X:Y" "${volume[@]}" --mode surface --transfer surface,0
+expect 2 "it begins with the mode" "${volume[@]}" --filter smooth,1
+expect 2 "there are annotate" "${volume[@]}" --carve spoon,0,1
+expect 2 "a flow cannot be carved" lab vortices --headless --count 16 --carve melt,0,1
+expect 2 "must end in .nrrd" "${volume[@]}" --save body.png
+expect 2 "volumes are files that end in" lab /tmp --headless
+expect 2 "No such file" lab nowhere.nrrd --headless
+expect 2 "touch2.toml" "${volume[@]}" --device touch2
 expect 2 "lab needs a display" lab --fluid
 brew=(lab --fluid --headless)
 for cells in 0 1 3 17 1000000 -16 32x16x32 nan; do

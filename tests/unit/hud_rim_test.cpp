@@ -131,7 +131,8 @@ TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
          {RecipeStep::stroke,
           {"Ironhide: ", "circle", "Right mouse", "mixed 57 %", "12 s", "gently", "Haste 13 s"}},
          {RecipeStep::spoilt, {"Nothing comes", "12 s", "Haste 13 s"}}}};
-    for (const auto& [step, parts] : needed) {
+    for (const auto& [step, words] : needed) {
+        const auto& parts = words;  // clang lets no lambda capture a structured binding
         const auto picture = busy_at(step);
         each_view([&](const HudSettings& settings, const std::string& name) {
             const auto overlay = busy_overlay_of(picture, settings);
