@@ -151,7 +151,6 @@ private:
     void add_mean(std::size_t first, std::size_t step, std::size_t end);
     float spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const;
     void calibrate(std::span<const Gesture> gestures, RecogniserSpace& space);
-    Recognition recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const;
     Recognition decide(const Shape* solid, const Shape* flat, const Limits& limits,
                        RecogniserSpace& space) const;
     void choose(const Shape& shape, const Limits& limits, std::size_t most, RecogniserSpace& space) const;

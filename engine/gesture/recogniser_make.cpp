@@ -180,8 +180,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         for (std::size_t v = 0; v < variations_of_each; ++v) {
             const auto& strokes = gestures[g].strokes;
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
-            // Without means, because the spotter weighs gestures by their usual distance, and does without them too.
-            const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
+            const auto r = recognise(drawn[g].back(), space);
             if (r.gesture == g) meant[g].push_back(r.distance);
         }
         float sum = 0;
