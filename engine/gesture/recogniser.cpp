@@ -200,7 +200,6 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     for (std::uint32_t k = 0; k < templates_.size(); ++k) {
         const auto& t = templates_[k];
         if (t.channels != shape.channels || t.gesture == limits.left_out) continue;
-        if (!limits.means && t.stroke == strokes_of_[t.gesture]) continue;
         if (shape.size < t.smallest * t.size || shape.size > t.largest * t.size) continue;
         if (limits.length_range > 0 &&
             (shape.length > t.length * limits.length_range || shape.length * limits.length_range < t.length))

@@ -14,18 +14,11 @@ constexpr std::size_t least_scribbles = 300, most_scribbles = 1200;
 /// Usual bounds of a gentle and of a harsh stroke, as shares of the templates' mean force.
 constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
-constexpr float assumed_usual = 0.1F, least_usual = 1e-3F;
-/// Recorded strokes of a gesture that are compared with one another. More tell little more.
-constexpr std::size_t most_compared = 16;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
     for (auto& p : result) p.t = stroke.back().t - p.t;
     return result;
-}
-
-std::string too_many() {
-    return text("more than ", most_templates, " templates; use fewer strokes of each gesture");
 }
 
 float quantile(std::vector<float> values, double share) {
@@ -71,76 +64,7 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
     return true;
 }
 
-/// Adds the mean of a gesture's templates from `first` to before `end`, `step` apart, as one more stroke. Each recorded
-/// stroke differs by chance from what its writer means; their mean differs less.
-void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end) {
-    std::vector<Template> own;
-    for (std::size_t k = first; k < end; k += step) own.push_back(templates_[k]);
-    const auto share = 1 / static_cast<float>(own.size());
-    Template t = own[0];
-    t.stroke = own.back().stroke + 1;
-    t.values = values_.size();
-    t.size = t.length = t.self = 0;
-    values_.resize(values_.size() + shape_points * t.channels);
-    fine_.push_back({});
-    for (std::size_t k = 0; k < own.size(); ++k) {
-        t.size += share * own[k].size;
-        t.length += share * own[k].length;
-        for (std::size_t i = 0; i < shape_points * t.channels; ++i)
-            values_[t.values + i] += share * values_[own[k].values + i];
-        for (std::size_t i = 0; i < fine_points * t.channels; ++i)
-            fine_.back()[i] += share * fine_[first + k * step][i];
-    }
-    for (std::size_t i = t.values; i < values_.size(); ++i) t.self += values_[i] * values_[i];
-    templates_.push_back(t);
-}
-
-/// Mean distance of the recorded strokes of a gesture, whose templates begin at `first`, from one another. `step` is the
-/// number of templates of each stroke.
-float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const {
-    const std::size_t last = std::min(templates_.size(), first + step * most_compared);
-    float sum = 0;
-    std::size_t count = 0;
-    for (std::size_t a = first; a < last; a += step) {
-        const auto& t = templates_[a];
-        Shape shape{.channels = t.channels};
-        std::copy_n(&values_[t.values], shape_points * t.channels, shape.values.begin());
-        for (std::size_t b = first; b < last; b += step) {
-            float least = 1;
-            for (std::size_t copy = b; copy < b + step && b != a; ++copy) {
-                const auto& u = templates_[copy];
-                auto match = u.turns    ? turned_score(shape, u)
-                             : u.closed ? closed_score(shape, u)
-                                        : Survivor{};
-                match.place = static_cast<std::uint32_t>(copy);
-                std::array<const float*, lanes> same;
-                same.fill(lane_values(match, 0, space));
-                set_lanes(space.eight_, t.channels, same);
-                least = std::min(least, elastic_distances(shape, space.eight_)[0]);
-            }
-            if (b == a) continue;
-            sum += least;
-            ++count;
-        }
-    }
-    return std::max(sum / static_cast<float>(count), least_usual);
-}
-
-/// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A closed gesture
-/// has no mean, because its strokes start anywhere.
-Expected<void> Recogniser::add_what_strokes_share(const Gesture& gesture, std::size_t first,
-                                                  std::size_t copies, RecogniserSpace& space) {
-    const bool several = gesture.strokes.size() > 1;
-    calibration_.usual.push_back(several ? spread_of(first, copies, space) : assumed_usual);
-    const std::size_t end = templates_.size();
-    for (std::size_t k = 0; k < copies && several && !gesture.options.closed; ++k)
-        add_mean(first + k, copies, end);
-    if (templates_.size() > most_templates) return fail(too_many());
-    return {};
-}
-
 Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
-    const std::size_t first = templates_.size();
     const auto number = static_cast<std::uint32_t>(names_.size());
     names_.push_back(gesture.name);
     options_.push_back(gesture.options);
@@ -158,10 +82,10 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
             return fail(
                 text("gesture '", gesture.name, "': stroke ", i + 1,
                      " has no shape: it needs two different points and finite numbers; record it again"));
-        if (templates_.size() > most_templates) return fail(too_many());
+        if (templates_.size() > most_templates)
+            return fail(text("more than ", most_templates, " templates; use fewer strokes of each gesture"));
     }
     const std::size_t copies = gesture.options.direction_sensitive ? 1 : 2;
-    if (auto done = add_what_strokes_share(gesture, first, copies, space); !done) return done;
     template_force_[number] /= static_cast<double>(copies * gesture.strokes.size());
     usual_seconds_[number] /= static_cast<float>(copies * gesture.strokes.size());
     auto& o = options_[number];
@@ -185,7 +109,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         }
         float sum = 0;
         for (const float d : meant[g]) sum += d;
-        calibration_.usual[g] = meant[g].empty() ? assumed_usual : std::max(sum / count, least_usual);
+        calibration_.usual[g] = meant[g].empty() ? 0.1F : std::max(sum / count, 1e-3F);
     }
     std::vector<LabelledEvidence> samples;
     const auto keep = [&](const Recognition& r, bool is_meant) {
@@ -221,6 +145,7 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
         if (auto added = result.add(g, space); !added) return tl::unexpected(added.error());
     }
     result.calibration_.weights = {0, 0, 0, 0};
+    result.calibration_.usual.assign(gestures.size(), 0.1F);
     result.calibration_.threshold.assign(gestures.size(), open_threshold);
     if (settings.calibrate) result.calibrate(gestures, space);
     return result;
