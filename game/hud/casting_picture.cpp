@@ -41,7 +41,7 @@ void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out
 /// Puts the force of a key chord in place of the stroke's, if a chord was pressed during the stroke.
 void take_chord(const Simulation& match, ecs::Entity wizard, const DrawnStroke& drawn, StrokePicture& out) {
     const auto* last = match.world().find<LastReading>(wizard);
-    out.chord = drawn.over == by_chord && last != nullptr;
+    out.chord = drawn.over == by_chord && last != nullptr && last->at != 0;
     if (out.chord) out.force_now = out.force_mean = last->force;
 }
 

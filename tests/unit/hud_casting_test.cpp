@@ -225,7 +225,7 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
     world.add(wizard, DrawnStroke{.count = 2, .over = by_chord});
     CastingPicture casting;
     take_casting(*match, wizard, 0, casting);
-    EXPECT_FALSE(casting.stroke.chord) << "nothing was read since the stroke began";
+    EXPECT_FALSE(casting.stroke.chord) << "nothing was read yet";
     world.get<LastReading>(wizard) = {.at = 1, .probability = 1, .force = 1.5, .gesture = 0, .nearest = 0};
     take_casting(*match, wizard, 0, casting);
     EXPECT_TRUE(casting.stroke.drawing && casting.stroke.chord);

@@ -106,9 +106,9 @@ std::string fault_of(std::string_view from, std::string_view to) {
 TEST(IngredientShapes, WrongWordIsReportedInOneLine) {
     EXPECT_EQ(
         fault_of("salt = \"crystals\"", "salt = \"cubes\""),
-        "cauldron.toml:110: 'salt' must be one of: heap, crystals, ingots, drops, feathers, cloud, cushion");
+        "cauldron.toml:111: 'salt' must be one of: heap, crystals, ingots, drops, feathers, cloud, cushion");
     EXPECT_EQ(fault_of("salt = \"crystals\"", "gold = \"crystals\""),
-              "cauldron.toml:110: unknown key 'look.gold'");
+              "cauldron.toml:111: unknown key 'look.gold'");
     EXPECT_EQ(fault_of("salt = \"crystals\"", ""), "") << "the heap is the default";
 }
 
