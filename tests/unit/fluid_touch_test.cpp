@@ -55,7 +55,8 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
     one.fill(0.25F);
     other.fill(0.5F);
     const auto grid = [](const std::array<float, 8>& samples) {
-        return field::Grid{.first = samples.data(), .count = {2, 2, 2}, .stride = {1, 2, 4}, .spacing = vec3(1)};
+        return field::Grid{
+            .first = samples.data(), .count = {2, 2, 2}, .stride = {1, 2, 4}, .spacing = vec3(1)};
     };
     const auto force_of = [&](double first, double second) {
         StirringRig rig;
