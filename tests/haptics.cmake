@@ -3,7 +3,7 @@ thaum_test(test_haptics
         unit/haptics_device_test.cpp unit/haptics_simulated_test.cpp unit/haptics_coupling_test.cpp
         unit/haptics_safety_test.cpp unit/haptics_servo_test.cpp unit/haptics_servo_contact_test.cpp
         unit/haptics_energy_test.cpp unit/haptics_viscosity_test.cpp unit/haptics_surface_test.cpp unit/haptics_surface_laws_test.cpp
-        unit/haptics_texture_test.cpp unit/haptics_allocations.cpp
+        unit/haptics_texture_test.cpp unit/allocations.cpp
         unit/flow_patch_test.cpp unit/fluid_touch_test.cpp
         accuracy/haptics_oscillator_test.cpp accuracy/haptics_simulated_accuracy_test.cpp
         accuracy/haptics_coupling_accuracy_test.cpp accuracy/haptics_round_accuracy_test.cpp accuracy/fluid_touch_accuracy_test.cpp

@@ -1,5 +1,5 @@
 thaum_test(test_input
-    SOURCES unit/input_allocations.cpp unit/input_bindings_test.cpp unit/input_collector_test.cpp
+    SOURCES unit/allocations.cpp unit/input_bindings_test.cpp unit/input_collector_test.cpp
         unit/input_log_test.cpp unit/input_log_seek_test.cpp unit/input_log_end_test.cpp unit/input_log_formats_test.cpp unit/input_stick_test.cpp unit/arm_servo_test.cpp unit/arm_playback_test.cpp
         unit/osc_jacket_test.cpp unit/rumble_effect_test.cpp unit/tactile_playback_test.cpp
     LINK thaum_input PkgConfig::zstd

@@ -8,9 +8,6 @@
 
 namespace thaum::haptics::sets {
 
-/// Number of `new` in this program so far.
-std::size_t allocations();
-
 /// Largest violation of the documentation by a balance (N): spring against sum of forces, and every force
 /// against what its primitive can exert at the proxy. A position is accurate to `touching` (m), so a force
 /// whose direction depends on it is accurate to what follows from that.

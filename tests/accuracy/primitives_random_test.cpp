@@ -10,6 +10,7 @@
 #include "accuracy/primitives_judge.h"
 #include "haptics/balance.h"
 #include "tools/bench/primitive_sets.h"
+#include "unit/allocations.h"
 
 namespace thaum::haptics {
 namespace {
@@ -373,12 +374,12 @@ TEST(PrimitivesRandom, TheStepBudgetHolds) {
 
 TEST(PrimitivesRandom, NothingIsAllocated) {
     Random random{9};
-    const auto before = sets::allocations();
+    const auto before = test::allocations();
     for (int i = 0; i < 1'000; ++i) {
         const Case c = sets::random_case(random, 1 + random.below(16), {});
         (void)balance(c.set, c.spring);
     }
-    EXPECT_EQ(sets::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST_F(ScanSurface, HasTheSilhouetteAndDepthOfTheSphere) {
     EXPECT_GT(hits, 1000);
 }
 
-TEST_F(ScanSurface, MeetsAPlaneToAThousandthOfASample) {
+TEST_F(ScanSurface, MeetsAPlaneWithinTheRoundingOfItsSamples) {
     // The density is linear, so the trilinear cells are exact.
     const auto plane = sampled(n, [](fvec3 at) { return 0.5F + (0.3F * at.x + 0.2F * at.y - at.z) / 100; });
     const auto scan = surface_of(plane, n);

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/random.h"
+#include "unit/allocations.h"
 #include "unit/input_log_samples.h"
 
 namespace thaum::input {
@@ -197,9 +198,9 @@ TEST(ArmServo, AllocatesNothing) {
     arm.forces.reserve(1000);
     const auto once = [&] { arm.step(), servo.order() = {}, servo.publish(), servo.take(); };
     once();
-    const auto before = samples::allocations();
+    const auto before = test::allocations();
     for (int i = 0; i < 500; ++i) once();
-    EXPECT_EQ(samples::allocations() - before, 0U);
+    EXPECT_EQ(test::allocations() - before, 0U);
 }
 
 TEST(ArmServo, BeforeTheFirstModelThereIsNoForce) {

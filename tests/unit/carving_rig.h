@@ -9,9 +9,6 @@
 
 namespace thaum::field {
 
-/// Number of calls of `new` so far, in any thread.
-std::size_t allocations();
-
 inline Extent round_extent(ExtentShape shape, double radius) {
     return {.shape = shape, .half = vec3(radius)};
 }

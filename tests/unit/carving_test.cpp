@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/allocations.h"
 #include "unit/carving_rig.h"
 
 namespace thaum::field {
@@ -195,9 +196,9 @@ TEST(Carving, AnEditDoesNotAllocate) {
     for (int i = 0; i < 100; ++i) {
         const Tool tool = random_tool(random);
         const Dab dab = random_dab(body, random);
-        const std::size_t before = allocations();
+        const std::size_t before = test::allocations();
         changed += edit(body.view(), tool, dab).voxels;
-        ASSERT_EQ(allocations(), before) << i;
+        ASSERT_EQ(test::allocations(), before) << i;
     }
     EXPECT_GT(changed, 1000U);
 }

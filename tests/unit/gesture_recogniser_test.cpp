@@ -8,6 +8,7 @@
 #include "gesture/collisions.h"
 #include "gesture/recogniser.h"
 #include "gesture/variations.h"
+#include "unit/allocations.h"
 #include "unit/gesture_shapes.h"
 
 namespace thaum::gesture {
@@ -169,9 +170,9 @@ TEST(Gesture, ARecognitionAllocatesNothing) {
     const auto recogniser = recogniser_of(three_gestures());
     RecogniserSpace space;
     const auto stroke = ess();
-    const auto before = allocations();
+    const auto before = test::allocations();
     for (int i = 0; i < 10; ++i) recogniser.recognise(stroke, space);
-    EXPECT_EQ(allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(Gesture, TheChoiceByDotProductLosesNoRightAnswer) {

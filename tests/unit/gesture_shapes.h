@@ -98,7 +98,4 @@ inline Course moved(Course stroke, vec3 by, double scale, double speed = 1) {
 inline constexpr VariationSettings careful{
     .tilt = 0.1, .stretch = 0.12, .bend = 0.035, .hurry = 0.25, .ends = 0.025};
 
-/// Number of calls of operator new in this program (gesture_allocations.cpp).
-std::size_t allocations();
-
 }  // namespace thaum::gesture

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "gesture/spotting.h"
 #include "gesture/variations.h"
+#include "unit/allocations.h"
 #include "unit/gesture_shapes.h"
 
 namespace thaum::gesture {
@@ -141,12 +142,12 @@ TEST(Spotter, AllocatesNothingAndGivesTheSameBitsInEachRun) {
     std::uint64_t hashes[2] = {0, 0};
     for (auto& hash : hashes) {
         Spotter spotter(*recogniser, {});
-        const auto before = allocations();
+        const auto before = test::allocations();
         for (const auto& p : session) {
             for (const auto& c : spotter.scan(p))
                 hash = hash_combine(hash, hash_combine(hash_value(c.distance), c.gesture));
         }
-        EXPECT_EQ(allocations(), before);
+        EXPECT_EQ(test::allocations(), before);
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_NE(hashes[0], 0U);

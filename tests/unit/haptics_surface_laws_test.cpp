@@ -9,6 +9,7 @@
 
 #include "accuracy/primitives_judge.h"
 #include "core/hash.h"
+#include "unit/allocations.h"
 #include "unit/haptics_surface_rig.h"
 
 namespace thaum::haptics::surface_tests {
@@ -257,9 +258,9 @@ TEST(Surface, ATickAllocatesNothingAndRepeatsToTheBit) {
         return hash;
     };
     const auto first = run();
-    const auto before = sets::allocations();
+    const auto before = test::allocations();
     EXPECT_EQ(run(), first);
-    EXPECT_EQ(sets::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

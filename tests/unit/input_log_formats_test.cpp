@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zstd.h>
 
+#include "unit/allocations.h"
 #include "unit/input_log_samples.h"
 
 namespace thaum::input {
@@ -181,9 +182,9 @@ TEST(InputLogFormat2, ACountThatTheFileCannotHoldCostsNothing) {
             auto body = sample.body;
             samples::put_at(body, sample.sections[i] + 8, count);
             const auto file = signed_header(sample.file, body);
-            const auto before = samples::allocations();
+            const auto before = test::allocations();
             EXPECT_FALSE(decoded(file)) << i;
-            EXPECT_LT(samples::allocations() - before, 200U) << i;
+            EXPECT_LT(test::allocations() - before, 200U) << i;
         }
     }
 }
@@ -201,9 +202,9 @@ TEST(InputLogFormat2, AListThatIsTooLongIsRefusedBeforeItsItemsAreRead) {
         body.erase(at(body, sample.sections[5]), at(body, sample.sections[6]));
         body.insert(at(body, sample.sections[5]), overrides.begin(), overrides.end());
         const auto file = signed_header(sample.file, body);
-        const auto before = samples::allocations();
+        const auto before = test::allocations();
         EXPECT_EQ(decoded(file).has_value(), accepted) << count;
-        return samples::allocations() - before;
+        return test::allocations() - before;
     };
     allocations_of(1000, true);
     EXPECT_EQ(allocations_of(1001, false), allocations_of(4'000'000, false));

@@ -15,9 +15,6 @@
 
 namespace thaum::input::samples {
 
-/// Number of `new` in this program so far.
-std::size_t allocations();
-
 struct Folder {
     std::filesystem::path path;
     Folder() {

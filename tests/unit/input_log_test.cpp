@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "unit/allocations.h"
 #include "unit/input_log_samples.h"
 
 namespace thaum::input {
@@ -454,9 +455,9 @@ TEST(InputLog, NoAllocationWhileRecording) {
     };
     block();
     block();
-    const auto before = samples::allocations();
+    const auto before = test::allocations();
     for (int i = 0; i < 50; ++i) block();
-    EXPECT_EQ(samples::allocations() - before, 0U);
+    EXPECT_EQ(test::allocations() - before, 0U);
     EXPECT_EQ(writer.extra_blocks(), 0U);
 }
 

@@ -11,6 +11,7 @@
 #include "render/detail/shaders.h"
 #include "render/renderer.h"
 #include "unit/picture_part.h"
+#include "unit/renderer_rig.h"
 
 namespace thaum::render {
 namespace {
@@ -39,26 +40,11 @@ fvec3 middle_of(const Image& image) {
 }
 
 /// A ball of radius 1 m about the origin, filled with a uniform medium up to y = 0.
-class VolumeTest : public testing::Test {
+class VolumeTest : public RendererTest<size> {
 protected:
-    // All tests share one renderer, because compiling its shaders takes longer than drawing all pictures.
-    static void SetUpTestSuite() {
-        auto made = Offscreen::create(size, size);
-        if (!made) return;
-        context.emplace(std::move(*made));
-        context->make_current();
-        auto created = Renderer::create(THAUM_SOURCE_DIR "/assets");
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
-        cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
-    }
-    static void TearDownTestSuite() {
-        renderer.reset();
-        context.reset();
-    }
     void SetUp() override {
-        if (!context) GTEST_SKIP() << "no OpenGL";
-        ASSERT_TRUE(renderer);
+        RendererTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         for (const float x : {-1.0F, 1.0F}) {
             for (const float z : {-1.0F, 1.0F}) skin.push_back({.position = {x, 0, z}});
         }
@@ -108,9 +94,6 @@ protected:
     }
 
     static constexpr std::array<std::uint32_t, 6> corners{0, 1, 2, 2, 1, 3};
-    static inline std::optional<Offscreen> context;
-    static inline std::optional<Renderer> renderer;
-    static inline MeshId cube{};
     std::vector<SkinVertex> skin;
     std::vector<Texel> texels;
     std::vector<Instance> instances;

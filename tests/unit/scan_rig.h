@@ -9,6 +9,7 @@
 #include "render/context.h"
 #include "render/detail/shaders.h"
 #include "render/renderer.h"
+#include "unit/renderer_rig.h"
 
 namespace thaum::render {
 
@@ -52,26 +53,11 @@ inline int greatest_difference(const Image& a, const Image& b) {
     return most;
 }
 
-class ScanTest : public testing::Test {
+class ScanTest : public RendererTest<picture_side> {
 protected:
-    // All tests of a suite share one renderer, because compiling its shaders takes longer than the pictures.
-    static void SetUpTestSuite() {
-        auto made = Offscreen::create(picture_side, picture_side);
-        if (!made) return;
-        context.emplace(std::move(*made));
-        context->make_current();
-        auto created = Renderer::create(THAUM_SOURCE_DIR "/assets");
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
-        cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
-    }
-    static void TearDownTestSuite() {
-        renderer.reset();
-        context.reset();
-    }
     void SetUp() override {
-        if (!context) GTEST_SKIP() << "no OpenGL";
-        ASSERT_TRUE(renderer);
+        RendererTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
         camera = {.position = {0, 0, 3}, .fov_y = 0.8F};
         environment.sun.colour = fvec3(0);
         environment.ambient = {fvec3(1), fvec3(1)};
@@ -133,9 +119,6 @@ protected:
                                           high * (0.5F * picture_side - static_cast<float>(y) - 0.5F), -1);
     }
 
-    static inline std::optional<Offscreen> context;
-    static inline std::optional<Renderer> renderer;
-    static inline MeshId cube{};
     std::vector<Instance> instances;
     std::vector<Block> blocks;
     Camera camera;

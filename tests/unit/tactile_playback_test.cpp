@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "input/tactile_player.h"
+#include "unit/allocations.h"
 #include "unit/felt_output_rig.h"
 #include "unit/input_log_samples.h"
 
@@ -210,12 +211,12 @@ TEST_F(TactilePlaybackTest, AnotherOutputTakesOverAndTheFormerIsClosed) {
 TEST_F(TactilePlaybackTest, ManyFramesDoNotAllocate) {
     felt_->frames.reserve(1000);
     pass(1);
-    const auto before = samples::allocations();
+    const auto before = test::allocations();
     for (int i = 0; i < 500; ++i) {
         playback_.feel(frame_of(0.5F, 0.25F));
         pass(8 * milli);
     }
-    EXPECT_EQ(samples::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
     EXPECT_EQ(written(), 500);
 }
 
