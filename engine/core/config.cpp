@@ -437,4 +437,19 @@ void ConfigTable::report(std::string_view key, std::string_view message) const {
     state_->report(node != nullptr ? node : as_table(table_), message);
 }
 
+std::string in_quotes(std::string_view words) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string out = "\"";
+    for (const char c : words) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F) {
+            out += text("\\u00", digits.substr(byte / 16, 1), digits.substr(byte % 16, 1));
+            continue;
+        }
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
 }  // namespace thaum

@@ -90,4 +90,7 @@ private:
     const void* table_;  // a toml::table; null if the table is missing
 };
 
+/// Words as a string of TOML. Control characters become escapes.
+std::string in_quotes(std::string_view words);
+
 }  // namespace thaum

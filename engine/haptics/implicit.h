@@ -17,8 +17,8 @@
 namespace thaum::haptics {
 
 struct Ball {
-    vec3 centre{};    ///< m
-    double radius{};  ///< m
+    vec3 centre{};    ///< place of the centre (m)
+    double radius{};  ///< distance of the surface from the centre or axis (m)
 
     field::Scalar operator()(vec3 place) const;
 };
@@ -34,14 +34,14 @@ struct HalfSpace {
 /// A bar with round ends.
 struct Bar {
     vec3 from{}, to{};  ///< ends of the axis (m)
-    double radius{};    ///< m
+    double radius{};    ///< distance of the surface from the centre or axis (m)
 
     field::Scalar operator()(vec3 place) const;
 };
 
 /// A box along the axes, with edges and corners rounded by `round`.
 struct Block {
-    vec3 centre{};   ///< m
+    vec3 centre{};   ///< place of the centre (m)
     vec3 half{};     ///< half extents, rounding included (m)
     double round{};  ///< radius of edges and corners, >= 0, at most the least half extent (m)
 
@@ -50,7 +50,7 @@ struct Block {
 
 /// A ring about an axis.
 struct Ring {
-    vec3 centre{};       ///< m
+    vec3 centre{};       ///< place of the centre (m)
     vec3 axis{0, 1, 0};  ///< unit vector
     double radius{};     ///< radius of the middle line (m)
     double thickness{};  ///< radius of the ring's section (m)
@@ -72,7 +72,7 @@ struct Merged {
 /// in a tick if the sheet is felt `distance` before it. The gradient, and so the force's direction, is the object's own.
 struct Thickened {
     field::ScalarField object{};
-    double distance{};  ///< m
+    double distance{};  ///< distance by which the object grows (m)
 
     field::Scalar operator()(vec3 place) const;
 };

@@ -78,6 +78,10 @@ Direction direction_of(vec3 v) noexcept {
     return {scaled / length, std::min(length * largest, 1e300)};
 }
 
+Direction towards_core(const field::Vector& here) noexcept {
+    return direction_of(glm::cross(curl(here), here.value));
+}
+
 double strength_at(const field::TransferFunction& strength, double x) noexcept {
     const double found = std::isfinite(x) ? strength(x) : 0;
     return std::isfinite(found) ? std::clamp(found, -primitive_limit, primitive_limit) : 0;

@@ -72,6 +72,7 @@ struct Mode {
     std::string_view about{};     ///< what the hand feels, for a menu
     std::string_view property{};  ///< what the strength's transfer function maps: "length of the vector"
     FieldKind reads{};
+    bool slope{};                ///< the property is the length of a gradient (per m)
     bool derivatives{};          ///< it reads derivatives of the field, not the value alone
     std::uint32_t primitives{};  ///< number of primitives that it adds
     /// Whether it creates no energy in any field: it pushes nothing and only resists.
@@ -127,6 +128,9 @@ struct Direction {
     double length{};
 };
 Direction direction_of(vec3 v) noexcept;
+
+/// Direction towards the core of a vortex, and length of (curl V) x V (paper 001, eq. 2, whose minus would point away).
+Direction towards_core(const field::Vector& here) noexcept;
 
 /// Strength by a transfer function at x (N): within +- primitive_limit, and 0 if x or the result is not finite.
 double strength_at(const field::TransferFunction& strength, double x) noexcept;

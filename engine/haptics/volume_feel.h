@@ -69,7 +69,7 @@ struct OpacityFeel {
     field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
     double stiffness{};                  ///< S = stiffness a (N)
     double retarding{};                  ///< R = (retarding a + retarding_always) v (N s/m)
-    double retarding_always{};           ///< N s/m
+    double retarding_always{};           ///< drag that does not depend on the opacity (N s/m)
     /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a thin
     /// structure instead of slipping off.
     bool attracts{};
@@ -79,16 +79,16 @@ struct OpacityFeel {
 /// is none beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
 struct DensityShell {
     double low{}, high{};       ///< densities, low < high
-    double stiffness{};         ///< N
-    double retarding{};         ///< N s/m
-    double retarding_always{};  ///< N s/m
+    double stiffness{};         ///< force at the density `high` (N)
+    double retarding{};         ///< drag added at the density `high` (N s/m)
+    double retarding_always{};  ///< drag everywhere within the shell (N s/m)
 };
 
 /// The surface of one density. It holds the proxy up to its strength, times the material's stiffness: a stronger
 /// push pokes through. Larger densities are solid.
 struct DensityWall {
     double density{};
-    double strength{};  ///< N
+    double strength{};  ///< push at which it lets the hand through (N)
     double friction{};  ///< coefficient of friction, >= 0
     double reach{};     ///< depth at which the proxy is through, about the size of a voxel (m)
 };

@@ -49,6 +49,12 @@ std::optional<std::string> Arguments::value(std::string_view option) const {
     return found->second.back();
 }
 
+std::optional<std::filesystem::path> Arguments::path(std::string_view option) const {
+    const auto word = value(option);
+    if (!word) return std::nullopt;
+    return *word;
+}
+
 std::vector<std::string> Arguments::values(std::string_view option) const {
     const auto found = given_.find(std::string(option));
     return found == given_.end() ? std::vector<std::string>{} : found->second;
@@ -74,6 +80,16 @@ Expected<double> Arguments::number(std::string_view option, double low, double h
 Expected<std::uint64_t> Arguments::whole(std::string_view option, std::uint64_t low, std::uint64_t high,
                                          std::uint64_t fallback) const {
     return whole(option, low, high).map([&](const auto& given) { return given.value_or(fallback); });
+}
+
+std::vector<std::string> parts_of(std::string_view word, char between) {
+    std::vector<std::string> parts;
+    for (std::size_t from = 0; from <= word.size();) {
+        const auto end = std::min(word.find(between, from), word.size());
+        parts.emplace_back(word.substr(from, end - from));
+        from = end + 1;
+    }
+    return parts;
 }
 
 Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,

@@ -1,6 +1,7 @@
 // game/app/arguments.h: the words that follow a command on the command line, parsed against the command's
 // options.
 #pragma once
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -28,6 +29,8 @@ public:
     bool has(std::string_view option) const { return given_.contains(std::string(option)); }
     /// First value of the option's last use, or std::nullopt if the option was not given.
     std::optional<std::string> value(std::string_view option) const;
+    /// First value of the option's last use as a path.
+    std::optional<std::filesystem::path> path(std::string_view option) const;
     /// Values of all uses of the option, in order.
     std::vector<std::string> values(std::string_view option) const;
     /// Value of the option as a number from `low` to `high`; `fallback` if the option was not given.
@@ -43,6 +46,9 @@ private:
     std::vector<std::string> plain_;
     std::map<std::string, std::vector<std::string>> given_;
 };
+
+/// Parts of a word between commas or the like: "a,b" -> "a", "b". There is always one part, which may be empty.
+std::vector<std::string> parts_of(std::string_view word, char between = ',');
 
 /// Parses a whole number: "12" -> 12. The error says what is wrong with `word` and calls the number `what`.
 Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,

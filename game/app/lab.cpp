@@ -62,16 +62,6 @@ constexpr std::array<std::string_view, 9> setting_words{"--solver",    "--cells"
                                                         "--bowl",      "--box",     "--edges",
                                                         "--viscosity", "--gravity", "--substance"};
 
-std::vector<std::string> split(std::string_view words) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from <= words.size();) {
-        const auto end = std::min(words.find(',', from), words.size());
-        parts.emplace_back(words.substr(from, end - from));
-        from = end + 1;
-    }
-    return parts;
-}
-
 /// Index of the option's word in `names`; `fallback` if the option was not given.
 Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option,
                              std::array<std::string_view, 2> names, std::size_t fallback) {
@@ -86,7 +76,7 @@ Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option
 // ---- settings ---------------------------------------------------------------------------------------------
 
 Expected<game::Ingredient> read_substance(const std::string& words, const game::CauldronRules& rules) {
-    const auto parts = split(words);
+    const auto parts = parts_of(words);
     const auto known = std::find_if(rules.ingredients.begin(), rules.ingredients.end(),
                                     [&](const game::Ingredient& i) { return i.name == parts[0]; });
     if (known == rules.ingredients.end()) {
@@ -195,7 +185,7 @@ Expected<std::size_t> read_slot(const std::string& word, const LabSettings& sett
 }
 
 Expected<game::LabScript::Pour> read_pour(const std::string& words, const LabState& lab) {
-    const auto parts = split(words);
+    const auto parts = parts_of(words);
     if (parts.size() != 3) return fail(text("--pour '", words, "': must be SUBSTANCE,SECOND,LITRES"));
     const auto slot = read_slot(parts[0], lab.settings);
     if (!slot) return tl::unexpected(slot.error());
@@ -221,34 +211,6 @@ Expected<game::LabScript> read_script(const Arguments& arguments, const LabState
 
 // ---- the whole plan ------------------------------------------------------------------------------------
 
-std::optional<std::filesystem::path> path_of(const Arguments& arguments, std::string_view option) {
-    const auto word = arguments.value(option);
-    if (!word) return std::nullopt;
-    return *word;
-}
-
-Expected<void> read_outputs(const Arguments& arguments, LabPlan& plan) {
-    plan.save = path_of(arguments, "--save");
-    plan.trace = path_of(arguments, "--trace");
-    plan.shots = path_of(arguments, "--shots");
-    plan.times = arguments.has("--times");
-    if (arguments.has("--every") && !plan.shots) return fail("--every needs --shots");
-    if (arguments.has("--size") && arguments.has("--headless") && !plan.shots)
-        return fail("--size needs --shots, or a window");
-    if (plan.times && !plan.trace) return fail("--times needs --trace");
-    if (plan.save && plan.trace && same_target(*plan.save, *plan.trace))
-        return fail("--save and --trace need one file for each");
-    const auto every = arguments.whole("--every", 1, 1'000'000, 25);
-    if (!every) return tl::unexpected(every.error());
-    plan.every = static_cast<std::int64_t>(*every);
-    if (const auto word = arguments.value("--size")) {
-        const auto size = parse_size(*word, "--size");
-        if (!size) return tl::unexpected(size.error());
-        plan.size = *size;
-    }
-    return {};
-}
-
 Expected<LabPlan> read_plan(const Arguments& arguments) {
     if (!arguments.plain().empty()) return fail(text("lab --fluid takes no '", arguments.plain()[0], "'"));
     const bool headless = arguments.has("--headless");
@@ -265,7 +227,11 @@ Expected<LabPlan> read_plan(const Arguments& arguments) {
     const auto threads = arguments.whole("--threads", 1, 2, 1);
     if (!threads) return tl::unexpected(threads.error());
     plan.threads = static_cast<unsigned>(*threads);
-    if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
+    auto outputs = read_lab_outputs(arguments, 25);
+    if (!outputs) return tl::unexpected(outputs.error());
+    plan.out = std::move(*outputs);
+    plan.times = arguments.has("--times");
+    if (plan.times && !plan.out.trace) return fail("--times needs --trace");
     return plan;
 }
 
@@ -284,9 +250,9 @@ void tell_end(const LabState& lab, const game::LabFigures& last, std::int64_t st
 }
 
 int run_headless(LabPlan plan) {
-    if (const auto free = plan.save ? check_output(*plan.save) : Expected<void>(); !free)
+    if (const auto free = plan.out.save ? check_output(*plan.out.save) : Expected<void>(); !free)
         return refuse(free.error());
-    auto trace = LabTrace::open(plan);
+    auto trace = LabTrace::open(plan.out.trace, game::lab_trace_header(plan.times));
     if (!trace) return refuse(trace.error());
     auto shots = LabShots::open(plan);
     if (!shots) return refuse(shots.error());
@@ -296,13 +262,13 @@ int run_headless(LabPlan plan) {
     const auto steps = std::llround(*plan.seconds / game::lab_dt);
     for (std::int64_t i = 0; i < steps; ++i) {
         figures = game::step_lab(plan.lab, game::scripted_input(plan.script, plan.lab), jobs);
-        trace->add(plan.lab, figures);
+        trace->add([&](std::string& rows) { game::append_lab_row(plan.lab, figures, plan.times, rows); });
         if (auto put = shots->follow(plan.lab, figures); !put) return refuse(put.error());
     }
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
     if (auto closed = trace->close(); !closed) return refuse(closed.error());
-    if (plan.save) {
-        if (auto saved = game::save_lab(plan.lab, *plan.save); !saved) return refuse(saved.error());
+    if (plan.out.save) {
+        if (auto saved = game::save_lab(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
     tell_end(plan.lab, figures, steps, took);
     return done;
@@ -331,26 +297,6 @@ int run_lab(const std::vector<std::string>& words) {
 }
 
 }  // namespace
-
-Expected<LabTrace> LabTrace::open(const LabPlan& plan) {
-    LabTrace trace;
-    if (!plan.trace) return trace;
-    auto file = FileWriter::create(*plan.trace);
-    if (!file) return tl::unexpected(file.error());
-    trace.file_.emplace(std::move(*file));
-    trace.times_ = plan.times;
-    trace.file_->write(game::lab_trace_header(plan.times));
-    return trace;
-}
-
-void LabTrace::add(const game::LabState& lab, const game::LabFigures& figures) {
-    if (!file_) return;
-    rows_.clear();
-    game::append_lab_row(lab, figures, times_, rows_);
-    file_->write(rows_);
-}
-
-Expected<void> LabTrace::close() { return file_ ? file_->close() : Expected<void>(); }
 
 Command lab_command() {
     return {"lab", "a volume to feel, read and carve, or the cauldron's brew alone", {}, run_lab};

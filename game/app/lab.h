@@ -1,10 +1,10 @@
-// game/app/lab.h: the options of `thaum lab --fluid`, its trace and pictures, and its window.
+// game/app/lab.h: the options of `thaum lab --fluid`, its pictures, and its window.
 #pragma once
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "core/file_writer.h"
+#include "game/app/lab_outputs.h"
 #include "game/lab/script.h"
 #include "render/context.h"
 #include "render/image.h"
@@ -17,24 +17,9 @@ struct LabPlan {
     game::LabScript script{};
     /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
-    std::optional<std::filesystem::path> save{}, trace{}, shots{};
-    std::int64_t every = 25;  ///< number of steps between two pictures
-    render::Size size{1280, 720};
+    LabOutputs out{};
     bool times = false;  ///< true: the trace has columns with computing times
     unsigned threads = 1;
-};
-
-/// Rows of the CSV trace; writes nothing if the plan names no trace.
-class LabTrace {
-public:
-    static Expected<LabTrace> open(const LabPlan& plan);
-    void add(const game::LabState& lab, const game::LabFigures& figures);
-    Expected<void> close();
-
-private:
-    std::optional<FileWriter> file_;
-    bool times_ = false;
-    std::string rows_;
 };
 
 /// Pictures drawn without a window, saved as FOLDER/lab_STEP.png; none if the plan names no folder.
@@ -56,11 +41,6 @@ private:
     std::filesystem::path folder_;
     std::int64_t every_ = 1;
 };
-
-/// Makes the folder for pictures if the plan names one.
-Expected<void> make_lab_folder(const LabPlan& plan);
-Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t step,
-                              const render::Image& image);
 
 /// Runs the lab in a window until the window is closed. Returns an exit code.
 int run_lab_window(LabPlan plan);

@@ -19,39 +19,19 @@ LabShots::LabShots(LabShots&&) noexcept = default;
 LabShots& LabShots::operator=(LabShots&&) noexcept = default;
 LabShots::~LabShots() = default;
 
-namespace {
-
-std::filesystem::path lab_shot(const std::filesystem::path& folder, std::int64_t step) {
-    const auto digits = text(step);
-    const auto zeros = std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0');
-    return folder / text("lab_", zeros, digits, ".png");
-}
-
-}  // namespace
-
-Expected<void> make_lab_folder(const LabPlan& plan) {
-    if (!plan.shots) return {};
-    if (auto made = make_folder(*plan.shots); !made) return made;
-    return check_output(lab_shot(*plan.shots, plan.lab.steps + plan.every));
-}
-
-Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t step,
-                              const render::Image& image) {
-    return render::write_png(lab_shot(folder, step), image);
-}
-
 Expected<LabShots> LabShots::open(const LabPlan& plan) {
     LabShots shots;
-    if (!plan.shots) return shots;
-    if (auto made = make_lab_folder(plan); !made) return tl::unexpected(made.error());
-    auto context = render::Offscreen::create(plan.size.width, plan.size.height);
+    if (!plan.out.shots) return shots;
+    if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
+        return tl::unexpected(made.error());
+    auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
     if (!context) return tl::unexpected(context.error());
     context->make_current();
     auto renderer = render::Renderer::create(game::find_assets());
     if (!renderer) return tl::unexpected(renderer.error());
     LabPicture picture(*renderer, plan.lab);
-    shots.folder_ = *plan.shots;
-    shots.every_ = plan.every;
+    shots.folder_ = *plan.out.shots;
+    shots.every_ = plan.out.every;
     shots.state_.reset(new State{std::move(*context), std::move(*renderer), std::move(picture)});
     shots.state_->page.panels = false;
     return shots;

@@ -15,6 +15,7 @@
 #include "game/app/settings.h"
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
+#include "game/lab/lab_trace.h"
 #include "render/pace.h"
 
 namespace thaum::app {
@@ -204,7 +205,9 @@ void step_session(LabSession& session, render::Size size, Jobs& jobs) {
         note(session, session.figures.refused);
         session.page.hands.settings = session.plan.lab.settings;
     }
-    session.trace.add(session.plan.lab, session.figures);
+    session.trace.add([&](std::string& rows) {
+        game::append_lab_row(session.plan.lab, session.figures, session.plan.times, rows);
+    });
 }
 
 /// Clock of the lab: number of steps that are due, and steps computed per second.
@@ -255,10 +258,10 @@ Expected<void> run(LabSession& session, render::Window& window, render::Renderer
         if (std::exchange(session.bowl_changed, false)) picture.emplace(renderer, session.plan.lab);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
             renderer.draw(picture->frame(session.plan.lab, session.figures, session.page, size));
-            if (session.plan.shots &&
-                before / session.plan.every != session.plan.lab.steps / session.plan.every) {
-                if (auto put =
-                        write_lab_shot(*session.plan.shots, session.plan.lab.steps, renderer.read_pixels());
+            if (session.plan.out.shots &&
+                before / session.plan.out.every != session.plan.lab.steps / session.plan.out.every) {
+                if (auto put = write_lab_shot(*session.plan.out.shots, session.plan.lab.steps,
+                                              renderer.read_pixels());
                     !put)
                     return put;
             }
@@ -271,7 +274,8 @@ Expected<void> run(LabSession& session, render::Window& window, render::Renderer
 
 Expected<void> end(LabSession& session) {
     if (auto closed = session.trace.close(); !closed) return closed;
-    return session.plan.save ? game::save_lab(session.plan.lab, *session.plan.save) : Expected<void>();
+    return session.plan.out.save ? game::save_lab(session.plan.lab, *session.plan.out.save)
+                                 : Expected<void>();
 }
 
 }  // namespace
@@ -280,14 +284,15 @@ int run_lab_window(LabPlan plan) {
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
-        {.title = "Thaum: the brew", .size = plan.size, .fullscreen = settings.fullscreen});
+        {.title = "Thaum: the brew", .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
-    auto trace = LabTrace::open(plan);
+    auto trace = LabTrace::open(plan.out.trace, game::lab_trace_header(plan.times));
     if (!trace) return refuse(trace.error());
-    if (auto made = make_lab_folder(plan); !made) return refuse(made.error());
+    if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
+        return refuse(made.error());
     window->make_current();
     LabSession session{.plan = std::move(plan), .trace = std::move(*trace)};
-    session.file = session.plan.save.value_or(
+    session.file = session.plan.out.save.value_or(
         matches_folder().empty() ? std::filesystem::path() : matches_folder().parent_path() / "lab.brew");
     session.page.hands.settings = session.plan.lab.settings;
     session.page.text_scale = settings.text_scale;

@@ -227,9 +227,6 @@ struct PlaySettings {
 /// be read at all, all values have. A fault is told in one line on standard error, and the file stays unchanged.
 PlaySettings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets);
 
-/// Words as a string of TOML.
-std::string in_quotes(std::string_view words);
-
 /// One value of the file. `table` is empty for values at the top; `value` is written as TOML.
 struct SettingEdit {
     std::string table, key, value;

@@ -165,15 +165,6 @@ bool says(const Settings& old, const Settings& now, const std::vector<SettingEdi
 
 }  // namespace
 
-std::string in_quotes(std::string_view words) {
-    std::string out = "\"";
-    for (const char c : words) {
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
-}
-
 std::vector<SettingEdit> changes(const Settings& before, const Settings& after) {
     auto old = all_values(before), edits = all_values(after);
     std::erase_if(edits,

@@ -55,16 +55,6 @@ constexpr Option volume_options[] = {
     {"--session", 1}, {"--save", 1},  {"--trace", 1},       {"--shots", 1},        {"--every", 1},
     {"--size", 1},    {"--headless"}, {"--seconds", 1}};
 
-std::vector<std::string> split(std::string_view words, char at) {
-    std::vector<std::string> parts;
-    for (std::size_t from = 0; from <= words.size();) {
-        const auto end = std::min(words.find(at, from), words.size());
-        parts.emplace_back(words.substr(from, end - from));
-        from = end + 1;
-    }
-    return parts;
-}
-
 // ---- the volume -------------------------------------------------------------------------------------------
 
 bool is_made(std::string_view name) {
@@ -121,7 +111,7 @@ Expected<field::Filter> read_filter(const std::string& words, std::span<const st
 Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, const std::string& mode) {
     std::vector<field::Filter> filters;
     for (const auto& words : arguments.values("--filter")) {
-        const auto parts = split(words, ',');
+        const auto parts = parts_of(words);
         if (parts[0] != mode) continue;
         const auto filter = read_filter(words, std::span(parts).subspan(1));
         if (!filter) return tl::unexpected(filter.error());
@@ -131,7 +121,7 @@ Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, cons
 }
 
 Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words, const VolumeLab& lab) {
-    const auto parts = split(words, ',');
+    const auto parts = parts_of(words);
     if (parts.size() > 2) return fail(text("--mode '", words, "': must be MODE or MODE,STRENGTH"));
     auto filters = filters_of(arguments, parts[0]);
     if (!filters) return tl::unexpected(filters.error());
@@ -149,12 +139,12 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
 
 /// Reads "M,X:Y,..." and gives the function to mode M.
 Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
-    const auto parts = split(words, ',');
+    const auto parts = parts_of(words);
     const auto mode = std::ranges::find(modes, parts[0], &LabMode::name);
     if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
     std::vector<vec2> points;
     for (std::size_t i = 1; i < parts.size(); ++i) {
-        const auto numbers = split(parts[i], ':');
+        const auto numbers = parts_of(parts[i], ':');
         if (numbers.size() != 2) return fail(text("--transfer '", words, "': '", parts[i], "' must be X:Y"));
         const auto x = parse_number(numbers[0], "--transfer", -1e100, 1e100);
         if (!x) return tl::unexpected(x.error());
@@ -181,7 +171,7 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
         settings.modes.push_back(std::move(*mode));
     }
     for (const auto& words : arguments.values("--filter")) {
-        if (std::ranges::find(settings.modes, split(words, ',')[0], &LabMode::name) == settings.modes.end())
+        if (std::ranges::find(settings.modes, parts_of(words)[0], &LabMode::name) == settings.modes.end())
             return fail(text("--filter '", words, "': it begins with the mode, and there is no such --mode"));
     }
     for (const auto& words : arguments.values("--transfer"))
@@ -192,7 +182,7 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
 // ---- the script -------------------------------------------------------------------------------------------
 
 Expected<PlannedCarve> read_carve(const std::string& words, const VolumeLab& lab) {
-    const auto parts = split(words, ',');
+    const auto parts = parts_of(words);
     if (parts.size() != 3) return fail(text("--carve '", words, "': must be TOOL,FROM,TO"));
     if (!lab.carvable()) return fail("--carve: a flow cannot be carved");
     const auto& tools = lab.data.tools;
@@ -223,30 +213,12 @@ Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabP
 
 // ---- the whole plan ---------------------------------------------------------------------------------------
 
-std::optional<std::filesystem::path> path_of(const Arguments& arguments, std::string_view option) {
-    const auto word = arguments.value(option);
-    if (!word) return std::nullopt;
-    return *word;
-}
-
 Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
-    plan.save = path_of(arguments, "--save");
-    plan.trace = path_of(arguments, "--trace");
-    plan.shots = path_of(arguments, "--shots");
-    if (plan.save && plan.save->extension() != ".nrrd") return fail("--save: the file must end in .nrrd");
-    if (plan.save && plan.trace && same_target(*plan.save, *plan.trace))
-        return fail("--save and --trace need one file for each");
-    if (arguments.has("--every") && !plan.shots) return fail("--every needs --shots");
-    if (arguments.has("--size") && arguments.has("--headless") && !plan.shots)
-        return fail("--size needs --shots, or a window");
-    const auto every = arguments.whole("--every", 1, 1'000'000, 500);
-    if (!every) return tl::unexpected(every.error());
-    plan.every = static_cast<std::int64_t>(*every);
-    if (const auto word = arguments.value("--size")) {
-        const auto size = parse_size(*word, "--size");
-        if (!size) return tl::unexpected(size.error());
-        plan.size = *size;
-    }
+    auto outputs = read_lab_outputs(arguments, 500);
+    if (!outputs) return tl::unexpected(outputs.error());
+    plan.out = std::move(*outputs);
+    if (plan.out.save && plan.out.save->extension() != ".nrrd")
+        return fail("--save: the file must end in .nrrd");
     const auto look = arguments.value("--look");
     if (look && *look != "surface" && *look != "translucent")
         return fail(text("--look '", *look, "': must be surface or translucent"));
@@ -261,7 +233,7 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     auto opened = plan_of(*session);
     if (!opened) return opened;
     VolumeLabPlan plan = std::move(*opened);
-    plan.session_file = path_of(arguments, "--session");
+    plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
@@ -282,9 +254,9 @@ void tell_end(const VolumeLab& lab, std::size_t changed, double most_n, double t
 }
 
 int run_headless(VolumeLabPlan plan) {
-    if (const auto free = plan.save ? check_output(*plan.save) : Expected<void>(); !free)
+    if (const auto free = plan.out.save ? check_output(*plan.out.save) : Expected<void>(); !free)
         return refuse(free.error());
-    auto trace = VolumeTrace::open(plan);
+    auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
     auto shots = VolumeShots::open(plan);
     if (!shots) return refuse(shots.error());
@@ -296,13 +268,13 @@ int run_headless(VolumeLabPlan plan) {
         const auto figures = game::step_volume_lab(plan.lab, planned_input(plan));
         most_n = std::max(most_n, glm::length(figures.force));
         changed += figures.edit.voxels;
-        trace->add(plan.lab, figures);
+        trace->add([&](std::string& rows) { game::append_volume_row(plan.lab, figures, rows); });
         if (auto put = shots->follow(plan.lab, plan.view, figures); !put) return refuse(put.error());
     }
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
     if (auto closed = trace->close(); !closed) return refuse(closed.error());
-    if (plan.save) {
-        if (auto saved = field::write_nrrd(*plan.save, game::volume_now(plan.lab)); !saved)
+    if (plan.out.save) {
+        if (auto saved = field::write_nrrd(*plan.out.save, game::volume_now(plan.lab)); !saved)
             return refuse(saved.error());
     }
     tell_end(plan.lab, changed, most_n, took);
@@ -359,25 +331,6 @@ game::VolumeLabInput planned_input(const VolumeLabPlan& plan) {
     }
     return input;
 }
-
-Expected<VolumeTrace> VolumeTrace::open(const VolumeLabPlan& plan) {
-    VolumeTrace trace;
-    if (!plan.trace) return trace;
-    auto file = FileWriter::create(*plan.trace);
-    if (!file) return tl::unexpected(file.error());
-    trace.file_.emplace(std::move(*file));
-    trace.file_->write(game::volume_trace_header());
-    return trace;
-}
-
-void VolumeTrace::add(const game::VolumeLab& lab, const game::VolumeLabFigures& figures) {
-    if (!file_) return;
-    rows_.clear();
-    game::append_volume_row(lab, figures, rows_);
-    file_->write(rows_);
-}
-
-Expected<void> VolumeTrace::close() { return file_ ? file_->close() : Expected<void>(); }
 
 std::string_view volume_lab_help() { return help; }
 

@@ -1,11 +1,11 @@
-// game/app/volume_lab.h: the options of `thaum lab VOLUME`, its trace and pictures, and its window.
+// game/app/volume_lab.h: the options of `thaum lab VOLUME`, its pictures, and its window.
 #pragma once
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/file_writer.h"
+#include "game/app/lab_outputs.h"
 #include "game/app/volume_lab_picture.h"
 #include "game/lab/hand_path.h"
 #include "game/lab/volume_lab.h"
@@ -17,7 +17,7 @@ namespace thaum::app {
 /// A time in which a tool is held.
 struct PlannedCarve {
     std::size_t tool{};   ///< index into VolumeLab::data.tools
-    double from{}, to{};  ///< s
+    double from{}, to{};  ///< when it is taken up and put down (s)
 };
 
 /// Options of one session.
@@ -31,9 +31,8 @@ struct VolumeLabPlan {
     VolumeView view{};
     /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
-    std::optional<std::filesystem::path> save{}, trace{}, shots{}, session_file{};
-    std::int64_t every = 500;  ///< ticks between two pictures
-    render::Size size{1280, 720};
+    std::optional<std::filesystem::path> session_file{};  ///< file of the settings
+    LabOutputs out{};
 };
 
 /// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.
@@ -43,18 +42,6 @@ game::VolumeSession session_of(const VolumeLabPlan& plan);
 
 /// Input of the next step by the plan's path and carves.
 game::VolumeLabInput planned_input(const VolumeLabPlan& plan);
-
-/// Rows of the CSV trace; writes nothing if the plan names no trace.
-class VolumeTrace {
-public:
-    static Expected<VolumeTrace> open(const VolumeLabPlan& plan);
-    void add(const game::VolumeLab& lab, const game::VolumeLabFigures& figures);
-    Expected<void> close();
-
-private:
-    std::optional<FileWriter> file_;
-    std::string rows_;
-};
 
 /// Pictures drawn without a window, saved as FOLDER/lab_TICK.png; none if the plan names no folder.
 class VolumeShots {

@@ -1,6 +1,4 @@
 // Pictures of a volume in the lab, drawn without a window.
-#include "core/file.h"
-#include "core/text.h"
 #include "game/app/volume_lab.h"
 #include "game/data/match_data.h"
 
@@ -21,15 +19,15 @@ VolumeShots::~VolumeShots() = default;
 
 Expected<VolumeShots> VolumeShots::open(const VolumeLabPlan& plan) {
     VolumeShots shots;
-    if (!plan.shots) return shots;
-    if (auto made = make_folder(*plan.shots); !made) return tl::unexpected(made.error());
-    auto context = render::Offscreen::create(plan.size.width, plan.size.height);
+    if (!plan.out.shots) return shots;
+    if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return tl::unexpected(made.error());
+    auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
     if (!context) return tl::unexpected(context.error());
     context->make_current();
     auto renderer = render::Renderer::create(game::find_assets());
     if (!renderer) return tl::unexpected(renderer.error());
-    shots.state_.reset(new State{std::move(*context), std::move(*renderer), std::nullopt, *plan.shots,
-                                 static_cast<Tick>(plan.every)});
+    shots.state_.reset(new State{std::move(*context), std::move(*renderer), std::nullopt, *plan.out.shots,
+                                 static_cast<Tick>(plan.out.every)});
     shots.state_->picture.emplace(shots.state_->renderer, plan.lab);
     return shots;
 }
@@ -41,9 +39,7 @@ Expected<void> VolumeShots::follow(const game::VolumeLab& lab, const VolumeView&
     VolumeView sharp = view;
     sharp.still = true;
     s.renderer.draw(s.picture->frame(lab, figures, sharp, s.context.size()));
-    const auto digits = text(lab.tick);
-    const auto zeros = std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0');
-    return render::write_png(s.folder / text("lab_", zeros, digits, ".png"), s.renderer.read_pixels());
+    return write_lab_shot(s.folder, static_cast<std::int64_t>(lab.tick), s.renderer.read_pixels());
 }
 
 }  // namespace thaum::app

@@ -17,6 +17,7 @@
 #include "game/app/volume_lab.h"
 #include "game/app/volume_panels.h"
 #include "game/data/match_data.h"
+#include "game/lab/volume_trace.h"
 #include "render/pace.h"
 
 namespace thaum::app {
@@ -30,7 +31,7 @@ constexpr float text_px = 14;
 
 struct Session {
     VolumeLabPlan plan;
-    VolumeTrace trace;
+    LabTrace trace;
     game::VolumeLabFigures figures{};
     VolumePanelState panels{};
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: not yet known
@@ -97,12 +98,9 @@ render::WindowEvents lab_events(Session& session) {
     return events;
 }
 
-void step(Session& session, render::Size size) {
+void step(Session& session) {
     auto input = planned_input(session.plan);
-    if (session.by_mouse && session.cursor) {
-        if (!session.turning) session.target = pointed_at(session, size);
-        input.target = session.target;
-    }
+    if (session.by_mouse) input.target = session.target;
     if (session.carving) {
         input.carve = true;
         input.tool = session.panels.tool;
@@ -111,7 +109,8 @@ void step(Session& session, render::Size size) {
     input.change = std::exchange(session.panels.change, std::nullopt);
     session.figures = game::step_volume_lab(session.plan.lab, input);
     if (!session.figures.refused.empty()) session.panels.note = session.figures.refused;
-    session.trace.add(session.plan.lab, session.figures);
+    session.trace.add(
+        [&](std::string& rows) { game::append_volume_row(session.plan.lab, session.figures, rows); });
     add_force(session.panels, glm::length(session.figures.force));
 }
 
@@ -120,7 +119,7 @@ void obey(Session& session) {
     auto& panels = session.panels;
     if (panels.history != 0) session.history = std::exchange(panels.history, 0);
     if (std::exchange(panels.saves, false)) {
-        const auto file = session.plan.save.value_or("carved.nrrd");
+        const auto file = session.plan.out.save.value_or("carved.nrrd");
         const auto saved = field::write_nrrd(file, game::volume_now(session.plan.lab));
         panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
     }
@@ -156,6 +155,13 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     return {};
 }
 
+/// Saves the picture if one was due since the tick `before`.
+Expected<void> save_due_shot(const VolumeLabPlan& plan, Tick before, render::Renderer& renderer) {
+    const auto every = static_cast<Tick>(plan.out.every);
+    if (!plan.out.shots || before / every == plan.lab.tick / every) return {};
+    return write_lab_shot(*plan.out.shots, static_cast<std::int64_t>(plan.lab.tick), renderer.read_pixels());
+}
+
 Expected<void> run(Session& session, render::Window& window, render::Renderer& renderer) {
     Panels imgui(text_px);
     const auto events = imgui.listening(lab_events(session));
@@ -170,9 +176,12 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
         const auto now = monotonic_ns();
         const double passed = static_cast<double>(now - std::exchange(last, now)) * 1e-9;
         owed = std::min(owed + passed, seconds(ticks_of_a_frame));
-        for (; owed >= tick_seconds; owed -= tick_seconds) step(session, size);
+        if (session.cursor && !session.turning) session.target = pointed_at(session, size);
+        const auto before = session.plan.lab.tick;
+        for (; owed >= tick_seconds; owed -= tick_seconds) step(session);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
             renderer.draw(picture->frame(session.plan.lab, session.figures, session.plan.view, size));
+            if (auto put = save_due_shot(session.plan, before, renderer); !put) return put;
             imgui.begin(size, passed);
             show_panels(session.plan, session.figures, session.panels);
             imgui.draw();
@@ -187,8 +196,9 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
 
 Expected<void> end(Session& session) {
     if (auto closed = session.trace.close(); !closed) return closed;
-    return session.plan.save ? field::write_nrrd(*session.plan.save, game::volume_now(session.plan.lab))
-                             : Expected<void>();
+    return session.plan.out.save
+               ? field::write_nrrd(*session.plan.out.save, game::volume_now(session.plan.lab))
+               : Expected<void>();
 }
 
 }  // namespace
@@ -197,10 +207,11 @@ int run_volume_window(VolumeLabPlan plan) {
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
-        {.title = "Thaum: " + plan.volume, .size = plan.size, .fullscreen = settings.fullscreen});
+        {.title = "Thaum: " + plan.volume, .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
-    auto trace = VolumeTrace::open(plan);
+    auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
+    if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return refuse(made.error());
     window->make_current();
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
     session.panels.modes = session.plan.lab.settings.modes;

@@ -62,8 +62,8 @@ void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
     ImGui::SameLine();
     if (ImGui::SmallButton("open") && state.path[0] != 0) state.open = state.path.data();
     if (!ImGui::BeginCombo("device", state.device.c_str())) return;
-    for (const char* name : {"touch", "omni", "premium", "falcon", "omega3"}) {
-        if (!ImGui::Selectable(name, state.device == name)) continue;
+    for (const auto& name : plan.lab.data.devices) {
+        if (!ImGui::Selectable(name.c_str(), state.device == name)) continue;
         state.device = name;
         state.open = plan.volume;
     }
@@ -74,7 +74,7 @@ void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
 
 double highest_property(const VolumeLab& lab, const haptics::Mode& mode) {
     const double range = double{lab.range.high} - double{lab.range.low};
-    if (mode.property.find("per m") == std::string_view::npos) return lab.range.high;
+    if (!mode.slope) return lab.range.high;
     return range / (lab.placement.scale *
                     std::min({lab.source.spacing.x, lab.source.spacing.y, lab.source.spacing.z}));
 }
@@ -119,8 +119,7 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     auto& s = chosen.settings;
     bool changed = show_filters(chosen);
     ImGui::TextWrapped("%s", text(mode.about, "; strength (N) by ", mode.property).c_str());
-    const double low =
-        mode.property.find("per m") == std::string_view::npos ? std::min(0.0, double{lab.range.low}) : 0;
+    const double low = !mode.slope ? std::min(0.0, double{lab.range.low}) : 0;
     changed |= curve("strength", s.strength, low, std::max(highest_property(lab, mode), low + 1e-9),
                      lab.data.device.peak_force);
     if (mode.name == "isosurface") {

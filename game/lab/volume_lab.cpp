@@ -115,6 +115,16 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
+/// Data files of a folder, sorted by name.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
 /// Reads a data file with its reader.
 template <class Read>
 auto read_config(const std::filesystem::path& path, std::int64_t version, Read read)
@@ -138,12 +148,8 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
         read_config(assets / "devices" / (device + ".toml"), device_file_version, haptics::read_device);
     if (!spec) return tl::unexpected(spec.error());
     data.device = std::move(*spec);
-    std::vector<std::filesystem::path> files;
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(assets / "carving", ignored))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    std::ranges::sort(files);
-    for (const auto& file : files) {
+    for (const auto& file : files_in(assets / "devices")) data.devices.push_back(file.stem().string());
+    for (const auto& file : files_in(assets / "carving")) {
         auto tool = field::load_tool(file, data.materials);
         if (!tool) return tl::unexpected(tool.error());
         data.tools.push_back(std::move(*tool));

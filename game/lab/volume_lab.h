@@ -46,7 +46,8 @@ struct VolumeLabSettings {
 /// Data files that the lab uses.
 struct VolumeLabData {
     field::Materials materials;
-    std::vector<field::Tool> tools;  ///< sorted by name
+    std::vector<field::Tool> tools;    ///< sorted by name
+    std::vector<std::string> devices;  ///< names of all models, sorted
     haptics::DeviceSpec device;
 };
 

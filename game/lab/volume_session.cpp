@@ -17,22 +17,6 @@ std::string points_text(const field::TransferFunction& f) {
     return words + "]";
 }
 
-/// A path or a name as a TOML string.
-std::string toml_string(std::string_view words) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string result = "\"";
-    for (const char c : words) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7F) {
-            result += text("\\u00", digits.substr(byte / 16, 1), digits.substr(byte % 16, 1));
-            continue;
-        }
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + "\"";
-}
-
 field::TransferFunction read_points(const ConfigTable& table, std::string_view key) {
     const auto numbers = table.numbers(key, any, 2 * field::most_transfer_points, {0, 0});
     if (numbers.size() % 2 != 0) {
@@ -69,14 +53,14 @@ LabMode read_lab_mode(const ConfigTable& table) {
 }  // namespace
 
 std::string session_text(const VolumeSession& session) {
-    std::string words = text("version = ", session_version, "\nvolume = ", toml_string(session.volume),
-                             "\ncount = ", session.count, "\nseed = ", session.seed,
-                             "\ndevice = ", toml_string(session.device),
-                             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
-                             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    std::string words =
+        text("version = ", session_version, "\nvolume = ", in_quotes(session.volume),
+             "\ncount = ", session.count, "\nseed = ", session.seed, "\ndevice = ", in_quotes(session.device),
+             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
+             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
     for (const LabMode& mode : session.modes) {
         const auto& s = mode.settings;
-        words += text("\n[[mode]]\nname = ", toml_string(mode.name), "\nstrength = ", points_text(s.strength),
+        words += text("\n[[mode]]\nname = ", in_quotes(mode.name), "\nstrength = ", points_text(s.strength),
                       "\nfriction = ", points_text(s.friction), "\nlevel = ", s.level,
                       "\nsolid_below = ", s.solid_below ? "true" : "false", "\nmagnet = ", s.magnet,
                       "\nreach_m = ", s.reach, "\npitch_m = ", s.pitch, '\n');

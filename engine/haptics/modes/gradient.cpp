@@ -11,6 +11,7 @@ const ModeRegistration registration({
     .about = "pushes the hand towards larger values, like a slope",
     .property = "length of the gradient (per m)",
     .reads = FieldKind::scalar,
+    .slope = true,
     .derivatives = true,
     .primitives = 1,
     .passive = false,

@@ -55,6 +55,7 @@ const ModeRegistration registration({
     .about = "a wall where the field has one value, with friction; a strong push gets through",
     .property = "length of the gradient on the surface (per m)",
     .reads = FieldKind::scalar,
+    .slope = true,
     .derivatives = true,
     .primitives = 5,
     .passive = true,

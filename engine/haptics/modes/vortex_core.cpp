@@ -15,8 +15,7 @@ const ModeRegistration registration({
     .add =
         [](const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
            PrimitiveSet& set) {
-            const field::Vector here = field.vector(input.proxy);
-            const Direction inward = direction_of(glm::cross(curl(here), here.value));
+            const Direction inward = towards_core(field.vector(input.proxy));
             const double strength = inward.length > 0 ? strength_at(settings.strength, inward.length) : 0;
             add_turned(set, {PrimitiveKind::directed, {}, inward.unit, strength});
         },
