@@ -38,7 +38,7 @@ struct Plane {
 
 /// sin x cos y + sin y cos z + sin z cos x, with one period along each axis in `period`. Between -1.5 and 1.5.
 struct Gyroid {
-    double period{1};  ///< m
+    double period{1};  ///< length of a period along each axis (m)
     vec3 phase{};      ///< place where the value is 0 with the slope of a rising sine along each axis (m)
 
     Scalar operator()(vec3 place) const;
@@ -67,7 +67,7 @@ struct BeltramiFlow {
 struct FlowWave {
     vec3 wave{};      ///< wave number along each axis (1/m)
     vec3 velocity{};  ///< velocity at a crest; at a right angle to `wave`
-    double phase{};   ///< rad
+    double phase{};   ///< angle of the wave at the origin (rad)
 
     Vector operator()(vec3 place) const;
 };

@@ -24,7 +24,7 @@ struct Dab {
     std::uint64_t seed{};  ///< differs from dab to dab, such as the tick: for the rounding of colours
 };
 
-/// What an edit did.
+/// Changes that one edit made.
 struct Edit {
     VoxelBox changed{};      ///< smallest box of the changed voxels
     std::size_t voxels = 0;  ///< number of changed voxels

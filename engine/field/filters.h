@@ -62,7 +62,7 @@ struct AnyField {
 struct FilterSource {
     AnyField field{};
     std::array<int, 3> count{};
-    vec3 spacing{1};                     ///< m
+    vec3 spacing{1};                     ///< distance between samples along each axis (m)
     std::uint64_t version{};             ///< changes whenever the data change
     Kernel kernel{Kernel::catmull_rom};  ///< between smoothed samples
 };

@@ -23,8 +23,8 @@ namespace thaum::field {
 
 struct Material {
     std::string name;
-    double stiffness{};  ///< N/m
-    double viscosity{};  ///< N s/m
+    double stiffness{};  ///< stiffness of the wall that a hand feels (N/m)
+    double viscosity{};  ///< drag on a hand inside (N s/m)
     double opacity{};    ///< from 0 to 1
     Rgb8 colour{};
 };

@@ -15,7 +15,7 @@ struct VoxelOverlap {
     std::size_t both{};                  ///< voxels inside both
     std::size_t either{};                ///< voxels inside at least one
 
-    /// From 0 to 1; 1 for two empty bodies.
+    /// Overlap of the bodies from 0 to 1; 1 for two empty bodies.
     double ratio() const { return either == 0 ? 1 : static_cast<double>(both) / static_cast<double>(either); }
 };
 

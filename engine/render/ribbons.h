@@ -19,7 +19,7 @@ namespace thaum::render {
 using SpeedColours = std::array<fvec3, 256>;
 
 struct RibbonLook {
-    float width = 0.004F;             ///< m
+    float width = 0.004F;             ///< width of the ribbon (m)
     const SpeedColours* colours{};    ///< null: white
     double slowest = 0, fastest = 1;  ///< speeds of the first and the last colour (m/s)
     float glow = 0.3F;                ///< 0: lit by the scene; 1: emits its own colour

@@ -18,7 +18,7 @@ namespace thaum::bench {
 /// A cube of samples in the middle of the device's space.
 struct ScannedVolume {
     int n{};           ///< samples along each edge
-    double spacing{};  ///< m
+    double spacing{};  ///< distance between samples (m)
     std::vector<float> samples{};
 
     /// Place of the first sample; the middle of the cube is a little off the origin, so that nothing is symmetrical.
@@ -81,7 +81,7 @@ struct TurnedBlock {
 /// A tip that a bench or test moves, with the modes that act on it. As in a match, modes know the tick before.
 struct TouchedModes {
     std::vector<haptics::ModeUse> uses{};
-    double stiffness{300};  ///< N/m
+    double stiffness{300};  ///< stiffness between tip and proxy (N/m)
     vec3 proxy{}, tip{}, before{};
 
     void start(vec3 place) { proxy = tip = before = place; }

@@ -25,7 +25,7 @@ constexpr std::array rates_ms{0.2, 0.5, 1.0};
 /// A device that rests on a wall at the origin, held by the mode isosurface.
 struct WallRun {
     double dt{};         ///< s
-    double stiffness{};  ///< N/m
+    double stiffness{};  ///< stiffness between tip and proxy (N/m)
     haptics::HalfSpace ground{.place = {}, .normal = {0, 1, 0}};
 
     /// Fastest motion in the second and in the last quarter of the time played (m/s).

@@ -306,6 +306,27 @@ void Scans::clear(const Drawing& drawing, DrawnTarget& target, bool with_depth) 
     glDisable(GL_SCISSOR_TEST);
 }
 
+/// Runs the program at each pixel of a part. What is solid takes and sets depth, the rest is blended.
+void Scans::fill(Drawing& drawing, const Rect& part, bool solid, GLenum depth_test) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(part.x, part.y, part.width, part.height);
+    glDisable(GL_CULL_FACE);
+    if (solid) {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(depth_test);
+        glDepthMask(GL_TRUE);
+        glDisable(GL_BLEND);
+    } else {
+        glDisable(GL_DEPTH_TEST);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    }
+    glBindVertexArray(drawing.no_attributes.get());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_SCISSOR_TEST);
+    ++drawing.counts.draws;
+}
+
 void Scans::march(Drawing& drawing, const SeenScan& its, DrawnTarget& target) {
     const auto& scan = *its.scan;
     const auto& gpu = all_[scan.id];
@@ -320,24 +341,8 @@ void Scans::march(Drawing& drawing, const SeenScan& its, DrawnTarget& target) {
     bind(materials_unit, GL_TEXTURE_1D, gpu.materials);
     bind(scene_depth_unit, GL_TEXTURE_2D, drawing.targets.opaque);
     const auto part = shared(its.part, drawing.share, 1, target.width, target.height);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(part.x, part.y, part.width, part.height);
-    glDisable(GL_CULL_FACE);
-    if (solid) {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
-    } else {
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    }
-    glBindVertexArray(drawing.no_attributes.get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
+    fill(drawing, part, solid, GL_LESS);
     ++drawing.counts.marched;
-    ++drawing.counts.draws;
 }
 
 void Scans::set_scan(const MarchProgram& p, const Drawing& drawing, const SeenScan& its,
@@ -392,23 +397,8 @@ void Scans::show(Drawing& drawing, const DrawnTarget& target, bool solid) const 
     bind(picture_unit, GL_TEXTURE_2D, target.colour);
     bind(solid ? drawn_depth_unit : scene_depth_unit, GL_TEXTURE_2D,
          solid ? target.depth : drawing.targets.opaque);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(at.x + drawing.part.x, at.y + drawing.part.y, drawing.part.width, drawing.part.height);
-    glDisable(GL_CULL_FACE);
-    if (solid) {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LEQUAL);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
-    } else {
-        glDisable(GL_DEPTH_TEST);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    }
-    glBindVertexArray(drawing.no_attributes.get());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDisable(GL_SCISSOR_TEST);
-    ++drawing.counts.draws;
+    const auto& part = drawing.part;
+    fill(drawing, {at.x + part.x, at.y + part.y, part.width, part.height}, solid, GL_LEQUAL);
 }
 
 }  // namespace thaum::render::detail

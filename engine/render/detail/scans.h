@@ -95,6 +95,7 @@ private:
                                              const std::vector<std::string_view>& variant);
     static Expected<ShowProgram> load_show(const std::filesystem::path& shaders, bool solid);
     static void copy_depth(const Drawing& drawing);
+    static void fill(Drawing& drawing, const Rect& part, bool solid, GLenum depth_test);
     void march(Drawing& drawing, const SeenScan& its, DrawnTarget& target);
     static void clear(const Drawing& drawing, DrawnTarget& target, bool with_depth);
     void set_scan(const MarchProgram& p, const Drawing& drawing, const SeenScan& its,
