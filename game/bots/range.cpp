@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/context/stations.h"
 #include "game/match/own_gestures.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -102,7 +103,7 @@ void place_wizard(Simulation& match, std::uint32_t player, const LessonPlace& pl
     const auto wizard = wizard_of(world, player);
     if (world.has<Dead>(wizard)) return;
     refresh_wizard(match, player);
-    if (world.has<Ladle>(wizard)) world.remove<Ladle>(wizard);
+    leave_station(world, wizard);
     if (world.has<Pouch>(wizard)) world.remove<Pouch>(wizard);
     world.get<Motion>(wizard) = standing_at(match.data().wizard, place.feet);
     world.get<Gaze>(wizard) = {place.yaw, place.pitch};

@@ -7,6 +7,7 @@
 #include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
+#include "game/components/station.h"
 
 namespace thaum::game {
 namespace {
@@ -177,7 +178,7 @@ void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
 
 CastingAccess access_of_casting(const MatchContext& context) {
     const auto& world = context.world;
-    CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, Motion>(),
+    CastingAccess access{.reads = world.mask<Wizard, Controls, Dead, Ladle, AtStation, Motion>(),
                          .writes = world.mask<DrawnStroke, HandState, Focus, LastReading, EventLog,
                                               resource::Journal, resource::Strokes>()};
     // A spell may ask the wand in hand what it holds.
@@ -202,7 +203,9 @@ const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
 void begin_stroke(MatchContext& context, ecs::Entity wizard) {
     auto& world = context.world;
     if (!context.data.gestures || std::as_const(world).has<DrawnStroke>(wizard)) return;
-    world.commands().add(wizard, DrawnStroke{.on_brew = std::as_const(world).has<Ladle>(wizard) ? 1U : 0U,
+    const auto* station = std::as_const(world).find<AtStation>(wizard);
+    const bool on_brew = station != nullptr && station->kind == StationKind::cauldron;
+    world.commands().add(wizard, DrawnStroke{.on_brew = on_brew ? 1U : 0U,
                                              .home = std::as_const(world).get<HandState>(wizard).home});
 }
 

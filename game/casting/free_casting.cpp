@@ -5,9 +5,9 @@
 
 #include "game/casting/casting.h"
 #include "game/casting/free_reading.h"
-#include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/context/arms.h"
+#include "game/context/stations.h"
 
 namespace thaum::game {
 namespace {
@@ -58,7 +58,7 @@ vec3 place_of(const MatchContext& context, ecs::Entity wizard, std::uint32_t pla
 bool is_busy(const ecs::World& world, ecs::Entity wizard) {
     constexpr auto other = bit(Button::fire) | bit(Button::trace) | bit(Button::clutch) | bit(Button::stir);
     return (world.get<Controls>(wizard).held & other) != 0 || world.has<Dead>(wizard) ||
-           world.has<Ladle>(wizard);
+           at_station(world, wizard);
 }
 
 /// What the hand drew does not cast: keeps it for the picture if it was near to it.

@@ -25,11 +25,12 @@ void note_stirrers(MatchContext& context, BrewResource& brew, Cauldron& cauldron
             const bool stirs = dead == nullptr && wants_to_stir(controls) &&
                                within_reach(context.data, cauldron, motion.position);
             if (stirs && ladle == nullptr) {
-                const vec3 in = cauldron.middle - motion.position;
-                world.commands().add(e, Ladle{.yaw = det::atan2(-in.x, -in.z)});
+                world.commands().add(e, station_at(motion.position, cauldron.middle, StationKind::cauldron));
+                world.commands().add(e, Ladle{});
                 anybody = true;
             } else if (!stirs && ladle != nullptr) {
                 world.commands().remove<Ladle>(e);
+                world.commands().remove<AtStation>(e);
             }
         });
     if (anybody) touch_brew(context, brew.write());
@@ -102,11 +103,11 @@ double stirred_mass(const MatchData& data, const Cauldron& cauldron) {
 }
 
 /// Sets the part of the fluid model that stays constant while a player stirs.
-void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron,
-                 const Ladle& ladle, std::uint32_t player, haptics::FluidTouch& touch) {
+void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron& cauldron, double yaw,
+                 std::uint32_t player, haptics::FluidTouch& touch) {
     const auto& data = *context.data.cauldron;
     const auto& rules = data.ladle;
-    const HandFrame frame = ladle_frame(data, cauldron, ladle);
+    const HandFrame frame = ladle_frame(data, cauldron, yaw);
     touch = {.number = 1,
              .modes = context.input.haptic_setup.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
@@ -122,11 +123,11 @@ void begin_touch(const MatchContext& context, const Basin& basin, const Cauldron
 }
 
 void move_ladle(const MatchContext& context, Cauldron& cauldron, std::uint32_t player,
-                const HandState& hand_state, Ladle& ladle, Tick tick) {
+                const HandState& hand_state, double yaw, Ladle& ladle, Tick tick) {
     const auto& rules = *context.data.cauldron;
     const vec3 tip = tip_of(hand_state);
     ladle.place = cauldron.middle + tip;
-    ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), hand_state);
+    ladle.velocity = velocity_of(ladle_frame(rules, cauldron, yaw), hand_state);
     ladle.force = -haptics::full_drag(context.output.models.read()[player].fluid, tip, ladle.velocity,
                                       hand_state.servo.fluid.immersed);
     note_work(ladle, glm::dot(ladle.force, ladle.velocity) * tick_seconds, tick);
@@ -134,35 +135,26 @@ void move_ladle(const MatchContext& context, Cauldron& cauldron, std::uint32_t p
         add_ladle_stroke(cauldron, player, tip, ladle.force * tick_seconds, rules.ladle.radius);
 }
 
-/// Time constant with which the eyes of a wizard turn to the brew (s). After it, e^-1 of the angle is left.
-constexpr double turning_time = 0.15;
-
-void look_into(const WizardRules& rules, const Cauldron& cauldron, vec3 body, const Ladle& ladle,
-               Gaze& gaze) {
-    const vec3 way = cauldron.middle - eye_of(rules, body);
-    const double share = tick_seconds / turning_time;
-    const double left = std::remainder(ladle.yaw - gaze.yaw, 2 * pi);
-    gaze.yaw = std::remainder(gaze.yaw + share * left, 2 * pi);
-    gaze.pitch += share * (det::atan2(way.y, off_axis(way)) - gaze.pitch);
-}
-
 }  // namespace
 
-HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, const Ladle& ladle) {
-    const quat turn = look_rotation(ladle.yaw, 0);
+HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw) {
+    const quat turn = look_rotation(yaw, 0);
     return {.origin = cauldron.middle + turn * vec3(0, -rules.ladle.below, rules.ladle.in),
             .turn = turn,
             .metres_per_metre = rules.ladle.metres_per_metre};
 }
 
-void feel_brew(const MatchContext& context, const BrewWork& work, const HandState& hand_state,
-               std::uint32_t player, Ladle& ladle, Tick tick, haptics::FluidTouch& touch) {
+void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wizard, Ladle& ladle, Tick tick,
+               haptics::FluidTouch& touch) {
+    const auto& hand_state = context.world.get<HandState>(wizard);
+    const auto player = context.world.get<Wizard>(wizard).player;
+    const double yaw = context.world.get<AtStation>(wizard).yaw;
     const auto& cauldron = context.world.single<Cauldron>();
     const auto& surface = work.brew.surface;
     const bool begins = touch.number == 0;
-    if (begins) begin_touch(context, work.basin, cauldron, ladle, player, touch);
+    if (begins) begin_touch(context, work.basin, cauldron, yaw, player, touch);
     touch.drag.stirred_mass = stirred_mass(context.data, cauldron);
-    const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
+    const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, yaw);
     const vec3 place =
         haptics::nearest_in_bowl(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
     read_flow(context, work.brew, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
@@ -188,29 +180,30 @@ bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {
 
 void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
     auto& world = context.world;
-    schedule.add({.name = "stir",
-                  .period = gameplay_period,
-                  .reads = world.mask<Controls, Motion, Dead>(),
-                  .writes = world.mask<Ladle, Cauldron, BrewSamples, SurfaceSamples, resource::Brew>(),
-                  .needs = world.mask<Cauldron>(),
-                  .run = [&context, &brew](ecs::World& w, Tick) {
-                      note_stirrers(context, brew, w.single<Cauldron>());
-                  }});
+    schedule.add(
+        {.name = "stir",
+         .period = gameplay_period,
+         .reads = world.mask<Controls, Motion, Dead>(),
+         .writes = world.mask<Ladle, AtStation, Cauldron, BrewSamples, SurfaceSamples, resource::Brew>(),
+         .needs = world.mask<Cauldron>(),
+         .run = [&context, &brew](ecs::World& w, Tick) {
+             note_stirrers(context, brew, w.single<Cauldron>());
+         }});
 }
 
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "ladles",
-                  .reads = world.mask<Wizard, HandState, Motion, resource::Models>(),
-                  .writes = world.mask<Ladle, Cauldron, Gaze>(),
+                  .reads = world.mask<Wizard, HandState, AtStation, resource::Models>(),
+                  .writes = world.mask<Ladle, Cauldron>(),
                   .needs = world.mask<Ladle>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       auto& cauldron = w.single<Cauldron>();
-                      w.view<const Wizard, const HandState, const Motion, Ladle, Gaze>().each(
-                          [&](const Wizard& wizard, const HandState& hand_state, const Motion& motion,
-                              Ladle& ladle, Gaze& gaze) {
-                              move_ladle(context, cauldron, wizard.player, hand_state, ladle, tick);
-                              look_into(context.data.wizard, cauldron, motion.position, ladle, gaze);
+                      w.view<const Wizard, const HandState, const AtStation, Ladle>().each(
+                          [&](const Wizard& wizard, const HandState& hand_state, const AtStation& station,
+                              Ladle& ladle) {
+                              move_ladle(context, cauldron, wizard.player, hand_state, station.yaw, ladle,
+                                         tick);
                           });
                   }});
 }

@@ -9,25 +9,25 @@
 #pragma once
 #include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
+#include "game/context/stations.h"
 #include "game/context/surfaces.h"
 
 namespace thaum::game {
 
-/// Pose of a stirring hand's device frame (world).
-HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, const Ladle& ladle);
+/// Pose of a stirring hand's device frame (world). `yaw`: AtStation::yaw.
+HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, double yaw);
 
 /// Prepares the fluid model of the hand that stirs, for one tick of play. Reads the flow around the ladle
 /// again when needed, and notes that in Ladle.
-void feel_brew(const MatchContext& context, const BrewWork& work, const HandState& hand_state,
-               std::uint32_t player, Ladle& ladle, Tick tick, haptics::FluidTouch& touch);
+void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wizard, Ladle& ladle, Tick tick,
+               haptics::FluidTouch& touch);
 
 /// Whether a wizard with the body's middle at this place can stir.
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);
 
 /// Adds the system that starts and ends stirring, every gameplay tick, before the haptics.
 void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
-/// Adds the system that moves the ladles, every tick, after the haptics. It pushes the brew and turns the
-/// wizards' eyes to it.
+/// Adds the system that moves the ladles, every tick, after the haptics. It pushes the brew.
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -152,8 +152,6 @@ struct SurfaceSamples {
 struct Ladle {
     static constexpr std::size_t spans = 12;
 
-    /// Direction of the ladle frame's -z axis, from the wizard to the middle of the cauldron (rad).
-    double yaw{};
     vec3 place{};     ///< position of the tip (m, world)
     vec3 velocity{};  ///< velocity of the tip (m/s, world)
     vec3 force{};     ///< force on the brew (N, world)
@@ -165,10 +163,10 @@ struct Ladle {
     std::uint32_t spare{};
     static constexpr std::string_view name = "Ladle";
     static constexpr auto fields() {
-        return std::tuple(
-            field("yaw", &Ladle::yaw), field("place", &Ladle::place), field("velocity", &Ladle::velocity),
-            field("force", &Ladle::force), field("work", &Ladle::work), field("patch", &Ladle::patch),
-            field("patched", &Ladle::patched), field("span", &Ladle::span), field("spare", &Ladle::spare));
+        return std::tuple(field("place", &Ladle::place), field("velocity", &Ladle::velocity),
+                          field("force", &Ladle::force), field("work", &Ladle::work),
+                          field("patch", &Ladle::patch), field("patched", &Ladle::patched),
+                          field("span", &Ladle::span), field("spare", &Ladle::spare));
     }
 };
 

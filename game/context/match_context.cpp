@@ -6,10 +6,13 @@
 #include "game/components/arm.h"
 #include "game/components/casting.h"
 #include "game/components/cauldron.h"
+#include "game/components/crystal.h"
 #include "game/components/fog.h"
 #include "game/components/free_hand.h"
 #include "game/components/moved_faders.h"
+#include "game/components/orb.h"
 #include "game/components/potions.h"
+#include "game/components/station.h"
 #include "game/data/event_kinds.h"
 
 namespace thaum::game {
@@ -48,6 +51,20 @@ void declare_magic(ecs::World& world) {
     for (const auto& kind : spell_kinds()) kind.declare(world);
     world.declare<Potions>();
     world.declare<DrawnOrders>();
+}
+
+/// Declares what belongs to work at stations, beside the cauldron's own.
+void declare_stations(ecs::World& world) {
+    world.declare<AtStation>();
+    world.declare<Orb>();
+    world.declare<WornModes>();
+    world.declare<Scrying>();
+    world.declare<Crystal>();
+    world.declare<CrystalDensity>();
+    world.declare<CrystalColour>();
+    world.declare<Chisel>();
+    world.declare<Lens>();
+    world.declare<GreatWork>();
 }
 
 }  // namespace
@@ -91,6 +108,7 @@ void declare_components(ecs::World& world) {
     world.declare<MovedFaders>();
     world.declare<FreeHand>();
     world.declare<NearMiss>();
+    declare_stations(world);
 }
 
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {

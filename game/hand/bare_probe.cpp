@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "game/components/cauldron.h"
+#include "game/context/stations.h"
 #include "game/context/surfaces.h"
 
 namespace thaum::game {
@@ -34,11 +34,11 @@ HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
     return frame;
 }
 
-/// A wizard who holds something by a tether or stirs the brew feels that instead of surfaces.
+/// A wizard who holds something by a tether or works at a station feels that instead of surfaces.
 bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
     return wand_per_hand(context, wizard) > 0 && context.data.haptic_rules.probe.stiffness > 0 &&
            !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&
-           !context.world.has<Ladle>(wizard);
+           !at_station(context.world, wizard);
 }
 
 /// Pushes a touched prop. The prop's hits then count for the player who pushed it. They still count for the

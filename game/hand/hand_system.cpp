@@ -4,6 +4,7 @@
 #include "game/cauldron/ladle.h"
 #include "game/components/casting.h"
 #include "game/context/arms.h"
+#include "game/context/stations.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
 
@@ -45,9 +46,8 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     const auto& model = next_model(context, brew, wizard, hand_state, panic);
     const vec3 measured = haptics::measured_position(device, hand_state.device);
     const vec3 force = haptics::servo_step(setup.servos[player], hand_state.servo, model, {measured, 0});
-    // A held clutch lets the ladle drift with the brew: the hand follows the device.
-    const bool relaxed =
-        (controls.held & bit(Button::clutch)) != 0 && std::as_const(context.world).has<Ladle>(wizard);
+    // A held clutch lets the hand follow the device: a ladle drifts with the brew.
+    const bool relaxed = (controls.held & bit(Button::clutch)) != 0 && at_station(context.world, wizard);
     const vec3 wanted = hand_state.home + moved;
     hand_state.home = relaxed ? hand_state.device.position : glm::clamp(wanted, -device.reach, device.reach);
     if (auto* trace = context.world.find<DrawnStroke>(wizard); trace != nullptr && !relaxed)
@@ -74,8 +74,7 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     model.viscosity = draws ? context.data.casting->viscosity : 0;
     fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
-        feel_brew(context, *brew.read().work, hand_state, player, *ladle,
-                  std::as_const(context.world).single<Match>().played, model.fluid);
+        feel_brew(context, *brew.read().work, wizard, *ladle, world.single<Match>().played, model.fluid);
     } else if (model.fluid.number != 0) {
         model.fluid = {};
     }
@@ -86,7 +85,7 @@ void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Sched
     auto& world = context.world;
     schedule.add(
         {.name = "touch",
-         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewSamples,
+         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, AtStation, Cauldron, BrewSamples,
                              resource::Brew, resource::Physics>(),
          .writes = world.mask<HandState, Arm, Ladle, DrawnStroke, resource::Models, resource::Forces>(),
          .needs = world.mask<HandState>(),

@@ -8,6 +8,7 @@
 #include "game/cauldron/cauldron.h"
 #include "game/cauldron/potions.h"
 #include "game/components/hand_state.h"
+#include "game/components/station.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
@@ -74,12 +75,13 @@ void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture
 void take_ladles(const Simulation& match, CauldronPicture& out) {
     constexpr vec3 hand{0.25, -0.35, -0.4};  // place of the hand (m, eye frame)
     out.ladles.fill(std::nullopt);
-    match.world().view<const Wizard, const Ladle, const Motion, const HandState>().each(
-        [&](const Wizard& wizard, const Ladle& ladle, const Motion& motion, const HandState& hand_state) {
+    match.world().view<const Wizard, const Ladle, const AtStation, const Motion, const HandState>().each(
+        [&](const Wizard& wizard, const Ladle& ladle, const AtStation& station, const Motion& motion,
+            const HandState& hand_state) {
             const vec3 eye = eye_of(match.data().wizard, motion.position);
             out.ladles[wizard.player] = {
                 .bowl = ladle.place,
-                .top = eye + look_rotation(ladle.yaw, 0) * hand,
+                .top = eye + look_rotation(station.yaw, 0) * hand,
                 .force_share = glm::length(hand_state.servo.safety.output) / match.data().device.peak_force};
         });
 }

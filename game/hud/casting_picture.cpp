@@ -5,6 +5,7 @@
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/cauldron/ladle.h"
+#include "game/components/station.h"
 #include "game/data/presentation.h"
 #include "game/hud/event_words.h"
 #include "game/match/simulation.h"
@@ -25,13 +26,13 @@ void choose_points(const DrawnStroke& stroke, StrokePicture& out) {
 
 /// Finds the places on the brew at which the ladle drew.
 void find_places(const Simulation& match, ecs::Entity wizard, StrokePicture& out) {
-    const auto* ladle = match.world().find<Ladle>(wizard);
     const auto& rules = match.data().cauldron;
-    if (!out.on_brew || ladle == nullptr || !rules) {
+    if (!out.on_brew || !match.world().has<Ladle>(wizard) || !rules) {
         if (out.on_brew) out.count = 0;
         return;
     }
-    const auto frame = ladle_frame(*rules, match.world().single<Cauldron>(), *ladle);
+    const auto frame =
+        ladle_frame(*rules, match.world().single<Cauldron>(), match.world().get<AtStation>(wizard).yaw);
     for (std::uint32_t i = 0; i < out.count; ++i) {
         const auto& p = out.points[i];
         out.places[i] = fvec3(frame.to_world({p.x, p.z, -p.y}));

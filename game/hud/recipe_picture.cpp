@@ -5,6 +5,7 @@
 
 #include "game/casting/casting.h"
 #include "game/cauldron/potions.h"
+#include "game/components/station.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
@@ -120,7 +121,7 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     if (const auto* ladle = match.world().find<Ladle>(wizard)) {
         out.force =
             data.casting->viscosity * glm::length(ladle->velocity) / data.cauldron->ladle.metres_per_metre;
-        out.yaw = ladle->yaw;
+        out.yaw = match.world().get<AtStation>(wizard).yaw;
     }
     if (before >= order.count) return take_stroke(match, cauldron, recipe, player, out);
     out.step = RecipeStep::ingredient;

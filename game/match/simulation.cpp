@@ -7,6 +7,7 @@
 #include "game/cauldron/ladle.h"
 #include "game/cauldron/potions.h"
 #include "game/cauldron/splash.h"
+#include "game/context/stations.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
 #include "game/hand/hand_system.h"
@@ -32,6 +33,7 @@ void add_hand_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& 
     if (context.data.cauldron) add_stir_system(context, brew, schedule);
     add_hand_system(context, brew, schedule);
     if (!context.data.cauldron) return;
+    add_station_gaze_system(context, schedule);
     add_ladle_system(context, schedule);
     add_put_away_system(context, schedule);
 }

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "game/casting/casting.h"
-#include "game/components/cauldron.h"
 #include "game/components/fog.h"
 #include "game/context/aim_assist.h"
 #include "game/context/arms.h"
+#include "game/context/stations.h"
 #include "input/stick.h"
 
 namespace thaum::game {
@@ -95,12 +95,19 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
     controls.stick_up = up;
 }
 
-/// Moves the ladle. Mouse and stick move the ladle in the plane of the surface. The keys or stick for walking
-/// forward and back lift and sink it. The wizard stands still meanwhile.
-void move_ladle_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
+/// Moves the hand of a wizard at a station, who stands still meanwhile. Mouse and stick move a ladle in the plane of the
+/// brew's surface, and the keys or stick for walking forward and back lift and sink it. At orb and crystal, mouse and
+/// stick move the hand across the view, and walking forward and back moves it in and out.
+void move_hand_at(StationKind station, const input::DeviceSample& sample, const HapticRules& rules,
+                  Controls& controls) {
     move_hand(sample, rules, controls);
-    controls.hand_back = -controls.hand_up;
-    controls.hand_up = by_stick(rules, controls.forward);
+    const auto walking = by_stick(rules, controls.forward);
+    if (station == StationKind::cauldron) {
+        controls.hand_back = -controls.hand_up;
+        controls.hand_up = walking;
+    } else {
+        controls.hand_back = -walking;
+    }
     controls.strafe = controls.forward = 0;
     controls.pressed &= ~bit(Button::jump);
 }
@@ -168,8 +175,8 @@ void apply(MatchContext& context, const Player& player, const input::DeviceSampl
         controls.stick_right = controls.stick_up = 0;
         controls.stick_draws = 0;
     }
-    if (std::as_const(world).has<Ladle>(player.wizard)) {
-        move_ladle_hand(sample, rules, controls);
+    if (const auto* station = std::as_const(world).find<AtStation>(player.wizard); station != nullptr) {
+        move_hand_at(station->kind, sample, rules, controls);
     } else if (traces && !arm) {
         move_tracing_hand(sample, spec, rules, context.data.casting->stick_reach, controls);
     } else if (!arm && (controls.held & bit(Button::clutch)) != 0) {
@@ -190,7 +197,7 @@ double stick_curve(std::int32_t deflection) {
 void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "controls",
-                  .reads = world.mask<Wizard, Match, Arm, Ladle, WandBelt, Dead, HandState, Fog, Motion,
+                  .reads = world.mask<Wizard, Match, Arm, AtStation, WandBelt, Dead, HandState, Fog, Motion,
                                       resource::Physics>(),
                   .writes = world.mask<Controls, Gaze, DrawnStroke>(),
                   .needs = world.mask<Controls>(),

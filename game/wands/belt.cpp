@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "game/components/arm.h"
-#include "game/components/cauldron.h"
 #include "game/components/fog.h"
+#include "game/components/station.h"
 
 namespace thaum::game {
 namespace {
@@ -90,11 +90,11 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
         {.name = "wands",
          .period = gameplay_period,
          .reads =
-             world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle, Arm, Fog, resource::Physics>(),
+             world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, AtStation, Arm, Fog, resource::Physics>(),
          .writes = writes,
          .needs = world.mask<WandBelt>(),
          .run = [&context](ecs::World& w, Tick tick) {
-             w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<Ladle>>().each(
+             w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<AtStation>>().each(
                  [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
                      use_wands(context, e, controls, belt, tick);
                  });
@@ -102,7 +102,7 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
                  put_away_wand(context, e, tick);
              };
              w.view<const WandBelt, const Dead>().each(put_down);
-             w.view<const WandBelt, const Ladle>().each(put_down);
+             w.view<const WandBelt, const AtStation>().each(put_down);
          }});
 }
 

@@ -1,0 +1,81 @@
+// game/components/crystal.h: crystals, the wizards who carve them, and what comes of a carved key. A match without a
+// crystal has none of these components.
+#pragma once
+#include <array>
+
+#include "core/units.h"
+#include "ecs/component.h"
+#include "game/components/wizard.h"
+
+namespace thaum::game {
+
+using ecs::field;
+
+/// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical axis by
+/// `yaw`.
+struct Crystal {
+    vec3 middle{};            ///< (m, world)
+    double yaw{};             ///< (rad)
+    double size{};            ///< edge length (m)
+    std::uint64_t seed{};     ///< of the rough body and its ghost key
+    double overlap{};         ///< of the body and the key, 0 to 1 (intersection over union)
+    std::uint32_t number{};   ///< place of its voxels in the blobs
+    std::uint32_t touched{};  ///< 1: its voxels are in the blobs; 0: it is the rough body of its seed
+    Tick chipped{};           ///< when a hit last chipped it (ticks of play); 0: never
+    static constexpr std::string_view name = "Crystal";
+    static constexpr auto fields() {
+        using C = Crystal;
+        return std::tuple(field("middle", &C::middle), field("yaw", &C::yaw), field("size", &C::size),
+                          field("seed", &C::seed), field("overlap", &C::overlap), field("number", &C::number),
+                          field("touched", &C::touched), field("chipped", &C::chipped));
+    }
+};
+
+inline constexpr int crystal_side = 48;  ///< voxels along each edge
+inline constexpr std::size_t crystal_voxels = std::size_t{crystal_side} * crystal_side * crystal_side;
+
+/// Blob with the densities of all crystals, one after another (0: nothing, 1: solid). It is empty until a crystal is
+/// first touched or hit.
+struct CrystalDensity {
+    using Element = float;
+    static constexpr std::string_view name = "CrystalDensity";
+};
+
+/// Blob with the colours of all crystals, in the order of CrystalDensity: red, green, blue of each voxel, one after
+/// another (field::Rgb8).
+struct CrystalColour {
+    using Element = std::uint8_t;
+    static constexpr std::string_view name = "CrystalColour";
+};
+
+/// A wizard who carves: holds Stir at a crystal. AtStation::number is the crystal's.
+struct Chisel {
+    vec3 place{};             ///< position of the tool (m, world)
+    vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
+    std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "Chisel";
+    static constexpr auto fields() {
+        return std::tuple(field("place", &Chisel::place), field("force", &Chisel::force),
+                          field("cutting", &Chisel::cutting), field("spare", &Chisel::spare));
+    }
+};
+
+/// What a wizard has of crystals.
+struct Lens {
+    std::uint32_t held{};  ///< 1: the wizard holds the Lens, until death
+    std::uint32_t tool{};  ///< number of the tool that the wizard carves with
+    static constexpr std::string_view name = "Lens";
+    static constexpr auto fields() {
+        return std::tuple(field("held", &Lens::held), field("tool", &Lens::tool));
+    }
+};
+
+/// The Great Work: since when each player has held both halves of it (ticks of play); 0: does not.
+struct GreatWork {
+    std::array<Tick, players> since{};
+    static constexpr std::string_view name = "GreatWork";
+    static constexpr auto fields() { return std::tuple(field("since", &GreatWork::since)); }
+};
+
+}  // namespace thaum::game

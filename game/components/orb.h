@@ -1,0 +1,71 @@
+// game/components/orb.h: the scrying orb and the wizards who search it (Lundin, Cooper, Persson, Evestedt, Ynnerman
+// 2007, "Enabling design and interactive selection of haptic modes"). A match without an orb has none of these
+// components.
+#pragma once
+#include <array>
+
+#include "core/units.h"
+#include "ecs/component.h"
+#include "field/transfer.h"
+
+namespace thaum::field {
+
+constexpr auto fields_of(const TransferFunction*) {
+    return std::tuple(ecs::field("points", &TransferFunction::points),
+                      ecs::field("count", &TransferFunction::count));
+}
+
+}  // namespace thaum::field
+
+namespace thaum::game {
+
+using ecs::field;
+
+/// The orb. Its flow is field::make_vortex_flow(2 radius, seed) about `middle`, with the axes of the world. The hidden
+/// core is the axis of the flow's first vortex.
+struct Orb {
+    vec3 middle{};    ///< (m, world)
+    double radius{};  ///< (m)
+    std::uint64_t seed{};
+    static constexpr std::string_view name = "Orb";
+    static constexpr auto fields() {
+        return std::tuple(field("middle", &Orb::middle), field("radius", &Orb::radius),
+                          field("seed", &Orb::seed));
+    }
+};
+
+inline constexpr std::uint32_t no_mode = 0xFFFF'FFFF;
+inline constexpr std::size_t most_orb_modes = 8;
+inline constexpr std::size_t most_worn_modes = 2;
+
+/// Haptic modes that a wizard has put on for the orb, and their curves. They stay from visit to visit.
+struct WornModes {
+    std::array<std::uint32_t, most_worn_modes> worn{no_mode,
+                                                    no_mode};  ///< numbers of modes; the oldest first
+    /// Strength of each mode by its property, as the rules give it or as the wizard drew it.
+    std::array<field::TransferFunction, most_orb_modes> strength{};
+    std::uint32_t told{};     ///< 1: the orb has told this wizard what it tells, in this life
+    std::uint32_t version{};  ///< counts changes of modes and curves
+    static constexpr std::string_view name = "WornModes";
+    static constexpr auto fields() {
+        using W = WornModes;
+        return std::tuple(field("worn", &W::worn), field("strength", &W::strength), field("told", &W::told),
+                          field("version", &W::version));
+    }
+};
+
+/// A wizard who scries: holds Stir at the orb and moves a probe in its flow.
+struct Scrying {
+    vec3 place{};       ///< position of the probe (m, world)
+    vec3 force{};       ///< force of the modes on the probe (N, device frame turned to the world)
+    double distance{};  ///< of the probe from the hidden core (m, world)
+    Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: it is not
+    static constexpr std::string_view name = "Scrying";
+    static constexpr auto fields() {
+        using S = Scrying;
+        return std::tuple(field("place", &S::place), field("force", &S::force),
+                          field("distance", &S::distance), field("near_since", &S::near_since));
+    }
+};
+
+}  // namespace thaum::game

@@ -1,0 +1,28 @@
+// game/components/station.h: a wizard at work at a station: the cauldron, the orb or a crystal.
+#pragma once
+#include "core/maths.h"
+#include "ecs/component.h"
+
+namespace thaum::game {
+
+using ecs::field;
+
+enum class StationKind : std::uint32_t { cauldron, orb, crystal };
+
+/// A wizard who holds Stir at a station. The wizard stands still, the hand moves a ladle, a probe or a tool, and the
+/// eyes turn to the station. The component Ladle, Scrying or Chisel says what the hand does there.
+struct AtStation {
+    vec3 middle{};  ///< what the eyes turn to (m, world)
+    /// Direction of the -z axis of the hand's frame, from the wizard to the middle when the work began (rad).
+    double yaw{};
+    StationKind kind{};
+    std::uint32_t number{};  ///< which of several stations of this kind
+    static constexpr std::string_view name = "AtStation";
+    static constexpr auto fields() {
+        using A = AtStation;
+        return std::tuple(field("middle", &A::middle), field("yaw", &A::yaw), field("kind", &A::kind),
+                          field("number", &A::number));
+    }
+};
+
+}  // namespace thaum::game
