@@ -10,11 +10,11 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "field/nrrd.h"
 #include "field/volume_file.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/data/match_data.h"
+#include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
 
 namespace thaum::app {
@@ -29,19 +29,20 @@ constexpr std::string_view help =
 A volume to feel and carve: in a window, or with --headless as a script. VOLUME: a
 .nrrd or .nhdr file, a .toml that describes a raw file, or one that is made: sphere
 or gyroid (bodies), vortices or beltrami (flows).
-
   --count N, --seed N   samples along each axis (64) and seed of one that is made
   --mode M[,S]     a haptic mode and its strength (N): follow, isosurface, ...; a
                    wrong name lists them; repeats: all act together
   --transfer M,X:Y,...   strength of mode M by the property it reads, 32 points most
   --filter M,F[,A,B]   between data and mode M: magnitude, gradient, curl,
                    divergence, scale,A,B clamp,A,B smooth,SAMPLES; repeats: in order
+  --feel KIND,N,...  the body as a whole: wall,DENSITY,FORCE[,FRICTION] opacity,FORCE
+                   attract,FORCE shell,LOW,HIGH,FORCE gravity plane (MANUAL.md)
+  --opacity X:Y,...  opacity of the picture, and of that feel, by the density
   --level X        value of the felt and drawn surface (the middle of the range)
+  --look NAME      surface (default) or translucent;  --device NAME  (touch)
   --hand PATH      rest, press, circle, or FILE.csv with time_s,x_m,y_m,z_m
                    (headless: press; the window: the mouse)
   --carve T,A,B    holds tool T (melt, construct, paint, ...) from second A to B
-  --device NAME    model of the simulated arm (touch)
-  --look NAME      surface (default) or translucent
   --session FILE   settings that the window saved, in place of VOLUME
   --save FILE      .nrrd: the body at the end;  --trace FILE  CSV, a row a tick of 1 ms
   --shots DIR      pictures;  --every N  ticks from picture to picture (500)
@@ -50,10 +51,11 @@ or gyroid (bodies), vortices or beltrami (flows).
 )";
 
 constexpr Option volume_options[] = {
-    {"--count", 1},   {"--seed", 1},  {"--mode", 1, true},  {"--filter", 1, true}, {"--transfer", 1, true},
-    {"--level", 1},   {"--hand", 1},  {"--carve", 1, true}, {"--device", 1},       {"--look", 1},
-    {"--session", 1}, {"--save", 1},  {"--trace", 1},       {"--shots", 1},        {"--every", 1},
-    {"--size", 1},    {"--headless"}, {"--seconds", 1}};
+    {"--count", 1},          {"--seed", 1},        {"--mode", 1, true}, {"--filter", 1, true},
+    {"--transfer", 1, true}, {"--feel", 1, true},  {"--opacity", 1},    {"--level", 1},
+    {"--hand", 1},           {"--carve", 1, true}, {"--device", 1},     {"--look", 1},
+    {"--session", 1},        {"--save", 1},        {"--trace", 1},      {"--shots", 1},
+    {"--every", 1},          {"--size", 1},        {"--headless"},      {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
@@ -137,24 +139,63 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
     return mode;
 }
 
+/// Reads points as "X:Y".
+Expected<field::TransferFunction> read_points(std::string_view option, std::span<const std::string> parts,
+                                              double most_y) {
+    std::vector<vec2> points;
+    for (const auto& part : parts) {
+        const auto numbers = parts_of(part, ':');
+        if (numbers.size() != 2) return fail(text(option, ": '", part, "' must be X:Y"));
+        const auto x = parse_number(numbers[0], option, -1e100, 1e100);
+        if (!x) return tl::unexpected(x.error());
+        const auto y = parse_number(numbers[1], option, -most_y, most_y);
+        if (!y) return tl::unexpected(y.error());
+        points.emplace_back(*x, *y);
+    }
+    auto function = field::transfer_function(points);
+    if (!function) return fail(text(option, ": ", function.error().message));
+    return *function;
+}
+
 /// Reads "M,X:Y,..." and gives the function to mode M.
 Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
     const auto parts = parts_of(words);
     const auto mode = std::ranges::find(modes, parts[0], &LabMode::name);
     if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
-    std::vector<vec2> points;
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-        const auto numbers = parts_of(parts[i], ':');
-        if (numbers.size() != 2) return fail(text("--transfer '", words, "': '", parts[i], "' must be X:Y"));
-        const auto x = parse_number(numbers[0], "--transfer", -1e100, 1e100);
-        if (!x) return tl::unexpected(x.error());
-        const auto y = parse_number(numbers[1], "--transfer", -1e6, 1e6);
-        if (!y) return tl::unexpected(y.error());
-        points.emplace_back(*x, *y);
-    }
-    auto function = field::transfer_function(points);
-    if (!function) return fail(text("--transfer '", words, "': ", function.error().message));
+    auto function = read_points("--transfer", std::span(parts).subspan(1), 1e6);
+    if (!function) return tl::unexpected(function.error());
     mode->settings.strength = *function;
+    return {};
+}
+
+/// Reads "KIND,N,...", a part of the body's feel.
+Expected<game::FeelPart> read_feel(const std::string& words) {
+    const auto parts = parts_of(words);
+    std::vector<double> numbers;
+    for (const auto& part : std::span(parts).subspan(1)) {
+        const auto number = parse_number(part, "--feel", -1e6, 1e6);
+        if (!number) return tl::unexpected(number.error());
+        numbers.push_back(*number);
+    }
+    auto part = game::feel_part(parts[0], numbers);
+    if (!part) return fail(text("--feel ", part.error().message));
+    return *part;
+}
+
+/// Reads the feel of the body as a whole, and the opacity that it goes by.
+Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
+                              game::VolumeLabSettings& settings) {
+    if (const auto words = arguments.value("--opacity")) {
+        auto opacity = read_points("--opacity", parts_of(*words), 1);
+        if (!opacity) return tl::unexpected(opacity.error());
+        plan.view.opacity = *opacity;
+    }
+    settings.opacity = plan.view.opacity;
+    for (const auto& words : arguments.values("--feel")) {
+        const auto part = read_feel(words);
+        if (!part) return tl::unexpected(part.error());
+        settings.feel.push_back(*part);
+    }
     return {};
 }
 
@@ -176,6 +217,7 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
     }
     for (const auto& words : arguments.values("--transfer"))
         if (auto read = read_transfer(words, settings.modes); !read) return read;
+    if (auto read = read_body_feel(arguments, plan, settings); !read) return read;
     return game::change_volume_lab(plan.lab, settings);
 }
 
@@ -274,8 +316,7 @@ int run_headless(VolumeLabPlan plan) {
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
     if (auto closed = trace->close(); !closed) return refuse(closed.error());
     if (plan.out.save) {
-        if (auto saved = field::write_nrrd(*plan.out.save, game::volume_now(plan.lab)); !saved)
-            return refuse(saved.error());
+        if (auto saved = game::save_volume(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
     tell_end(plan.lab, changed, most_n, took);
     return done;
@@ -293,6 +334,10 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
     if (!volume) return tl::unexpected(volume.error());
     auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
     if (!lab) return tl::unexpected(lab.error());
+    if (!is_made(session.volume)) {
+        if (auto taken = game::take_saved_properties(*lab, session.volume); !taken)
+            return tl::unexpected(taken.error());
+    }
     VolumeLabPlan plan{.volume = session.volume,
                        .count = session.count,
                        .seed = session.seed,
@@ -304,7 +349,7 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
         plan.view.level = session.level;
         plan.view.opacity = session.opacity;
     }
-    if (auto set = game::change_volume_lab(plan.lab, {session.modes}); !set)
+    if (auto set = game::change_volume_lab(plan.lab, {session.modes, session.feel, plan.view.opacity}); !set)
         return tl::unexpected(set.error());
     return plan;
 }
@@ -317,6 +362,7 @@ game::VolumeSession session_of(const VolumeLabPlan& plan) {
             .translucent = plan.view.look == render::ScanLook::translucent,
             .level = plan.view.level,
             .opacity = plan.view.opacity,
+            .feel = plan.lab.settings.feel,
             .modes = plan.lab.settings.modes};
 }
 

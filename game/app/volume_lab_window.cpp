@@ -10,13 +10,13 @@
 #include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
-#include "field/nrrd.h"
 #include "game/app/command.h"
 #include "game/app/panels.h"
 #include "game/app/settings.h"
 #include "game/app/volume_lab.h"
 #include "game/app/volume_panels.h"
 #include "game/data/match_data.h"
+#include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
 #include "render/pace.h"
 
@@ -108,7 +108,11 @@ void step(Session& session) {
     input.history = std::exchange(session.history, 0);
     input.change = std::exchange(session.panels.change, std::nullopt);
     session.figures = game::step_volume_lab(session.plan.lab, input);
-    if (!session.figures.refused.empty()) session.panels.note = session.figures.refused;
+    if (!session.figures.refused.empty()) {
+        session.panels.note = session.figures.refused;
+        session.panels.modes = session.plan.lab.settings.modes;
+        session.panels.feel = session.plan.lab.settings.feel;
+    }
     session.trace.add(
         [&](std::string& rows) { game::append_volume_row(session.plan.lab, session.figures, rows); });
     add_force(session.panels, glm::length(session.figures.force));
@@ -120,7 +124,7 @@ void obey(Session& session) {
     if (panels.history != 0) session.history = std::exchange(panels.history, 0);
     if (std::exchange(panels.saves, false)) {
         const auto file = session.plan.out.save.value_or("carved.nrrd");
-        const auto saved = field::write_nrrd(file, game::volume_now(session.plan.lab));
+        const auto saved = game::save_volume(session.plan.lab, file);
         panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
     }
     if (std::exchange(panels.saves_session, false)) {
@@ -138,7 +142,10 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     next.volume = *volume;
     next.device = session.panels.device;
     const bool same = *volume == session.plan.volume;
-    if (!same) next.modes.clear();
+    if (!same) {
+        next.modes.clear();
+        next.feel.clear();
+    }
     auto plan = plan_of(next);
     if (!plan) {
         session.panels.note = in_one_line(plan.error().message);
@@ -150,6 +157,7 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     session.plan.volume = *volume;
     session.plan.device = next.device;
     session.panels.modes = session.plan.lab.settings.modes;
+    session.panels.feel = session.plan.lab.settings.feel;
     session.panels.tool = usual_tool(session.plan.lab);
     picture.emplace(renderer, session.plan.lab);
     return {};
@@ -196,9 +204,8 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
 
 Expected<void> end(Session& session) {
     if (auto closed = session.trace.close(); !closed) return closed;
-    return session.plan.out.save
-               ? field::write_nrrd(*session.plan.out.save, game::volume_now(session.plan.lab))
-               : Expected<void>();
+    return session.plan.out.save ? game::save_volume(session.plan.lab, *session.plan.out.save)
+                                 : Expected<void>();
 }
 
 }  // namespace
@@ -215,6 +222,7 @@ int run_volume_window(VolumeLabPlan plan) {
     window->make_current();
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
     session.panels.modes = session.plan.lab.settings.modes;
+    session.panels.feel = session.plan.lab.settings.feel;
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
     Expected<void> went;

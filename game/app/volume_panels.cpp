@@ -146,7 +146,12 @@ std::optional<field::FilterKind> leads(const LabMode& mode) {
     return kind;
 }
 
-void show_modes(const VolumeLab& lab, VolumePanelState& state) {
+void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
+    state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity};
+}
+
+void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
+    const VolumeLab& lab = plan.lab;
     bool changed = false;
     for (const auto& offer : haptics::mode_offers(game::kind_of(lab))) {
         const std::string name(offer.mode->name);
@@ -171,12 +176,76 @@ void show_modes(const VolumeLab& lab, VolumePanelState& state) {
         }
         ImGui::PopID();
     }
-    if (changed) state.change = game::VolumeLabSettings{state.modes};
+    if (changed) ask_for_change(plan, state);
+}
+
+// ---- feel of the body as a whole --------------------------------------------------------------------------
+
+/// Largest value of a number of a part, for its slider.
+double largest_number(const VolumeLab& lab, std::string_view label) {
+    if (label == "density" || label == "low" || label == "high") return lab.range.high;
+    if (label == "force (N)") return lab.data.device.peak_force;
+    if (label == "drag (N s/m)") return lab.data.device.max_damping;
+    return label.ends_with("(m)") ? 0.5 * lab.data.device.workspace.x : 1;
+}
+
+bool show_part(const VolumeLab& lab, game::FeelPart& part) {
+    const auto& form = game::form_of(part.kind);
+    bool changed = false;
+    for (std::size_t i = 0; i < form.count; ++i) {
+        const std::string label(form.labels.at(i));
+        const double high = largest_number(lab, label);
+        const bool density = label == "density" || label == "low" || label == "high";
+        const bool one_way = label == "force (N)" || label == "drag (N s/m)" || label == "friction";
+        changed |= slider(label.c_str(), part.numbers.at(i),
+                          density ? double{lab.range.low} : (one_way ? 0 : -high), high);
+    }
+    return changed;
+}
+
+/// A part that suits the volume, and that a first try feels.
+game::FeelPart usual_part(const VolumeLab& lab, game::FeelKind kind) {
+    const double middle = 0.5 * (double{lab.range.low} + double{lab.range.high});
+    const double force = 0.8 * lab.data.device.continuous_force;
+    switch (kind) {
+        case game::FeelKind::opacity:
+        case game::FeelKind::attract: return {kind, {force, 1}};
+        case game::FeelKind::shell: return {kind, {middle, lab.range.high, force, 1}};
+        case game::FeelKind::wall: return {kind, {middle, force, 0.2}};
+        case game::FeelKind::gravity: return {kind, {0, -0.25 * force, 0}};
+        case game::FeelKind::plane: return {kind, {0, 0, 0, 0, 0, 1, force}};
+    }
+    return {};
+}
+
+void show_body_feel(const VolumeLabPlan& plan, VolumePanelState& state) {
+    if (!plan.lab.carvable()) return ImGui::TextUnformatted("A flow has no body to feel.");
+    bool changed = false;
+    for (std::size_t i = 0; i < state.feel.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::Separator();
+        ImGui::TextUnformatted(std::string(game::form_of(state.feel[i].kind).name).c_str());
+        changed |= show_part(plan.lab, state.feel[i]);
+        const bool goes = ImGui::SmallButton("remove");
+        ImGui::PopID();
+        if (!goes) continue;
+        state.feel.erase(state.feel.begin() + static_cast<std::ptrdiff_t>(i));
+        changed = true;
+        break;
+    }
+    const auto forms = game::feel_forms();
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+        if (i % 3 != 0) ImGui::SameLine();
+        if (!ImGui::SmallButton(text("+ ", forms[i].name).c_str())) continue;
+        state.feel.push_back(usual_part(plan.lab, static_cast<game::FeelKind>(i)));
+        changed = true;
+    }
+    if (changed) ask_for_change(plan, state);
 }
 
 // ---- look, tools, force -----------------------------------------------------------------------------------
 
-void show_look(VolumeLabPlan& plan) {
+void show_look(VolumeLabPlan& plan, VolumePanelState& state) {
     auto& view = plan.view;
     int look = view.look == render::ScanLook::surface ? 0 : 1;
     ImGui::RadioButton("surface", &look, 0);
@@ -185,7 +254,7 @@ void show_look(VolumeLabPlan& plan) {
     view.look = look == 0 ? render::ScanLook::surface : render::ScanLook::translucent;
     const double low = plan.lab.range.low, high = std::max(double{plan.lab.range.high}, low + 1e-9);
     if (look == 0) slider("drawn level", view.level, low, high);
-    if (look == 1) curve("opacity", view.opacity, low, high, 1);
+    if (look == 1 && curve("opacity", view.opacity, low, high, 1)) ask_for_change(plan, state);
 }
 
 void show_tools(const VolumeLab& lab, VolumePanelState& state) {
@@ -236,8 +305,9 @@ void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, Vol
         show_force(figures, state, plan.lab.data.device.peak_force);
         if (!state.note.empty()) ImGui::TextWrapped("%s", state.note.c_str());
         if (ImGui::CollapsingHeader("Volume", ImGuiTreeNodeFlags_DefaultOpen)) show_volume(plan, state);
-        if (ImGui::CollapsingHeader("Feel", ImGuiTreeNodeFlags_DefaultOpen)) show_modes(plan.lab, state);
-        if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) show_look(plan);
+        if (ImGui::CollapsingHeader("Feel", ImGuiTreeNodeFlags_DefaultOpen)) show_modes(plan, state);
+        if (ImGui::CollapsingHeader("Body")) show_body_feel(plan, state);
+        if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) show_look(plan, state);
         if (ImGui::CollapsingHeader("Carve", ImGuiTreeNodeFlags_DefaultOpen)) show_tools(plan.lab, state);
         if (ImGui::CollapsingHeader("Help")) show_help();
         if (ImGui::Button("save session")) state.saves_session = true;

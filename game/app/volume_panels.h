@@ -13,7 +13,8 @@ namespace thaum::app {
 /// What a person has set in the panels, and what they ask for.
 struct VolumePanelState {
     std::vector<game::LabMode> modes{};               ///< chosen modes
-    std::optional<game::VolumeLabSettings> change{};  ///< modes for the next step
+    std::vector<game::FeelPart> feel{};               ///< chosen parts of the body's feel
+    std::optional<game::VolumeLabSettings> change{};  ///< both, for the next step
     std::size_t tool{};                               ///< index into VolumeLab::data.tools
     std::string device{};                             ///< model for the next volume
     std::optional<std::string> open{};                ///< volume to open

@@ -37,10 +37,14 @@ field::FilterSource source_of(const VolumeLab& lab) {
 
 /// Points all views at the body or the flow as it is now. Smooths only if something changed.
 void refresh(VolumeLab& lab) {
-    if (lab.carvable())
-        lab.views->density = {lab.body.density_grid(field::Kernel::linear)};
-    else
-        lab.views->flow = lab.source.vector_grid();
+    auto& views = *lab.views;
+    if (lab.carvable()) {
+        views.density = {lab.body.density_grid(field::Kernel::linear)};
+        views.placed_density = {field::field_of<field::Scalar>(views.density), lab.placement};
+        views.materials = {lab.body.count, lab.body.spacing, lab.placement, lab.body.material};
+    } else {
+        views.flow = lab.source.vector_grid();
+    }
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
         LabField& f = *lab.fields[i];
         const LabMode& mode = lab.settings.modes[i];
@@ -99,6 +103,12 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
         const haptics::ModeUse use{haptics::find_mode(mode.name), lab.fields[i]->placed, mode.settings};
         haptics::add_modes(std::span(&use, 1), input, lab.model.primitives);
     }
+    lab.model.viscosity = 0;
+    if (lab.settings.feel.empty()) return;
+    lab.feel.density = field::field_of<field::Scalar>(lab.views->placed_density);
+    lab.feel.material = haptics::material_field_of(lab.views->materials);
+    lab.feel.materials = &lab.material_table;
+    lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
 /// Uses the tool at the proxy if it is held and due.
@@ -163,6 +173,7 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
         return fail("the volume needs two samples or more along each axis");
     VolumeLab lab;
     lab.data = std::move(data);
+    lab.material_table = feel_of_materials(lab.data.materials);
     lab.placement = fitted(volume, lab.data.device.workspace);
     lab.range = volume.components == 1 ? field::range_of(volume) : lengths_of(volume);
     lab.source = std::move(volume);
@@ -213,7 +224,10 @@ Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
 }
 
 Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settings) {
-    std::size_t needed = 0;
+    if (!settings.feel.empty() && !lab.carvable()) return fail("a flow has no body to feel");
+    auto feel = feel_of_parts(settings.feel, settings.opacity, reach_samples * finest_spacing(lab));
+    if (!feel) return tl::unexpected(feel.error());
+    std::size_t needed = settings.feel.empty() ? 0 : haptics::primitives_of(*feel);
     for (const LabMode& chosen : settings.modes) {
         const auto vector = field::checked_filters(chosen.filters, !lab.carvable());
         if (!vector) return fail(text("mode '", chosen.name, "': ", vector.error().message));
@@ -224,9 +238,10 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
         needed += mode->primitives;
     }
     if (needed > haptics::primitive_capacity)
-        return fail(text("these modes need ", needed, " primitives; there is room for ",
-                         haptics::primitive_capacity));
+        return fail(
+            text("this feel needs ", needed, " primitives; there is room for ", haptics::primitive_capacity));
     lab.settings = settings;
+    lab.feel = *feel;
     lab.fields.resize(settings.modes.size());
     for (auto& f : lab.fields)
         if (!f) f = std::make_unique<LabField>();

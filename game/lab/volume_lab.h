@@ -21,6 +21,7 @@
 #include "field/materials.h"
 #include "field/volume.h"
 #include "field/voxels.h"
+#include "game/lab/body_feel.h"
 #include "haptics/device.h"
 #include "haptics/modes.h"
 #include "haptics/servo.h"
@@ -40,7 +41,9 @@ struct LabMode {
 
 /// Settings that can change during a session.
 struct VolumeLabSettings {
-    std::vector<LabMode> modes{};  ///< modes that act together
+    std::vector<LabMode> modes{};       ///< modes that act together
+    std::vector<FeelPart> feel{};       ///< feel of the body as a whole; none: it is not felt so
+    field::TransferFunction opacity{};  ///< of the picture, by the density: what the feel goes by
 };
 
 /// Data files that the lab uses.
@@ -58,6 +61,8 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
 struct LabSource {
     haptics::SmoothGrid density{};
     field::StaggeredGrid flow{};
+    field::Placed<field::Scalar> placed_density{};  ///< in the lab's frame, as the next
+    BodyMaterials materials{};
 };
 
 /// What one mode reads. Refers to LabSource and to itself.
@@ -79,6 +84,8 @@ struct VolumeLab {
     VolumeLabSettings settings{};
     std::unique_ptr<LabSource> views = std::make_unique<LabSource>();
     std::vector<std::unique_ptr<LabField>> fields{};  ///< one per mode
+    haptics::VolumeFeel feel{};                       ///< what settings.feel says
+    haptics::MaterialTable material_table{};
 
     haptics::SimulatedDevice device{};
     haptics::SimulatedState hand{};

@@ -50,6 +50,27 @@ LabMode read_lab_mode(const ConfigTable& table) {
     return mode;
 }
 
+void read_feel(const ConfigTable& root, std::vector<FeelPart>& feel) {
+    for (const auto& table : root.tables("feel")) {
+        const auto kind = table.string("kind");
+        const auto numbers = table.numbers("numbers", any, most_feel_numbers, {});
+        auto part = feel_part(kind, numbers);
+        if (part)
+            feel.push_back(*part);
+        else
+            table.report("kind", part.error().message);
+    }
+    const auto all = feel_of_parts(feel, {}, 1);
+    if (!all) root.report("feel", all.error().message);
+}
+
+std::string feel_text(const FeelPart& part) {
+    const auto& form = form_of(part.kind);
+    std::string words = text("\n[[feel]]\nkind = \"", form.name, "\"\nnumbers = [");
+    for (std::size_t i = 0; i < form.count; ++i) words += text(i == 0 ? "" : ", ", part.numbers.at(i));
+    return words + "]\n";
+}
+
 }  // namespace
 
 std::string session_text(const VolumeSession& session) {
@@ -58,6 +79,7 @@ std::string session_text(const VolumeSession& session) {
              "\ncount = ", session.count, "\nseed = ", session.seed, "\ndevice = ", in_quotes(session.device),
              "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
              "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    for (const FeelPart& part : session.feel) words += feel_text(part);
     for (const LabMode& mode : session.modes) {
         const auto& s = mode.settings;
         words += text("\n[[mode]]\nname = ", in_quotes(mode.name), "\nstrength = ", points_text(s.strength),
@@ -82,6 +104,7 @@ Expected<VolumeSession> read_session(const Config& file) {
     session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
     session.level = root.number("level", any, 0);
     session.opacity = read_points(root, "opacity");
+    read_feel(root, session.feel);
     for (const auto& table : root.tables("mode")) session.modes.push_back(read_lab_mode(table));
     if (session.modes.size() > haptics::primitive_capacity)
         file.report(text("at most ", haptics::primitive_capacity, " modes"));

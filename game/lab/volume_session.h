@@ -7,6 +7,9 @@
 //     look = "surface"                  or "translucent"
 //     level = 500.0
 //     opacity = [0, 0, 1000, 0.3]       x, y, x, y, ... of the picture's transfer function
+//     [[feel]]                          a part of the body's feel (game/lab/body_feel.h); none or more
+//     kind = "wall"
+//     numbers = [500, 0.8, 0.2]
 //     [[mode]]
 //     name = "isosurface"
 //     strength = [0, 0.7]               x, y, ... of the transfer function; friction too
@@ -37,6 +40,7 @@ struct VolumeSession {
     bool translucent = false;
     double level{};
     field::TransferFunction opacity{};
+    std::vector<FeelPart> feel{};
     std::vector<LabMode> modes{};
 };
 

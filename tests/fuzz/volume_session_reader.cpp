@@ -10,6 +10,7 @@ std::vector<std::string> sessions(const Places&) {
     session.opacity = field::window(0, 255, 0, 0.3);
     session.modes = {{.name = "isosurface", .filters = {{field::FilterKind::smooth, 1}}},
                      {.name = "viscosity"}};
+    session.feel = {{game::FeelKind::wall, {500, 0.8, 0.2}}, {game::FeelKind::shell, {0, 100, 1, 1}}};
     for (auto& mode : session.modes) mode.settings.strength = mode.settings.friction = field::constant(1);
     return {game::session_text(session), game::session_text({.volume = "head.nrrd"})};
 }

@@ -9,6 +9,7 @@
 #include "field/nrrd.h"
 #include "field/volume_file.h"
 #include "game/lab/hand_path.h"
+#include "game/lab/saved_body.h"
 #include "game/lab/volume_lab.h"
 #include "game/lab/volume_session.h"
 #include "game/lab/volume_trace.h"
@@ -237,6 +238,86 @@ TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(volume_trace_header(), ','));
 }
 
+// ---- the body as a whole ----------------------------------------------------------------------------------
+
+void feel_as(VolumeLab& lab, std::vector<FeelPart> parts, const field::TransferFunction& opacity = {}) {
+    const auto changed = change_volume_lab(lab, {lab.settings.modes, std::move(parts), opacity});
+    ASSERT_TRUE(changed) << changed.error().message;
+}
+
+FeelPart part(std::string_view name, std::vector<double> numbers) {
+    const auto made = feel_part(name, numbers);
+    EXPECT_TRUE(made) << made.error().message;
+    return *made;
+}
+
+TEST(BodyFeel, AWallHoldsUpToItsForceTimesTheMaterials) {
+    for (const char* material : {"crystal", "wax"}) {
+        auto lab = made("sphere");
+        const auto index = field::material_index(lab.data.materials, material);
+        ASSERT_TRUE(index);
+        std::ranges::fill(lab.body.material, *index);
+        feel_as(lab, {part("wall", {127.5, 1.0})});
+        const double r = ball_radius(lab);
+        lab.hand = haptics::resting_at({0, 1.2 * r, 0});
+        double most = 0;
+        for (int i = 0; i < 2500; ++i)
+            most = std::max(most, glm::length(step_volume_lab(lab, {.target = {0, r - 1e-5 * i, 0}}).force));
+        const double wanted = lab.data.materials[*index].stiffness / lab.data.materials[0].stiffness;
+        EXPECT_NEAR(most, wanted, 0.1 * wanted) << material;
+    }
+}
+
+TEST(BodyFeel, GoesByThePicturesOpacity) {
+    const auto inside = [](double opacity) {
+        auto lab = made("sphere");
+        feel_as(lab, {part("opacity", {1.0, 2.0})}, field::window(0, 255, 0, opacity));
+        const vec3 edge(0, ball_radius(lab), 0);
+        lab.hand = haptics::resting_at(edge);
+        const auto figures = move(lab, edge, 1, 600);
+        return std::pair(figures.force.y, lab.model.viscosity);
+    };
+    const auto [pushed, drag] = inside(1);
+    EXPECT_GT(pushed, 0.2) << "out of the ball";
+    EXPECT_GT(drag, 0.4);
+    EXPECT_EQ(inside(0), std::pair(0.0, 0.0)) << "what cannot be seen is not felt in this way";
+}
+
+TEST(BodyFeel, PartsThatDoNotFitAreRefusedByName) {
+    const auto refusal = [](auto&& result) { return result ? std::string() : result.error().message; };
+    const std::vector<double> few{1}, bad{5, 4, 1}, minus{1, -1};
+    EXPECT_NE(refusal(feel_part("foam", few)).find("opacity, attract"), std::string::npos);
+    EXPECT_NE(refusal(feel_part("wall", few)).find("wall: takes 2 to 3 numbers"), std::string::npos);
+    EXPECT_NE(refusal(feel_part("shell", bad)).find("below the high"), std::string::npos);
+    EXPECT_NE(refusal(feel_part("wall", minus)).find("negative"), std::string::npos);
+    const std::vector three(3, part("wall", {1, 1}));
+    EXPECT_EQ(refusal(feel_of_parts(three, {}, 1)), "wall: at most 2 act");
+    auto flow = made("vortices", 16);
+    EXPECT_EQ(refusal(change_volume_lab(flow, {{}, {part("gravity", {0, 1, 0})}, {}})),
+              "a flow has no body to feel");
+}
+
+TEST(SavedBody, ColoursAndMaterialsComeBackWithTheDensities) {
+    TemporaryFolder folder;
+    const auto file = folder.path() / "body.nrrd";
+    auto lab = made("sphere", 24);
+    ASSERT_TRUE(save_volume(lab, file));
+    EXPECT_FALSE(fs::exists(folder.path() / "body.colour.nrrd")) << "nothing was painted";
+    const vec3 top(0, ball_radius(lab), 0);
+    lab.hand = haptics::resting_at(top);
+    for (const char* tool : {"paint", "squirt", "melt"}) move(lab, top, 1, 200, true, tool_named(lab, tool));
+    ASSERT_TRUE(save_volume(lab, file));
+    auto again = lab_of(*field::read_volume(file));
+    const auto taken = take_saved_properties(again, file);
+    ASSERT_TRUE(taken) << taken.error().message;
+    EXPECT_EQ(again.body.density, lab.body.density);
+    EXPECT_EQ(again.body.colour, lab.body.colour);
+    EXPECT_EQ(again.body.material, lab.body.material);
+    EXPECT_TRUE(std::ranges::any_of(lab.body.material, [](auto m) { return m != 0; }));
+    auto other = made("sphere", 16);
+    EXPECT_FALSE(take_saved_properties(other, file)) << "they belong to a body of another size";
+}
+
 TEST(HandPath, GoesWhereItSays) {
     const vec3 workspace(0.16, 0.12, 0.07);
     const auto press = *hand_path("press");
@@ -257,6 +338,7 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     session.level = 0.1;
     session.opacity = field::window(-1, 2.5, 0, 0.75);
     session.modes = {*lab_mode(lab, "isosurface"), *lab_mode(lab, "viscosity")};
+    session.feel = {part("wall", {500, 0.8, 0.2}), part("gravity", {0, -0.1, 0})};
     session.modes[0].settings.magnet = 0.3;
     session.modes[0].filters = {{field::FilterKind::smooth, 1.5}, {field::FilterKind::clamp, -1, 200}};
     session.modes[1].settings.strength =
@@ -269,6 +351,7 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     EXPECT_EQ(session_text(*read), session_text(session));
     EXPECT_EQ(read->volume, session.volume);
     EXPECT_EQ(read->opacity, session.opacity);
+    EXPECT_EQ(read->feel, session.feel);
     EXPECT_EQ(read->modes[1].settings.strength, session.modes[1].settings.strength);
 }
 
