@@ -53,6 +53,8 @@ thaum_driver_test(replay_window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/replay_windo
 thaum_driver_test(sound ${CMAKE_CURRENT_SOURCE_DIR}/drivers/sound.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
+thaum_driver_test(volume_lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/volume_lab.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:press_keys>)
 if(NOT THAUM_SANITIZE)
     # Tests of times.
     thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh

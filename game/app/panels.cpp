@@ -33,8 +33,9 @@ render::WindowEvents with_mouse(render::WindowEvents heard, const render::Window
         if (program.mouse_button && (!io.WantCaptureMouse || !pressed)) program.mouse_button(button, pressed);
     };
     heard.cursor = [program](double x, double y) {
-        ImGui::GetIO().MousePos = {static_cast<float>(x), static_cast<float>(y)};
-        if (program.cursor) program.cursor(x, y);
+        auto& io = ImGui::GetIO();
+        io.MousePos = {static_cast<float>(x), static_cast<float>(y)};
+        if (program.cursor && !io.WantCaptureMouse) program.cursor(x, y);
     };
     heard.wheel = [program](double steps) {
         auto& io = ImGui::GetIO();

@@ -268,6 +268,15 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     return {};
 }
 
+/// Lets a person feel something at once: the surface of a body, the direction of a flow.
+void put_on_usual_mode(VolumeLab& lab) {
+    auto settings = lab.settings;
+    if (auto mode = game::lab_mode(lab, lab.carvable() ? "isosurface" : "follow"); mode)
+        settings.modes.push_back(std::move(*mode));
+    // The lab's own mode for such a volume is never refused.
+    (void)game::change_volume_lab(lab, settings);
+}
+
 Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     const bool headless = arguments.has("--headless");
     const auto session = read_session(arguments);
@@ -277,6 +286,9 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     VolumeLabPlan plan = std::move(*opened);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    if (const bool chosen = arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel");
+        !headless && !chosen)
+        put_on_usual_mode(plan.lab);
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
     const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);

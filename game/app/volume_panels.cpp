@@ -275,7 +275,8 @@ void show_tools(const VolumeLab& lab, VolumePanelState& state) {
 void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& state, double peak) {
     ImGui::Text("force %.2f N, value %.4g", glm::length(figures.force), figures.value);
     ImGui::PlotLines("##force", state.force.data(), static_cast<int>(state.force.size()),
-                     static_cast<int>(state.newest), nullptr, 0, static_cast<float>(peak), {-1, 70});
+                     static_cast<int>(state.newest), nullptr, 0, static_cast<float>(peak),
+                     {ImGui::GetContentRegionAvail().x, 70});
 }
 
 void show_help() {

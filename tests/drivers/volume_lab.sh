@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# tests/drivers/volume_lab.sh THAUM PRESS_KEYS: the volume lab under Xvfb with mouse and keys by xdotool. A ball is
+# felt, a panel changes the feel, a tool carves, undo and redo act, and body and session are saved and opened again. The
+# results are read from the trace and the files. Exits with 77 if a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1 press_keys=$2
+need Xvfb xdotool import
+open_screen 1280x720
+fail() { failed "$1"; }
+at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
+cd "$folder"
+"$thaum" lab sphere --count 32 --size 1280x720 --trace "$folder/trace.csv" --save "$folder/body.nrrd" --seconds 6000 >"$folder/said" 2>&1 &
+lab=$!
+drawn() { [ "$(import -window root -crop 300x200+500+260 -format %k info: 2>/dev/null)" -gt 50 ]; }
+eventually "no window" drawn
+
+# A row of the trace since a line number that fulfils a condition of awk: columns as $time_s, $changed_voxels, ...
+names=time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n,value,changed_voxels
+trace() { cat "$folder"/trace.csv*; }
+rows() { trace | wc -l; }
+seen() {
+    local condition=$2 i=0 name
+    for name in ${names//,/ }; do i=$((i + 1)) condition=${condition//\$$name/\$$i}; done
+    trace | awk -F, -v from="$1" "NR > from + 1 && $condition { found = 1 } END { exit !found }"
+}
+eventually "another header" seen 0 "1"
+[ "$(trace | head -1)" = "$names" ] || fail "another header"
+
+# The body's surface is felt at once. The ball's middle is in the middle of the window.
+pressing='$force_x_n * $force_x_n + $force_y_n * $force_y_n + $force_z_n * $force_z_n > 0.04'
+from=$(rows)
+for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+eventually "the surface was not felt" seen "$from" "$pressing"
+
+# A tool held for a while carves, and what it took away comes back by undo and goes by redo.
+from=$(rows)
+xdotool mousedown 1
+eventually "nothing was carved" seen "$from" '$changed_voxels > 20'
+xdotool mouseup 1
+import -window root "${SHOTS:-$folder}/volume_lab.png"
+plotted() { [ "$(import -window root -crop 300x60+20+58 -format %k info: 2>/dev/null)" -gt 2 ]; }
+eventually "the force was not plotted" plotted
+presses z
+presses y
+
+# The panel: its fourth heading folds the modes away, the next one opens the feel of the body, and the first button there
+# adds opacity. The hand rests while the mouse is over the panel.
+click() { xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3; }
+picture() { import -window root -crop 330x700+8+100 rgba:- | md5sum; }
+is_new() { [ "$(picture)" != "$before" ]; }
+pressed_there() { before=$(picture); click "$1" "$2"; xdotool mousemove 640 690; eventually "the panel did not change" is_new; }
+pressed_there 26 234
+pressed_there 26 258
+pressed_there 40 280
+import -window root "${SHOTS:-$folder}/volume_lab_panel.png"
+# Then "save session" stands at the end of the panel.
+click 60 574
+eventually "the session was not saved" test -s "$folder/lab.toml"
+grep -q '^kind = "opacity"' "$folder/lab.toml" || fail "the session lacks the feel that was chosen"
+presses Escape
+wait "$lab" || fail "the exit code"
+
+# The same body by its file, and the same settings by the session.
+[ -s "$folder/body.nrrd" ] || fail "the body was not saved"
+"$thaum" lab "$folder/body.nrrd" --headless --seconds 0.001 >"$folder/again" || fail "the saved body does not open"
+"$thaum" lab "$folder/body.nrrd" --headless --seconds 0.001 --save "$folder/copy.nrrd" >/dev/null
+cmp "$folder/body.nrrd" "$folder/copy.nrrd" || fail "the saved body differs after a second saving"
+"$thaum" lab --session "$folder/lab.toml" --headless --seconds 0.5 >/dev/null || fail "the session does not open"
+"$thaum" lab sphere --count 32 --headless --seconds 0.001 --save "$folder/whole.nrrd" >/dev/null
+! cmp -s "$folder/body.nrrd" "$folder/whole.nrrd" || fail "the saved body is not carved"
+echo "passed"
