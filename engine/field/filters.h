@@ -44,6 +44,7 @@ std::span<const std::string_view> filter_names();
 struct Filter {
     FilterKind kind{};
     double a{}, b{};  ///< parameters as in the table above; unused ones are ignored
+    bool operator==(const Filter&) const = default;
 };
 
 inline constexpr std::size_t most_filters = 8;

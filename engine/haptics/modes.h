@@ -58,6 +58,7 @@ struct ModeSettings {
     /// within which they act (m).
     double reach{0.002};
     double pitch{0.01};  ///< snap to grid: distance between its points (m)
+    bool operator==(const ModeSettings&) const = default;
 };
 
 /// Fields that modes read.

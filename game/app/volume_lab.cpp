@@ -30,8 +30,10 @@ A volume to feel and carve: in a window, or with --headless as a script. VOLUME:
 .nrrd or .nhdr file, a .toml that describes a raw file, or one that is made: sphere
 or gyroid (bodies), vortices or beltrami (flows).
   --count N, --seed N   samples along each axis (64) and seed of one that is made
+  --place X,Y,Z[,SCALE[,DEGREES]]  where it lies;  --beside VOLUME[,X,Y,Z...]  another
+                   one there, felt and seen but not carved; repeats
   --mode M[,S]     a haptic mode and its strength (N): follow, isosurface, ...; a
-                   wrong name lists them; repeats: all act together
+                   wrong name lists them; 1:M reads the first --beside; repeats
   --transfer M,X:Y,...   strength of mode M by the property it reads, 32 points most
   --filter M,F[,A,B]   between data and mode M: magnitude, gradient, curl,
                    divergence, scale,A,B clamp,A,B smooth,SAMPLES; repeats: in order
@@ -51,17 +53,51 @@ or gyroid (bodies), vortices or beltrami (flows).
 )";
 
 constexpr Option volume_options[] = {
-    {"--count", 1},          {"--seed", 1},        {"--mode", 1, true}, {"--filter", 1, true},
-    {"--transfer", 1, true}, {"--feel", 1, true},  {"--opacity", 1},    {"--level", 1},
-    {"--hand", 1},           {"--carve", 1, true}, {"--device", 1},     {"--look", 1},
-    {"--session", 1},        {"--save", 1},        {"--trace", 1},      {"--shots", 1},
-    {"--every", 1},          {"--size", 1},        {"--headless"},      {"--seconds", 1}};
+    {"--count", 1},          {"--seed", 1},       {"--mode", 1, true}, {"--filter", 1, true},
+    {"--transfer", 1, true}, {"--feel", 1, true}, {"--opacity", 1},    {"--beside", 1, true},
+    {"--place", 1},          {"--level", 1},      {"--hand", 1},       {"--carve", 1, true},
+    {"--device", 1},         {"--look", 1},       {"--session", 1},    {"--save", 1},
+    {"--trace", 1},          {"--shots", 1},      {"--every", 1},      {"--size", 1},
+    {"--headless"},          {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
 bool is_made(std::string_view name) {
     const auto made = field::volume_names();
     return std::ranges::find(made, name) != made.end();
+}
+
+/// Reads "X,Y,Z[,SCALE[,DEGREES]]".
+Expected<game::LabPlace> read_place(std::string_view option, std::span<const std::string> parts) {
+    std::array<double, 5> n{0, 0, 0, 1, 0};
+    if (parts.size() < 3 || parts.size() > n.size())
+        return fail(text(option, ": a place is X,Y,Z[,SCALE[,DEGREES]]"));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto number = parse_number(parts[i], option, -360, 360);
+        if (!number) return tl::unexpected(number.error());
+        n.at(i) = *number;
+    }
+    return game::LabPlace{.origin = {n[0], n[1], n[2]}, .yaw = n[4] * pi / 180, .scale = n[3]};
+}
+
+/// Reads --place, and the volumes of --beside as "VOLUME[,PLACE]".
+Expected<void> read_places(const Arguments& arguments, game::VolumeSession& session) {
+    if (const auto words = arguments.value("--place")) {
+        const auto place = read_place("--place", parts_of(*words));
+        if (!place) return tl::unexpected(place.error());
+        session.first.place = *place;
+    }
+    for (const auto& words : arguments.values("--beside")) {
+        const auto parts = parts_of(words);
+        game::SessionVolume one{.volume = parts[0], .count = session.first.count, .seed = session.first.seed};
+        if (parts.size() > 1) {
+            const auto place = read_place("--beside", std::span(parts).subspan(1));
+            if (!place) return tl::unexpected(place.error());
+            one.place = *place;
+        }
+        session.beside.push_back(std::move(one));
+    }
+    return {};
 }
 
 /// Session of the command line: from a file, or a new one with the volume's name.
@@ -73,19 +109,28 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
         if (!saved) return saved;
         session = std::move(*saved);
     } else {
-        session.volume = arguments.plain()[0];
+        session.first.volume = arguments.plain()[0];
     }
-    if (!is_made(session.volume) && (arguments.has("--count") || arguments.has("--seed")))
-        return fail(text("--count and --seed are for volumes that are made, not for '", session.volume, "'"));
-    const auto count = arguments.whole("--count", 8, 512, static_cast<std::uint64_t>(session.count));
+    if (!is_made(session.first.volume) && (arguments.has("--count") || arguments.has("--seed")))
+        return fail(
+            text("--count and --seed are for volumes that are made, not for '", session.first.volume, "'"));
+    const auto count = arguments.whole("--count", 8, 512, static_cast<std::uint64_t>(session.first.count));
     if (!count) return tl::unexpected(count.error());
     const auto seed =
-        arguments.whole("--seed", 0, 1'000'000'000'000, static_cast<std::uint64_t>(session.seed));
+        arguments.whole("--seed", 0, 1'000'000'000'000, static_cast<std::uint64_t>(session.first.seed));
     if (!seed) return tl::unexpected(seed.error());
-    session.count = static_cast<std::int64_t>(*count);
-    session.seed = static_cast<std::int64_t>(*seed);
+    session.first.count = static_cast<std::int64_t>(*count);
+    session.first.seed = static_cast<std::int64_t>(*seed);
+    if (auto read = read_places(arguments, session); !read) return tl::unexpected(read.error());
     session.device = arguments.value("--device").value_or(session.device);
     return session;
+}
+
+/// Opens a file, or makes a volume.
+Expected<field::Volume> open_volume(const game::SessionVolume& one) {
+    return is_made(one.volume) ? field::make_volume(one.volume, static_cast<int>(one.count),
+                                                    static_cast<std::uint64_t>(one.seed))
+                               : field::read_volume(one.volume);
 }
 
 // ---- modes ------------------------------------------------------------------------------------------------
@@ -122,12 +167,27 @@ Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, cons
     return filters;
 }
 
+/// Volume and mode of "1:follow"; without a number, the first volume.
+std::pair<std::size_t, std::string> volume_and_mode(const std::string& words) {
+    const bool numbered = words.size() > 2 && words[1] == ':' && words[0] >= '0' && words[0] <= '9';
+    if (!numbered) return {0, words};
+    return {static_cast<std::size_t>(words[0] - '0'), words.substr(2)};
+}
+
+/// The chosen mode that words like "1:follow" name; modes.end(): there is none.
+std::vector<LabMode>::iterator mode_named(std::vector<LabMode>& modes, const std::string& words) {
+    const auto named = volume_and_mode(words);
+    return std::ranges::find_if(
+        modes, [&](const LabMode& mode) { return mode.volume == named.first && mode.name == named.second; });
+}
+
 Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words, const VolumeLab& lab) {
     const auto parts = parts_of(words);
+    const auto [volume, name] = volume_and_mode(parts[0]);
     if (parts.size() > 2) return fail(text("--mode '", words, "': must be MODE or MODE,STRENGTH"));
     auto filters = filters_of(arguments, parts[0]);
     if (!filters) return tl::unexpected(filters.error());
-    auto mode = game::lab_mode(lab, parts[0], std::move(*filters));
+    auto mode = game::lab_mode(lab, name, std::move(*filters), volume);
     if (!mode) return mode;
     const auto level = arguments.number("--level", -1e30, 1e30);
     if (!level) return tl::unexpected(level.error());
@@ -160,7 +220,7 @@ Expected<field::TransferFunction> read_points(std::string_view option, std::span
 /// Reads "M,X:Y,..." and gives the function to mode M.
 Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& modes) {
     const auto parts = parts_of(words);
-    const auto mode = std::ranges::find(modes, parts[0], &LabMode::name);
+    const auto mode = mode_named(modes, parts[0]);
     if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
     auto function = read_points("--transfer", std::span(parts).subspan(1), 1e6);
     if (!function) return tl::unexpected(function.error());
@@ -207,12 +267,12 @@ Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
     for (const auto& words : arguments.values("--mode")) {
         auto mode = read_mode(arguments, words, plan.lab);
         if (!mode) return tl::unexpected(mode.error());
-        if (std::ranges::find(settings.modes, mode->name, &LabMode::name) != settings.modes.end())
-            return fail(text("--mode '", mode->name, "' is given twice"));
+        if (const auto word = parts_of(words)[0]; mode_named(settings.modes, word) != settings.modes.end())
+            return fail(text("--mode '", word, "' is given twice"));
         settings.modes.push_back(std::move(*mode));
     }
     for (const auto& words : arguments.values("--filter")) {
-        if (std::ranges::find(settings.modes, parts_of(words)[0], &LabMode::name) == settings.modes.end())
+        if (mode_named(settings.modes, parts_of(words)[0]) == settings.modes.end())
             return fail(text("--filter '", words, "': it begins with the mode, and there is no such --mode"));
     }
     for (const auto& words : arguments.values("--transfer"))
@@ -339,43 +399,48 @@ int run_headless(VolumeLabPlan plan) {
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
     auto data = game::load_volume_lab_data(game::find_assets(), session.device);
     if (!data) return tl::unexpected(data.error());
-    auto volume = is_made(session.volume)
-                      ? field::make_volume(session.volume, static_cast<int>(session.count),
-                                           static_cast<std::uint64_t>(session.seed))
-                      : field::read_volume(session.volume);
+    auto volume = open_volume(session.first);
     if (!volume) return tl::unexpected(volume.error());
     auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
     if (!lab) return tl::unexpected(lab.error());
-    if (!is_made(session.volume)) {
-        if (auto taken = game::take_saved_properties(*lab, session.volume); !taken)
+    if (!is_made(session.first.volume)) {
+        if (auto taken = game::take_saved_properties(*lab, session.first.volume); !taken)
             return tl::unexpected(taken.error());
     }
-    VolumeLabPlan plan{.volume = session.volume,
-                       .count = session.count,
-                       .seed = session.seed,
-                       .device = session.device,
-                       .lab = std::move(*lab)};
+    for (const auto& one : session.beside) {
+        auto other = open_volume(one);
+        if (!other) return tl::unexpected(other.error());
+        if (auto added = game::add_volume_beside(*lab, std::move(*other)); !added)
+            return fail(text(one.volume, ": ", added.error().message));
+    }
+    VolumeLabPlan plan{
+        .first = session.first, .beside = session.beside, .device = session.device, .lab = std::move(*lab)};
     plan.view = usual_view(plan.lab);
     if (session.opacity.count > 0) {
         plan.view.look = session.translucent ? render::ScanLook::translucent : render::ScanLook::surface;
         plan.view.level = session.level;
         plan.view.opacity = session.opacity;
     }
-    if (auto set = game::change_volume_lab(plan.lab, {session.modes, session.feel, plan.view.opacity}); !set)
-        return tl::unexpected(set.error());
+    game::VolumeLabSettings settings{session.modes, session.feel, plan.view.opacity, {session.first.place}};
+    for (const auto& one : session.beside) settings.places.push_back(one.place);
+    if (auto set = game::change_volume_lab(plan.lab, settings); !set) return tl::unexpected(set.error());
     return plan;
 }
 
 game::VolumeSession session_of(const VolumeLabPlan& plan) {
-    return {.volume = plan.volume,
-            .count = plan.count,
-            .seed = plan.seed,
-            .device = plan.device,
-            .translucent = plan.view.look == render::ScanLook::translucent,
-            .level = plan.view.level,
-            .opacity = plan.view.opacity,
-            .feel = plan.lab.settings.feel,
-            .modes = plan.lab.settings.modes};
+    game::VolumeSession session{.first = plan.first,
+                                .beside = plan.beside,
+                                .device = plan.device,
+                                .translucent = plan.view.look == render::ScanLook::translucent,
+                                .level = plan.view.level,
+                                .opacity = plan.view.opacity,
+                                .feel = plan.lab.settings.feel,
+                                .modes = plan.lab.settings.modes};
+    const auto& places = plan.lab.settings.places;
+    if (!places.empty()) session.first.place = places[0];
+    for (std::size_t i = 0; i + 1 < places.size() && i < session.beside.size(); ++i)
+        session.beside[i].place = places[i + 1];
+    return session;
 }
 
 game::VolumeLabInput planned_input(const VolumeLabPlan& plan) {

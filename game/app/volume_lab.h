@@ -22,9 +22,9 @@ struct PlannedCarve {
 
 /// Options of one session.
 struct VolumeLabPlan {
-    std::string volume{};               ///< path or name
-    std::int64_t count = 64, seed = 1;  ///< of a volume that is made
-    std::string device{};               ///< model of the simulated arm
+    game::SessionVolume first{};                ///< the volume that can be carved
+    std::vector<game::SessionVolume> beside{};  ///< those beside it
+    std::string device{};                       ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
     std::vector<PlannedCarve> carves{};
@@ -37,7 +37,7 @@ struct VolumeLabPlan {
 
 /// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session);
-/// The session that would open the plan as it is now.
+/// The session that would open the plan as it is now, with the volumes at their present places.
 game::VolumeSession session_of(const VolumeLabPlan& plan);
 
 /// Input of the next step by the plan's path and carves.

@@ -60,8 +60,8 @@ render::Environment lab_light() {
     return light;
 }
 
-void fill_table(const game::VolumeLab& lab, const VolumeView& view, render::ScanTable& table) {
-    const double low = lab.range.low, high = lab.range.high;
+void fill_table(const field::SampleRange& range, const VolumeView& view, render::ScanTable& table) {
+    const double low = range.low, high = range.high;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double share = static_cast<double>(i) / 255.0;
         table[i].colour = ramp(static_cast<float>(share));
@@ -69,16 +69,36 @@ void fill_table(const game::VolumeLab& lab, const VolumeView& view, render::Scan
     }
 }
 
-}  // namespace
-
-VolumeView usual_view(const game::VolumeLab& lab) {
+VolumeView view_of(const game::VolumeRef& volume) {
     VolumeView view;
-    const double low = lab.range.low, high = lab.range.high;
+    const double low = volume.range.low, high = volume.range.high;
     view.level = 0.5 * (low + high);
     view.opacity = field::window(low + 0.3 * (high - low), high, 0, 0.3);
-    if (!lab.carvable()) view.look = render::ScanLook::translucent;
+    if (volume.kind() == haptics::FieldKind::vector) view.look = render::ScanLook::translucent;
     return view;
 }
+
+std::vector<float> lengths_of(const std::vector<float>& vectors) {
+    std::vector<float> lengths;
+    for (std::size_t i = 0; i + 2 < vectors.size(); i += 3)
+        lengths.push_back(glm::length(fvec3(vectors[i], vectors[i + 1], vectors[i + 2])));
+    return lengths;
+}
+
+/// Lets the scan of the first volume show the body as it is now.
+void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial> materials,
+               render::Scan& scan) {
+    scan.version = lab.body.bricks.newest;
+    scan.samples = std::span<const float>(lab.body.density);
+    scan.brick_versions = lab.body.bricks.version;
+    scan.colours = lab.body.colour;
+    scan.materials = lab.body.material;
+    scan.material_table = materials;
+}
+
+}  // namespace
+
+VolumeView usual_view(const game::VolumeLab& lab) { return view_of(game::volume_of(lab, 0)); }
 
 render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
     const quat turn = look_rotation(eye.yaw, -eye.pitch);
@@ -93,36 +113,35 @@ render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
 }
 
 VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab) : renderer_(&renderer) {
-    scan_ = renderer.make_scan();
+    for (std::size_t i = 0; i <= lab.beside.size(); ++i) {
+        const auto volume = game::volume_of(lab, i);
+        drawn_.push_back(std::make_unique<Drawn>());
+        drawn_.back()->scan = renderer.make_scan();
+        if (volume.kind() == haptics::FieldKind::vector)
+            drawn_.back()->lengths = lengths_of(volume.source.samples);
+    }
     tip_ = renderer.upload(render::sphere(tip_radius, 16, render::colour(0x9FB8D8)));
     proxy_ = renderer.upload(render::sphere(proxy_radius, 20, render::colour(0xFFB040)));
     rod_ = renderer.upload(render::cylinder(0.0006F, 1, 12, render::colour(0xFF5A3C)));
     for (std::size_t i = 0; i < colours_.size(); ++i) colours_[i] = ramp(static_cast<float>(i) / 255.0F);
     for (const auto& material : lab.data.materials)
         materials_.push_back({.colour = fvec3(1), .opacity = static_cast<float>(material.opacity)});
-    if (!lab.carvable()) {
-        for (std::size_t i = 0; i + 2 < lab.source.samples.size(); i += 3) {
-            const auto& s = lab.source.samples;
-            lengths_.push_back(glm::length(fvec3(s[i], s[i + 1], s[i + 2])));
-        }
-    }
     frame_.bloom = false;
     frame_.quality = render::first_quality(renderer.device());
 }
 
-void VolumePicture::add_ribbons(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
-                                const VolumeView& view) {
-    const vec3 half = 0.5 * lab.source.extent();
+void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count) {
+    const vec3 half = 0.5 * volume.source.extent();
     seeds_.clear();
-    seeds_.push_back(field::to_own(lab.placement, figures.proxy));
-    for (int i = 1; i <= view.ribbons; ++i) {
+    seeds_.push_back(field::to_own(volume.placement, proxy));
+    for (int i = 1; i <= count; ++i) {
         // Places that fill a box evenly: multiples of the golden section and its relatives (Roberts 2018).
         const vec3 share =
             glm::fract(static_cast<double>(i) * vec3(0.8191725134, 0.6710436067, 0.5497004779));
         seeds_.push_back(half * (2.0 * share - 1.0));
     }
-    const double size = glm::length(lab.source.extent());
-    const auto flow = lab.source.vector_grid();
+    const double size = glm::length(volume.source.extent());
+    const auto flow = volume.source.vector_grid();
     const field::StreamlineSettings settings{.length = 0.25 * size,
                                              .tolerance = 1e-5 * size,
                                              .longest_step = 0.01 * size,
@@ -131,50 +150,48 @@ void VolumePicture::add_ribbons(const game::VolumeLab& lab, const game::VolumeLa
     const render::RibbonLook look{.width = static_cast<float>(0.006 * size),
                                   .colours = &colours_,
                                   .slowest = 0,
-                                  .fastest = std::max(double{lab.range.high}, 1e-9)};
-    ribbons_.update(*renderer_, field::field_of<field::Vector>(flow), seeds_, settings, look, 1);
-    const auto drawn = ribbons_.instances(model_of(lab.placement));
-    instances_.insert(instances_.end(), drawn.begin(), drawn.end());
+                                  .fastest = std::max(double{volume.range.high}, 1e-9)};
+    drawn.ribbons.update(*renderer_, field::field_of<field::Vector>(flow), seeds_, settings, look, 1);
+    const auto instances = drawn.ribbons.instances(model_of(volume.placement));
+    instances_.insert(instances_.end(), instances.begin(), instances.end());
 }
 
-void VolumePicture::add_scan(const game::VolumeLab& lab, const VolumeView& view) {
-    fill_table(lab, view, table_);
+void VolumePicture::add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view) {
+    fill_table(volume.range, view, drawn.table);
+    const auto& range = volume.range;
     render::Scan scan;
-    scan.id = scan_;
-    scan.count = lab.source.count;
-    scan.low = lab.range.low;
-    scan.high = std::max(lab.range.high, std::nextafter(lab.range.low, lab.range.high + 1));
-    scan.spacing = fvec3(lab.source.spacing);
-    scan.model = model_of(lab.placement);
+    scan.id = drawn.scan;
+    scan.count = volume.source.count;
+    scan.low = range.low;
+    scan.high = std::max(range.high, std::nextafter(range.low, range.high + 1));
+    scan.spacing = fvec3(volume.source.spacing);
+    scan.model = model_of(volume.placement);
     scan.look = view.look;
-    scan.table = &table_;
-    scan.unit = static_cast<float>(glm::length(lab.source.extent())) / layers;
-    scan.lit = lab.carvable();
+    scan.table = &drawn.table;
+    scan.unit = static_cast<float>(glm::length(volume.source.extent())) / layers;
+    scan.lit = volume.kind() == haptics::FieldKind::scalar;
     scan.colour = render::colour(0xE8DCC8);
     scan.level = static_cast<float>((view.level - double{scan.low}) / (double{scan.high} - double{scan.low}));
-    if (lab.carvable()) {
-        scan.version = lab.body.bricks.newest;
-        scan.samples = std::span<const float>(lab.body.density);
-        scan.brick_versions = lab.body.bricks.version;
-        scan.colours = lab.body.colour;
-        scan.materials = lab.body.material;
-        scan.material_table = materials_;
-    } else {
-        scan.version = 1;
-        scan.samples = std::span<const float>(lengths_);
-    }
-    scans_.assign(1, scan);
+    scan.version = 1;
+    scan.samples = std::span<const float>(drawn.lengths.empty() ? volume.source.samples : drawn.lengths);
+    scans_.push_back(scan);
 }
 
 const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
                                           const VolumeView& view, render::Size size) {
-    add_scan(lab, view);
+    scans_.clear();
     instances_.clear();
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+        const auto volume = game::volume_of(lab, i);
+        add_scan(volume, *drawn_[i], i == 0 ? view : view_of(volume));
+        if (i == 0 && lab.carvable()) show_body(lab, materials_, scans_.back());
+        if (volume.kind() == haptics::FieldKind::vector)
+            add_ribbons(volume, *drawn_[i], figures.proxy, view.ribbons);
+    }
     instances_.push_back({.mesh = tip_, .model = at(figures.tip)});
     instances_.push_back({.mesh = proxy_, .model = at(figures.proxy), .glow = 0.3F});
     if (glm::length(figures.force) > 0.01)
         instances_.push_back({.mesh = rod_, .model = arrow(figures.proxy, figures.force), .glow = 0.4F});
-    if (!lab.carvable()) add_ribbons(lab, figures, view);
     frame_.width = size.width;
     frame_.height = size.height;
     frame_.internal_scale = render::internal_scale_of(frame_.quality, size.height);

@@ -1,6 +1,7 @@
 // game/app/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of the device, its
 // proxy and the force.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "field/transfer.h"
@@ -41,19 +42,23 @@ public:
                                const VolumeView& view, render::Size size);
 
 private:
-    void add_ribbons(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
-                     const VolumeView& view);
-    void add_scan(const game::VolumeLab& lab, const VolumeView& view);
+    /// A volume as it is drawn.
+    struct Drawn {
+        render::ScanId scan{};
+        render::Ribbons ribbons{};
+        render::ScanTable table{};
+        std::vector<float> lengths{};  ///< of a flow's vectors
+    };
+
+    void add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count);
+    void add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view);
 
     render::Renderer* renderer_;
-    render::ScanId scan_{};
-    render::Ribbons ribbons_;
+    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< one per volume
     render::SpeedColours colours_{};
     std::vector<vec3> seeds_;
     render::MeshId tip_{}, proxy_{}, rod_{};
-    render::ScanTable table_{};
     std::vector<render::ScanMaterial> materials_;
-    std::vector<float> lengths_;  ///< lengths of a flow's vectors
     std::vector<render::Instance> instances_;
     std::vector<render::Scan> scans_;
     render::Frame frame_;

@@ -112,6 +112,7 @@ void step(Session& session) {
         session.panels.note = session.figures.refused;
         session.panels.modes = session.plan.lab.settings.modes;
         session.panels.feel = session.plan.lab.settings.feel;
+        session.panels.places = session.plan.lab.settings.places;
     }
     session.trace.add(
         [&](std::string& rows) { game::append_volume_row(session.plan.lab, session.figures, rows); });
@@ -139,9 +140,9 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     const auto volume = std::exchange(session.panels.open, std::nullopt);
     if (!volume) return {};
     auto next = session_of(session.plan);
-    next.volume = *volume;
+    const bool same = *volume == session.plan.first.volume;
+    next.first.volume = *volume;
     next.device = session.panels.device;
-    const bool same = *volume == session.plan.volume;
     if (!same) {
         next.modes.clear();
         next.feel.clear();
@@ -154,8 +155,9 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     if (!same) plan->view = usual_view(plan->lab);
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
-    session.plan.volume = *volume;
+    session.plan.first = next.first;
     session.plan.device = next.device;
+    session.panels.places = session.plan.lab.settings.places;
     session.panels.modes = session.plan.lab.settings.modes;
     session.panels.feel = session.plan.lab.settings.feel;
     session.panels.tool = usual_tool(session.plan.lab);
@@ -214,7 +216,7 @@ int run_volume_window(VolumeLabPlan plan) {
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto window = render::Window::create(
-        {.title = "Thaum: " + plan.volume, .size = plan.out.size, .fullscreen = settings.fullscreen});
+        {.title = "Thaum: " + plan.first.volume, .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
     auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
@@ -223,6 +225,7 @@ int run_volume_window(VolumeLabPlan plan) {
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
     session.panels.modes = session.plan.lab.settings.modes;
     session.panels.feel = session.plan.lab.settings.feel;
+    session.panels.places = session.plan.lab.settings.places;
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
     Expected<void> went;

@@ -49,12 +49,16 @@ bool slider(const char* name, double& value, double low, double high, const char
     return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
 }
 
+void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
+    state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity, state.places};
+}
+
 // ---- volume and device ------------------------------------------------------------------------------------
 
 void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
-    if (ImGui::BeginCombo("volume", plan.volume.c_str())) {
+    if (ImGui::BeginCombo("volume", plan.first.volume.c_str())) {
         for (const auto name : field::volume_names())
-            if (ImGui::Selectable(std::string(name).c_str(), plan.volume == name))
+            if (ImGui::Selectable(std::string(name).c_str(), plan.first.volume == name))
                 state.open = std::string(name);
         ImGui::EndCombo();
     }
@@ -65,18 +69,34 @@ void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
     for (const auto& name : plan.lab.data.devices) {
         if (!ImGui::Selectable(name.c_str(), state.device == name)) continue;
         state.device = name;
-        state.open = plan.volume;
+        state.open = plan.first.volume;
     }
     ImGui::EndCombo();
 }
 
+void show_places(const VolumeLabPlan& plan, VolumePanelState& state) {
+    bool changed = false;
+    const double far = 0.5 * plan.lab.data.device.workspace.x;
+    for (std::size_t i = 0; i < state.places.size(); ++i) {
+        auto& place = state.places[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::TextUnformatted((i == 0 ? plan.first : plan.beside[i - 1]).volume.c_str());
+        const std::array<std::pair<const char*, double*>, 3> axes{
+            {{"right (m)", &place.origin.x}, {"up (m)", &place.origin.y}, {"near (m)", &place.origin.z}}};
+        for (const auto& [name, value] : axes) changed |= slider(name, *value, -far, far);
+        changed |= slider("turn (rad)", place.yaw, -pi, pi);
+        changed |= slider("scale", place.scale, 0.1, 3);
+        ImGui::PopID();
+    }
+    if (changed) ask_for_change(plan, state);
+}
+
 // ---- modes ------------------------------------------------------------------------------------------------
 
-double highest_property(const VolumeLab& lab, const haptics::Mode& mode) {
-    const double range = double{lab.range.high} - double{lab.range.low};
-    if (!mode.slope) return lab.range.high;
-    return range / (lab.placement.scale *
-                    std::min({lab.source.spacing.x, lab.source.spacing.y, lab.source.spacing.z}));
+double highest_property(const game::VolumeRef& volume, const haptics::Mode& mode) {
+    const double range = double{volume.range.high} - double{volume.range.low};
+    if (!mode.slope) return volume.range.high;
+    return range / volume.finest_spacing();
 }
 
 /// Filters of a mode beside those through which it reads such a volume.
@@ -117,13 +137,15 @@ bool show_filters(LabMode& chosen) {
 
 bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& chosen) {
     auto& s = chosen.settings;
+    const auto volume = game::volume_of(lab, chosen.volume);
+    const auto& range = volume.range;
     bool changed = show_filters(chosen);
     ImGui::TextWrapped("%s", text(mode.about, "; strength (N) by ", mode.property).c_str());
-    const double low = !mode.slope ? std::min(0.0, double{lab.range.low}) : 0;
-    changed |= curve("strength", s.strength, low, std::max(highest_property(lab, mode), low + 1e-9),
+    const double low = !mode.slope ? std::min(0.0, double{range.low}) : 0;
+    changed |= curve("strength", s.strength, low, std::max(highest_property(volume, mode), low + 1e-9),
                      lab.data.device.peak_force);
     if (mode.name == "isosurface") {
-        changed |= slider("level", s.level, lab.range.low, lab.range.high);
+        changed |= slider("level", s.level, range.low, range.high);
         changed |= slider("magnet (N)", s.magnet, 0, 0.5 * lab.data.device.peak_force);
         changed |= ImGui::Checkbox("solid below the level", &s.solid_below);
     }
@@ -146,17 +168,14 @@ std::optional<field::FilterKind> leads(const LabMode& mode) {
     return kind;
 }
 
-void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
-    state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity};
-}
-
-void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
-    const VolumeLab& lab = plan.lab;
+/// The modes that can read one volume. Returns whether something changed.
+bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
     bool changed = false;
-    for (const auto& offer : haptics::mode_offers(game::kind_of(lab))) {
+    for (const auto& offer : haptics::mode_offers(game::volume_of(lab, volume).kind())) {
         const std::string name(offer.mode->name);
-        const auto at = std::ranges::find(state.modes, name, &LabMode::name);
-        bool on = at != state.modes.end();
+        const auto at = std::ranges::find_if(
+            modes, [&](const LabMode& mode) { return mode.volume == volume && mode.name == name; });
+        bool on = at != modes.end();
         // A mode that several filters lead to has one place.
         if (on && offer.through != leads(*at)) continue;
         const auto label =
@@ -165,15 +184,27 @@ void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
                 : name;
         ImGui::PushID(label.c_str());
         if (ImGui::Checkbox(label.c_str(), &on)) {
-            if (!on) state.modes.erase(at);
+            if (!on) modes.erase(at);
             std::vector<field::Filter> filters;
             if (offer.through) filters.push_back({.kind = *offer.through});
-            if (auto chosen = game::lab_mode(lab, name, std::move(filters)); on && chosen)
-                state.modes.push_back(std::move(*chosen));
+            if (auto chosen = game::lab_mode(lab, name, std::move(filters), volume); on && chosen)
+                modes.push_back(std::move(*chosen));
             changed = true;
         } else if (on) {
             changed |= show_settings(lab, *offer.mode, *at);
         }
+        ImGui::PopID();
+    }
+    return changed;
+}
+
+void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
+    bool changed = false;
+    for (std::size_t volume = 0; volume <= plan.lab.beside.size(); ++volume) {
+        ImGui::PushID(static_cast<int>(volume));
+        if (!plan.lab.beside.empty())
+            ImGui::TextUnformatted((volume == 0 ? plan.first : plan.beside[volume - 1]).volume.c_str());
+        changed |= show_modes_of(plan.lab, volume, state.modes);
         ImGui::PopID();
     }
     if (changed) ask_for_change(plan, state);
@@ -306,6 +337,7 @@ void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, Vol
         show_force(figures, state, plan.lab.data.device.peak_force);
         if (!state.note.empty()) ImGui::TextWrapped("%s", state.note.c_str());
         if (ImGui::CollapsingHeader("Volume", ImGuiTreeNodeFlags_DefaultOpen)) show_volume(plan, state);
+        if (ImGui::CollapsingHeader("Places")) show_places(plan, state);
         if (ImGui::CollapsingHeader("Feel", ImGuiTreeNodeFlags_DefaultOpen)) show_modes(plan, state);
         if (ImGui::CollapsingHeader("Body")) show_body_feel(plan, state);
         if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) show_look(plan, state);

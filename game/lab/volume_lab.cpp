@@ -19,24 +19,25 @@ constexpr double filled = 0.9;
 constexpr double usual_strength = 0.8;
 /// Depth at which a wall lets the hand through (samples).
 constexpr double reach_samples = 2;
+constexpr double farthest_place = 1;  // m
+/// Way of a volume in one change from which on its feel jumps (m).
+constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t most_file_bytes = std::size_t{1} << 20U;
 
-/// What filters read, as it is now.
-field::FilterSource source_of(const VolumeLab& lab) {
-    field::FilterSource source{.count = lab.source.count, .spacing = lab.source.spacing};
-    if (lab.carvable()) {
-        source.field.scalar = field::field_of<field::Scalar>(lab.views->density);
-        source.version = lab.body.bricks.newest;
-    } else {
-        source.field.vector = field::field_of<field::Vector>(lab.views->flow);
-        source.version = 1;
-    }
+/// What filters read of a volume, as it is now. `version` differs for each volume and each of its changes.
+field::FilterSource source_of(const field::Volume& volume, const LabSource& views, std::uint64_t version) {
+    field::FilterSource source{.count = volume.count, .spacing = volume.spacing};
+    if (volume.components == 1)
+        source.field.scalar = field::field_of<field::Scalar>(views.density);
+    else
+        source.field.vector = field::field_of<field::Vector>(views.flow);
+    source.version = version;
     return source;
 }
 
-/// Points all views at the body or the flow as it is now. Smooths only if something changed.
-void refresh(VolumeLab& lab) {
+/// Points the views of all volumes at their samples as they are now.
+void refresh_views(VolumeLab& lab) {
     auto& views = *lab.views;
     if (lab.carvable()) {
         views.density = {lab.body.density_grid(field::Kernel::linear)};
@@ -45,25 +46,36 @@ void refresh(VolumeLab& lab) {
     } else {
         views.flow = lab.source.vector_grid();
     }
+    for (auto& volume : lab.beside) {
+        if (volume->source.components == 1)
+            volume->views.density = {volume->source.grid(field::Kernel::linear)};
+        else
+            volume->views.flow = volume->source.vector_grid();
+    }
+}
+
+/// Points all views and fields at the volumes as they are now. Smooths only if something changed.
+void refresh(VolumeLab& lab) {
+    refresh_views(lab);
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
         LabField& f = *lab.fields[i];
         const LabMode& mode = lab.settings.modes[i];
-        if (!field::set_filters(f.filtered, source_of(lab), mode.filters)) continue;
+        const bool first = mode.volume == 0;
+        const auto volume = volume_of(lab, mode.volume);
+        const auto source = source_of(
+            volume.source, first ? *lab.views : lab.beside[mode.volume - 1]->views,
+            (std::uint64_t{mode.volume} << 32U) + (first && lab.carvable() ? lab.body.bricks.newest : 1));
+        f.scalar.placement = f.vector.placement = volume.placement;
+        if (!field::set_filters(f.filtered, source, mode.filters)) continue;
         const auto& read = haptics::field_for(*haptics::find_mode(mode.name), f.filtered);
-        f.scalar = {read.scalar, lab.placement};
-        f.vector = {read.vector, lab.placement};
+        f.scalar.field = read.scalar;
+        f.vector.field = read.vector;
         f.placed = {};
         if (read.is_vector())
             f.placed.vector = field::field_of<field::Vector>(f.vector);
         else
             f.placed.scalar = field::field_of<field::Scalar>(f.scalar);
     }
-}
-
-/// Smallest distance between samples, in the lab's frame (m).
-double finest_spacing(const VolumeLab& lab) {
-    const vec3 s = lab.source.spacing;
-    return lab.placement.scale * std::min({s.x, s.y, s.z});
 }
 
 /// A patient stands upright and faces the user: from left, back, up (field/nrrd.h) to right, up, front.
@@ -89,6 +101,43 @@ field::SampleRange lengths_of(const field::Volume& volume) {
         if (std::isfinite(length)) range.high = std::max(range.high, static_cast<float>(length));
     }
     return range;
+}
+
+field::SampleRange sample_range(const field::Volume& volume) {
+    return volume.components == 1 ? field::range_of(volume) : lengths_of(volume);
+}
+
+field::Placement placed(const field::Placement& fitted, const LabPlace& place) {
+    return {place.origin, glm::mat3_cast(look_rotation(place.yaw, 0)) * fitted.turn,
+            place.scale * fitted.scale};
+}
+
+Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& places) {
+    if (places.size() > lab.beside.size() + 1) return fail("there are more places than volumes");
+    for (const auto& place : places) {
+        const auto near = [](double x) { return std::abs(x) <= farthest_place; };
+        const vec3 o = place.origin;
+        if (!near(o.x) || !near(o.y) || !near(o.z) || !std::isfinite(place.yaw))
+            return fail(text("a place must be within ", farthest_place, " m of the middle"));
+        if (!(place.scale >= 0.05 && place.scale <= 20))
+            return fail("the scale of a place must be 0.05 to 20");
+    }
+    return {};
+}
+
+/// Moves all volumes to their places. Returns whether one jumped.
+bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
+    bool jumps = false;
+    const auto put = [&](std::size_t number, const field::Placement& fitted, field::Placement& placement) {
+        const auto next = placed(fitted, number < places.size() ? places[number] : LabPlace{});
+        jumps |= glm::distance(next.origin, placement.origin) > jump || next.turn != placement.turn ||
+                 next.scale != placement.scale;
+        placement = next;
+    };
+    put(0, lab.fitted, lab.placement);
+    for (std::size_t i = 0; i < lab.beside.size(); ++i)
+        put(i + 1, lab.beside[i]->fitted, lab.beside[i]->placement);
+    return jumps;
 }
 
 void fill_primitives(VolumeLab& lab, vec3 tip) {
@@ -174,8 +223,8 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     VolumeLab lab;
     lab.data = std::move(data);
     lab.material_table = feel_of_materials(lab.data.materials);
-    lab.placement = fitted(volume, lab.data.device.workspace);
-    lab.range = volume.components == 1 ? field::range_of(volume) : lengths_of(volume);
+    lab.fitted = lab.placement = fitted(volume, lab.data.device.workspace);
+    lab.range = sample_range(volume);
     lab.source = std::move(volume);
     if (lab.carvable()) {
         auto body = field::voxels_of(lab.source);
@@ -193,9 +242,31 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     return lab;
 }
 
-haptics::FieldKind kind_of(const VolumeLab& lab) {
-    return lab.carvable() ? haptics::FieldKind::scalar : haptics::FieldKind::vector;
+Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume) {
+    if (lab.beside.size() == most_volumes_beside)
+        return fail(text("at most ", most_volumes_beside, " volumes lie beside the first one"));
+    if (*std::ranges::min_element(volume.count) < 2)
+        return fail("the volume needs two samples or more along each axis");
+    auto beside = std::make_unique<VolumeBeside>();
+    beside->range = sample_range(volume);
+    beside->fitted = beside->placement = fitted(volume, lab.data.device.workspace);
+    beside->source = std::move(volume);
+    lab.beside.push_back(std::move(beside));
+    return {};
 }
+
+double VolumeRef::finest_spacing() const {
+    const vec3 s = source.spacing;
+    return placement.scale * std::min({s.x, s.y, s.z});
+}
+
+VolumeRef volume_of(const VolumeLab& lab, std::size_t number) {
+    if (number == 0) return {lab.source, lab.range, lab.placement};
+    const auto& beside = *lab.beside.at(number - 1);
+    return {beside.source, beside.range, beside.placement};
+}
+
+haptics::FieldKind kind_of(const VolumeLab& lab) { return volume_of(lab, 0).kind(); }
 
 double value_at(const VolumeLab& lab, vec3 place) {
     const vec3 own = field::to_own(lab.placement, place);
@@ -203,10 +274,12 @@ double value_at(const VolumeLab& lab, vec3 place) {
     return glm::length(lab.source.vector_grid()(own).value);
 }
 
-Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
-                           std::vector<field::Filter> filters) {
+Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name, std::vector<field::Filter> filters,
+                           std::size_t volume) {
     const haptics::Mode* mode = haptics::find_mode(name);
-    const auto offers = haptics::mode_offers(kind_of(lab));
+    if (volume > lab.beside.size()) return fail(text("mode '", name, "': there is no volume ", volume));
+    const auto read = volume_of(lab, volume);
+    const auto offers = haptics::mode_offers(read.kind());
     const auto offer = std::ranges::find(offers, mode, &haptics::ModeOffer::mode);
     if (mode == nullptr || (offer == offers.end() && filters.empty())) {
         std::string names;
@@ -214,22 +287,26 @@ Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
         return fail(text("mode '", name, "': there are ", names));
     }
     if (filters.empty() && offer->through) filters.push_back({.kind = *offer->through});
-    LabMode chosen{name, std::move(filters), {}};
+    LabMode chosen{name, volume, std::move(filters), {}};
     chosen.settings.strength = field::constant(usual_strength * lab.data.device.continuous_force);
     chosen.settings.friction = field::constant(0.2);
-    chosen.settings.level = 0.5 * (double{lab.range.low} + double{lab.range.high});
-    chosen.settings.reach = reach_samples * finest_spacing(lab);
-    chosen.settings.pitch = 4 * finest_spacing(lab);
+    chosen.settings.level = 0.5 * (double{read.range.low} + double{read.range.high});
+    chosen.settings.reach = reach_samples * read.finest_spacing();
+    chosen.settings.pitch = 4 * read.finest_spacing();
     return chosen;
 }
 
 Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settings) {
     if (!settings.feel.empty() && !lab.carvable()) return fail("a flow has no body to feel");
-    auto feel = feel_of_parts(settings.feel, settings.opacity, reach_samples * finest_spacing(lab));
+    auto feel =
+        feel_of_parts(settings.feel, settings.opacity, reach_samples * volume_of(lab, 0).finest_spacing());
     if (!feel) return tl::unexpected(feel.error());
     std::size_t needed = settings.feel.empty() ? 0 : haptics::primitives_of(*feel);
     for (const LabMode& chosen : settings.modes) {
-        const auto vector = field::checked_filters(chosen.filters, !lab.carvable());
+        if (chosen.volume > lab.beside.size())
+            return fail(text("mode '", chosen.name, "': there is no volume ", chosen.volume));
+        const bool flow = volume_of(lab, chosen.volume).kind() == haptics::FieldKind::vector;
+        const auto vector = field::checked_filters(chosen.filters, flow);
         if (!vector) return fail(text("mode '", chosen.name, "': ", vector.error().message));
         const haptics::Mode* mode = haptics::find_mode(chosen.name);
         const auto kind = *vector ? haptics::FieldKind::vector : haptics::FieldKind::scalar;
@@ -240,12 +317,16 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
     if (needed > haptics::primitive_capacity)
         return fail(
             text("this feel needs ", needed, " primitives; there is room for ", haptics::primitive_capacity));
+    if (auto sound = check_places(lab, settings.places); !sound) return sound;
+    const bool same = settings.modes == lab.settings.modes && settings.feel == lab.settings.feel &&
+                      settings.opacity == lab.settings.opacity;
+    const bool jumped = move_volumes(lab, settings.places);
     lab.settings = settings;
     lab.feel = *feel;
     lab.fields.resize(settings.modes.size());
     for (auto& f : lab.fields)
         if (!f) f = std::make_unique<LabField>();
-    ++lab.model.set_number;
+    if (!same || jumped) ++lab.model.set_number;
     return {};
 }
 

@@ -5,6 +5,9 @@
 // A scalar volume becomes a body of voxels, so what is carved is at once what is felt and drawn. A vector volume is
 // a flow and can only be read. The hand holds a simulated device, and the modes' primitives act on its proxy.
 //
+// More volumes may lie beside the first one, also within it. They are felt and seen, but not carved. Each volume has a
+// place of its own that moves its feel and its picture together.
+//
 // A deterministic session: the same inputs give the same bits, from a person or a script. Frame: the device's, whose
 // origin is the middle of the workspace. The volume's middle lies there, scaled so that it fits.
 #pragma once
@@ -35,8 +38,18 @@ inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
     std::string name{};                    ///< of haptics::modes()
+    std::size_t volume{};                  ///< that it reads: 0 is the first one, then those beside it
     std::vector<field::Filter> filters{};  ///< between the data and this mode
     haptics::ModeSettings settings{};
+    bool operator==(const LabMode&) const = default;
+};
+
+/// Where a volume lies: relative to one that fills the workspace about its middle.
+struct LabPlace {
+    vec3 origin{};    ///< of the volume's middle (m)
+    double yaw{};     ///< turn about the upright axis (rad)
+    double scale{1};  ///< 0.05 to 20
+    bool operator==(const LabPlace&) const = default;
 };
 
 /// Settings that can change during a session.
@@ -44,6 +57,8 @@ struct VolumeLabSettings {
     std::vector<LabMode> modes{};       ///< modes that act together
     std::vector<FeelPart> feel{};       ///< feel of the body as a whole; none: it is not felt so
     field::TransferFunction opacity{};  ///< of the picture, by the density: what the feel goes by
+    std::vector<LabPlace>
+        places{};  ///< of the first volume and of those beside it; missing ones lie in the middle
 };
 
 /// Data files that the lab uses.
@@ -73,13 +88,23 @@ struct LabField {
     field::AnyField placed{};
 };
 
+/// A volume beside the first one.
+struct VolumeBeside {
+    field::Volume source{};
+    field::SampleRange range{};  ///< as VolumeLab::range
+    field::Placement fitted{}, placement{};
+    LabSource views{};
+};
+
 struct VolumeLab {
     field::Volume
         source{};  ///< what is explored; a scalar one has no samples here, they are the body's densities
     field::Voxels body{};  ///< empty for a vector volume
     field::CarvingHistory history{};
-    field::SampleRange range{};  ///< of the samples as read; for vectors: of their lengths
-    field::Placement placement{};
+    field::SampleRange range{};    ///< of the samples as read; for vectors: of their lengths
+    field::Placement fitted{};     ///< fills the workspace
+    field::Placement placement{};  ///< where it lies
+    std::vector<std::unique_ptr<VolumeBeside>> beside{};
     VolumeLabData data{};
     VolumeLabSettings settings{};
     std::unique_ptr<LabSource> views = std::make_unique<LabSource>();
@@ -120,7 +145,28 @@ struct VolumeLabFigures {
 /// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 
-/// Kind of the volume's own field.
+/// Adds a volume beside the others. The error says what is wrong with it.
+Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume);
+
+/// Largest number of volumes beside the first one.
+inline constexpr std::size_t most_volumes_beside = 7;
+
+/// One volume of the lab, by its number.
+struct VolumeRef {
+    const field::Volume& source;
+    field::SampleRange range{};
+    const field::Placement& placement;
+
+    haptics::FieldKind kind() const {
+        return source.components == 1 ? haptics::FieldKind::scalar : haptics::FieldKind::vector;
+    }
+    /// Smallest distance between samples, in the lab's frame (m).
+    double finest_spacing() const;
+};
+/// The number must be that of a volume: 0 to beside.size().
+VolumeRef volume_of(const VolumeLab& lab, std::size_t number);
+
+/// Kind of the first volume's own field.
 haptics::FieldKind kind_of(const VolumeLab& lab);
 
 /// Density at a place of the lab, or length of the vector there, without filters.
@@ -130,9 +176,9 @@ double value_at(const VolumeLab& lab, vec3 place);
 /// volume gets the filter through which it does: an isosurface of a flow is one of its speed. The error lists the modes
 /// that there are.
 Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name,
-                           std::vector<field::Filter> filters = {});
+                           std::vector<field::Filter> filters = {}, std::size_t volume = 0);
 
-/// Changes filters and modes. The error names a filter that does not fit, a mode that does not exist or does not read
+/// Changes filters, modes, feel and places. The error names a filter that does not fit, a mode that does not exist or does not read
 /// what the filters give, or says that there is no room for all modes; then nothing changes.
 Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settings);
 

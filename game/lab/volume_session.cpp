@@ -34,6 +34,7 @@ field::TransferFunction read_points(const ConfigTable& table, std::string_view k
 LabMode read_lab_mode(const ConfigTable& table) {
     LabMode mode{.name = table.string("name")};
     if (haptics::find_mode(mode.name) == nullptr) table.report("name", "there is no such mode");
+    mode.volume = static_cast<std::size_t>(table.integer("reads", {0, double{most_volumes_beside}}, 0));
     mode.settings.strength = read_points(table, "strength");
     mode.settings.friction = read_points(table, "friction");
     mode.settings.level = table.number("level", any, 0);
@@ -71,21 +72,50 @@ std::string feel_text(const FeelPart& part) {
     return words + "]\n";
 }
 
+constexpr double degree = pi / 180;
+
+SessionVolume read_session_volume(const ConfigTable& table) {
+    SessionVolume one{.volume = table.string("volume")};
+    one.count = table.integer("count", {8, 512}, one.count);
+    one.seed = table.integer("seed", {0, 9e15}, one.seed);
+    const auto n = table.numbers("place", {-360, 360}, 5, {0, 0, 0, 1, 0});
+    if (n.size() != 5)
+        table.report("place", "must be x, y, z, scale and degrees");
+    else
+        one.place = {.origin = {n[0], n[1], n[2]}, .yaw = n[4] * degree, .scale = n[3]};
+    return one;
+}
+
+std::string volume_text(const SessionVolume& one) {
+    const auto& p = one.place;
+    return text("volume = ", in_quotes(one.volume), "\ncount = ", one.count, "\nseed = ", one.seed,
+                "\nplace = [", p.origin.x, ", ", p.origin.y, ", ", p.origin.z, ", ", p.scale, ", ",
+                p.yaw / degree, "]\n");
+}
+
+/// Makes a relative path relative to the program if it was relative to the folder of a session.
+void find_beside(const std::filesystem::path& folder, std::string& volume) {
+    std::error_code ignored;
+    const auto file = folder / volume;
+    if (std::filesystem::path(volume).is_relative() && std::filesystem::exists(file, ignored))
+        volume = file.string();
+}
+
 }  // namespace
 
 std::string session_text(const VolumeSession& session) {
-    std::string words =
-        text("version = ", session_version, "\nvolume = ", in_quotes(session.volume),
-             "\ncount = ", session.count, "\nseed = ", session.seed, "\ndevice = ", in_quotes(session.device),
-             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
-             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    std::string words = text("version = ", session_version, '\n', volume_text(session.first),
+                             "device = ", in_quotes(session.device),
+                             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
+                             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    for (const SessionVolume& volume : session.beside) words += "\n[[beside]]\n" + volume_text(volume);
     for (const FeelPart& part : session.feel) words += feel_text(part);
     for (const LabMode& mode : session.modes) {
         const auto& s = mode.settings;
-        words += text("\n[[mode]]\nname = ", in_quotes(mode.name), "\nstrength = ", points_text(s.strength),
-                      "\nfriction = ", points_text(s.friction), "\nlevel = ", s.level,
-                      "\nsolid_below = ", s.solid_below ? "true" : "false", "\nmagnet = ", s.magnet,
-                      "\nreach_m = ", s.reach, "\npitch_m = ", s.pitch, '\n');
+        words += text("\n[[mode]]\nname = ", in_quotes(mode.name), "\nreads = ", mode.volume,
+                      "\nstrength = ", points_text(s.strength), "\nfriction = ", points_text(s.friction),
+                      "\nlevel = ", s.level, "\nsolid_below = ", s.solid_below ? "true" : "false",
+                      "\nmagnet = ", s.magnet, "\nreach_m = ", s.reach, "\npitch_m = ", s.pitch, '\n');
         for (const field::Filter& filter : mode.filters)
             words += text("[[mode.filter]]\nkind = \"",
                           field::filter_names()[static_cast<std::size_t>(filter.kind)], "\"\na = ", filter.a,
@@ -97,9 +127,10 @@ std::string session_text(const VolumeSession& session) {
 Expected<VolumeSession> read_session(const Config& file) {
     const auto root = file.root();
     VolumeSession session;
-    session.volume = root.string("volume");
-    session.count = root.integer("count", {8, 512}, session.count);
-    session.seed = root.integer("seed", {0, 9e15}, session.seed);
+    session.first = read_session_volume(root);
+    for (const auto& table : root.tables("beside")) session.beside.push_back(read_session_volume(table));
+    if (session.beside.size() > most_volumes_beside)
+        file.report(text("at most ", most_volumes_beside, " volumes beside the first one"));
     session.device = root.string("device", session.device);
     session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
     session.level = root.number("level", any, 0);
@@ -123,10 +154,8 @@ Expected<VolumeSession> load_session(const std::filesystem::path& file) {
     if (!config) return tl::unexpected(config.error());
     auto session = read_session(*config);
     if (!session) return session;
-    std::error_code ignored;
-    const auto beside = file.parent_path() / session->volume;
-    if (std::filesystem::path(session->volume).is_relative() && std::filesystem::exists(beside, ignored))
-        session->volume = beside.string();
+    find_beside(file.parent_path(), session->first.volume);
+    for (auto& volume : session->beside) find_beside(file.parent_path(), volume.volume);
     return session;
 }
 

@@ -3,6 +3,9 @@
 //     version = 1
 //     volume = "head.nrrd"              as on the command line; a relative path is relative to this file
 //     count = 64                        of a volume that is made; seed too
+//     place = [0, 0, 0, 1, 0]           of its middle (m), scale, turn about the upright axis (degrees)
+//     [[beside]]                        a volume beside it, with volume, count, seed and place; none or more
+//     volume = "vortices"
 //     device = "touch"
 //     look = "surface"                  or "translucent"
 //     level = 500.0
@@ -12,6 +15,7 @@
 //     numbers = [500, 0.8, 0.2]
 //     [[mode]]
 //     name = "isosurface"
+//     reads = 0                         0: the volume; 1: the first one beside it
 //     strength = [0, 0.7]               x, y, ... of the transfer function; friction too
 //     level = 500.0
 //     solid_below = false
@@ -32,10 +36,17 @@
 
 namespace thaum::game {
 
+/// A volume and where it lies.
+struct SessionVolume {
+    std::string volume{};     ///< path or name
+    std::int64_t count = 64;  ///< samples along each axis of one that is made
+    std::int64_t seed = 1;    ///< of one that is made
+    LabPlace place{};
+};
+
 struct VolumeSession {
-    std::string volume{};  ///< path or name
-    std::int64_t count = 64;
-    std::int64_t seed = 1;
+    SessionVolume first{};
+    std::vector<SessionVolume> beside{};
     std::string device = "touch";
     bool translucent = false;
     double level{};

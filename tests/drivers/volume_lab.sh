@@ -44,18 +44,18 @@ eventually "the force was not plotted" plotted
 presses z
 presses y
 
-# The panel: its fourth heading folds the modes away, the next one opens the feel of the body, and the first button there
+# The panel: its third heading folds the modes away, the next one opens the feel of the body, and the first button there
 # adds opacity. The hand rests while the mouse is over the panel.
 click() { xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3; }
 picture() { import -window root -crop 330x700+8+100 rgba:- | md5sum; }
 is_new() { [ "$(picture)" != "$before" ]; }
 pressed_there() { before=$(picture); click "$1" "$2"; xdotool mousemove 640 690; eventually "the panel did not change" is_new; }
-pressed_there 26 234
 pressed_there 26 258
-pressed_there 40 280
+pressed_there 26 282
+pressed_there 40 304
 import -window root "${SHOTS:-$folder}/volume_lab_panel.png"
 # Then "save session" stands at the end of the panel.
-click 60 574
+click 60 598
 eventually "the session was not saved" test -s "$folder/lab.toml"
 grep -q '^kind = "opacity"' "$folder/lab.toml" || fail "the session lacks the feel that was chosen"
 presses Escape

@@ -238,6 +238,55 @@ TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(volume_trace_header(), ','));
 }
 
+// ---- several volumes --------------------------------------------------------------------------------------
+
+TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
+    auto lab = made("sphere");
+    ASSERT_TRUE(add_volume_beside(lab, *field::make_volume("sphere", 48, 1)));
+    VolumeLabSettings settings;
+    for (const std::size_t volume : {0, 1}) {
+        auto mode = lab_mode(lab, "isosurface", {}, volume);
+        ASSERT_TRUE(mode) << mode.error().message;
+        mode->settings.strength = field::constant(2.5);
+        mode->settings.friction = field::constant(0);
+        settings.modes.push_back(*mode);
+    }
+    const double r = ball_radius(lab);
+    // Two balls of half the size that overlap: each is felt on its own side, and both hold in the groove between them.
+    settings.places = {{.origin = {-0.3 * r, 0, 0}, .scale = 0.5},
+                       {.origin = {0.3 * r, 0, 0}, .yaw = 1, .scale = 0.5}};
+    const auto set = change_volume_lab(lab, settings);
+    ASSERT_TRUE(set) << set.error().message;
+    for (const double side : {-1.0, 1.0}) {
+        lab.hand = haptics::resting_at({side * 1.2 * r, 0, 0});
+        lab.servo_state = {};
+        const auto figures = move(lab, {side * (0.8 * r - 0.003), 0, 0}, 300, 400);
+        EXPECT_NEAR(figures.proxy.x, side * 0.8 * r, 0.03 * r);
+    }
+    lab.hand = haptics::resting_at({0, r, 0});
+    lab.servo_state = {};
+    const double groove = std::sqrt(0.25 - 0.09) * r;
+    const auto figures = move(lab, {0, groove - 0.003, 0}, 300, 600);
+    EXPECT_NEAR(figures.proxy.y, groove, 0.04 * r);
+    EXPECT_NEAR(figures.proxy.x, 0, 0.04 * r);
+    EXPECT_GT(figures.force.y, 0.3);
+}
+
+TEST(VolumeLab, APlaceMovesFeelAndValueTogether) {
+    auto lab = made("gyroid", 32);
+    const LabPlace place{.origin = {0.01, -0.02, 0.015}, .yaw = 0.7, .scale = 0.6};
+    const vec3 own(0.02, 0.01, -0.03);
+    const auto value = value_at(lab, field::to_parent(lab.placement, own));
+    ASSERT_TRUE(change_volume_lab(lab, {{}, {}, {}, {place}}));
+    EXPECT_NEAR(value_at(lab, field::to_parent(lab.placement, own)), value, 1e-9);
+    EXPECT_NEAR(lab.placement.scale, 0.6 * lab.fitted.scale, 1e-15);
+    const auto refused = change_volume_lab(lab, {{}, {}, {}, {place, place}});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "there are more places than volumes");
+    EXPECT_FALSE(change_volume_lab(lab, {{}, {}, {}, {{.scale = 0}}}));
+    EXPECT_FALSE(change_volume_lab(lab, {{}, {}, {}, {{.origin = {0, std::nan(""), 0}}}}));
+}
+
 // ---- the body as a whole ----------------------------------------------------------------------------------
 
 void feel_as(VolumeLab& lab, std::vector<FeelPart> parts, const field::TransferFunction& opacity = {}) {
@@ -334,7 +383,8 @@ TEST(HandPath, GoesWhereItSays) {
 TEST(VolumeSession, SavedSettingsComeBack) {
     auto lab = made("sphere", 16);
     VolumeSession session{
-        .volume = "a \"b\\.nrrd", .count = 32, .seed = 9, .device = "omni", .translucent = true};
+        .first = {"a \"b\\.nrrd", 32, 9, {{0.01, 0, -0.02}, 0.5, 2}}, .device = "omni", .translucent = true};
+    session.beside = {{"vortices", 16, 4, {{0, 0.03, 0}, 0, 0.5}}};
     session.level = 0.1;
     session.opacity = field::window(-1, 2.5, 0, 0.75);
     session.modes = {*lab_mode(lab, "isosurface"), *lab_mode(lab, "viscosity")};
@@ -349,7 +399,9 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     const auto read = load_session(file);
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(session_text(*read), session_text(session));
-    EXPECT_EQ(read->volume, session.volume);
+    EXPECT_EQ(read->first.volume, session.first.volume);
+    ASSERT_EQ(read->beside.size(), 1U);
+    EXPECT_EQ(read->beside[0].place, session.beside[0].place);
     EXPECT_EQ(read->opacity, session.opacity);
     EXPECT_EQ(read->feel, session.feel);
     EXPECT_EQ(read->modes[1].settings.strength, session.modes[1].settings.strength);
