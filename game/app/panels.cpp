@@ -62,7 +62,7 @@ Panels::~Panels() {
     ImGui::DestroyContext();
 }
 
-render::WindowEvents Panels::listening(render::WindowEvents program) {
+render::WindowEvents Panels::listening(const render::WindowEvents& program) {
     render::WindowEvents heard = with_mouse(program, program);
     heard.key = [program](int key, int scancode, bool pressed) {
         tell_key(render::key_name(key), pressed);

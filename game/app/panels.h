@@ -19,7 +19,7 @@ public:
     ~Panels();
 
     /// Events for Window::poll: those on a panel go to the panels alone. Ends of presses go to both.
-    render::WindowEvents listening(render::WindowEvents program);
+    render::WindowEvents listening(const render::WindowEvents& program);
     void begin(render::Size size, double seconds);
     void draw();
 };

@@ -132,7 +132,7 @@ TEST(OwnGestures, ACopyOfAnotherGestureIsRefusedWithTheReason) {
     const auto& data = *own_data();
     const auto shipped = data.gestures->gestures();
     const auto v = std::find_if(shipped.begin(), shipped.end(), [](const auto& g) { return g.name == "v"; });
-    const auto refusal = [&](const gesture::Gesture& gesture, std::vector<input::ProfileData> profile,
+    const auto refusal = [&](const gesture::Gesture& gesture, const std::vector<input::ProfileData>& profile,
                              std::uint32_t player = 0) {
         const auto fits = check_own_gesture(gesture, data, profile, player);
         return fits ? std::string() : fits.error().message;

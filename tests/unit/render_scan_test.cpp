@@ -18,6 +18,12 @@ namespace {
 constexpr int scan_side = 33;
 constexpr std::size_t all_bricks = 5 * 5 * 5;
 
+/// Number of the sample at (x, y, z) of a scan that has `wide` samples along x and `high` along y.
+std::size_t sample_at(std::size_t wide, std::size_t high, int x, int y, int z) {
+    return (static_cast<std::size_t>(z) * high + static_cast<std::size_t>(y)) * wide +
+           static_cast<std::size_t>(x);
+}
+
 class ScanPicture : public ScanTest {
 protected:
     void SetUp() override {
@@ -72,8 +78,7 @@ Rect changed_part(const Image& a, const Image& b) {
 void make_hole(std::vector<std::uint16_t>& samples, std::vector<std::uint32_t>& versions) {
     for (int z = 8; z < 16; ++z) {
         for (int y = 16; y < 24; ++y) {
-            for (int x = 8; x < 16; ++x)
-                samples[static_cast<std::size_t>((z * scan_side + y) * scan_side + x)] = 0;
+            for (int x = 8; x < 16; ++x) samples[sample_at(scan_side, scan_side, x, y, z)] = 0;
         }
     }
     ++versions[(1 * 5 + 2) * 5 + 1];
@@ -125,8 +130,7 @@ TEST_F(ScanPicture, FillingAnEmptyBrickShowsIt) {
     const auto nothing = drawn();
     EXPECT_EQ(greatest_difference(nothing, drawn(scan)), 0);
     EXPECT_EQ(renderer->statistics().scans_drawn, 0U) << "no brick shows anything";
-    for (int x = 16; x < 24; ++x)
-        samples[static_cast<std::size_t>((18 * scan_side + 18) * scan_side + x)] = 65535;
+    for (int x = 16; x < 24; ++x) samples[sample_at(scan_side, scan_side, x, 18, 18)] = 65535;
     ++scan.version;
     ++versions[(2 * 5 + 2) * 5 + 2];
     EXPECT_GT(greatest_difference(nothing, drawn(scan)), 20);
@@ -338,7 +342,7 @@ TEST(ScanBricks, HaveTheRangeOfTheirCells) {
             for (int z = 0; z < 8; ++z) {
                 for (int y = 8 * by; y < std::min(8 * by + 9, 9); ++y) {
                     for (int x = 8 * bx; x < std::min(8 * bx + 9, 12); ++x) {
-                        const int s = samples[static_cast<std::size_t>((z * 9 + y) * 12 + x)];
+                        const int s = samples[sample_at(12, 9, x, y, z)];
                         low = std::min(low, s), high = std::max(high, s);
                     }
                 }
