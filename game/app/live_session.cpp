@@ -344,6 +344,8 @@ void LiveSession::take_drawn_gesture() {
         words = {text("only until you leave: ", saved.error().message)};
         profile_ = with_own_gesture(std::move(profile_), *drawn, game::practising);
     }
+    std::printf("gesture wall: %s\n", words.front().c_str());
+    std::fflush(stdout);
     shared_.requests.own_gestures.put({profile_, std::move(words)});
 }
 
