@@ -40,6 +40,7 @@ PlaybackReport Playback::report() const {
 }
 
 void Playback::say(std::string status) {
+    publish_report();
     const std::lock_guard lock(told_);
     status_ = std::move(status);
 }
@@ -101,7 +102,6 @@ void Playback::lose(double now_s, std::string_view why) {
     // Another device may be there already, such as the speakers after headphones.
     next_try_s_ = now_s;
     say(text("no sound: ", why, "; trying to open it again"));
-    publish_report();
 }
 
 void Playback::drop_waiting() {

@@ -49,7 +49,8 @@ public:
     // Any thread.
     /// Whether a device plays. Frames for no device need not be made.
     bool plays() const { return plays_; }
-    /// One line: what plays, or why nothing does; empty until the first try to open a device.
+    /// One line: what plays, or why nothing does; empty until the first try to open a device. A report that is asked for
+    /// after it is not older.
     std::string status() const;
     PlaybackReport report() const;
     /// Lets `step` return as soon as a blocking call of the device does, without any further call.

@@ -60,6 +60,7 @@ TactileReport TactilePlayback::report() const {
 }
 
 void TactilePlayback::say(std::string status) {
+    publish_report();
     const std::lock_guard lock(told_);
     status_ = std::move(status);
 }

@@ -80,7 +80,7 @@ void LiveSound::play(MenuSound sound) {
         speakers_.hear(audio::Voice{.sound = *number, .at_ear = true});
 }
 
-void LiveSound::tell_status() { told_.tell("", speakers_.status(), speakers_.report().times_opened); }
+void LiveSound::tell_status() { told_.tell("", speakers_); }
 
 MatchSound::~MatchSound() {
     if (sound_ != nullptr) sound_->hear(audio::AudioFrame{});

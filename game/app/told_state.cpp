@@ -1,7 +1,6 @@
 #include "game/app/told_state.h"
 
 #include <cstdio>
-#include <utility>
 
 namespace thaum::app {
 

@@ -2,16 +2,24 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace thaum::app {
 
 class ToldState {
 public:
-    /// Prints a state that differs from the last one, after `whose`. An empty state is no news. That all is well is
-    /// worth a line only after it was not: `times_opened` is above 0 if the output has worked.
-    void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
+    /// Prints the state of an output, such as audio::Speakers, where it differs from the last one, after `whose`.
+    template <class Output>
+    void tell(const std::string& whose, const Output& output) {
+        auto state = output.status();  // before the report, which may then be newer but not older
+        tell(whose, std::move(state), output.report().times_opened);
+    }
 
 private:
+    /// An empty state is no news. That all is well is worth a line only after it was not: `times_opened` is above 0 if
+    /// the output has worked.
+    void tell(const std::string& whose, std::string state, std::uint64_t times_opened);
+
     std::string told_{};
 };
 

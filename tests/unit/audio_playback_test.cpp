@@ -163,6 +163,14 @@ TEST(Playback, ADeviceThatIsPulledOutAndPutBackPlaysOn) {
     EXPECT_NEAR(most, 0.5 * std::sqrt(0.5), 0.01);
 }
 
+TEST(Playback, AStateIsNotToldBeforeItsCounts) {
+    Room room;
+    room.card.deaf = true;  // nothing is written after the opening
+    room.playback.step(0);
+    EXPECT_EQ(room.playback.status(), "sound plays");
+    EXPECT_EQ(room.playback.report().times_opened, 1U);
+}
+
 TEST(Playback, WhatWasPlayedBeforeALossIsNotHeardAfterIt) {
     Room room;
     room.play({}, 0.1);

@@ -45,7 +45,7 @@ struct Felt {
     }
 };
 
-class FakeOutput final : public TactileOutput {
+class FakeOutput : public TactileOutput {
 public:
     explicit FakeOutput(std::shared_ptr<Felt> felt) : felt_(std::move(felt)) {}
 

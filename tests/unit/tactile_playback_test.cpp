@@ -179,6 +179,30 @@ TEST_F(TactilePlaybackTest, ALostOutputIsOpenedAgainAndPlays) {
     EXPECT_EQ(report.frames_lost, 101);
 }
 
+/// Looks at its playback while it plays the first frame.
+class LookingOutput final : public FakeOutput {
+public:
+    LookingOutput(const TactilePlayback& playback, std::uint64_t& times_opened)
+        : FakeOutput(std::make_shared<Felt>()), playback_(playback), times_opened_(times_opened) {}
+    void write(const tactile::TactileFrame&, double) override {
+        EXPECT_EQ(playback_.status(), "fake plays");
+        times_opened_ = playback_.report().times_opened;
+    }
+
+private:
+    const TactilePlayback& playback_;
+    std::uint64_t& times_opened_;
+};
+
+TEST(TactilePlayback, AStateIsNotToldBeforeItsCounts) {
+    std::uint64_t times_opened = 0;
+    TactilePlayback playback;
+    playback.use(std::make_unique<LookingOutput>(playback, times_opened));
+    playback.try_out(frame_of(1, 0));
+    playback.step(1);
+    EXPECT_EQ(times_opened, 1U);
+}
+
 TEST_F(TactilePlaybackTest, AnOutputThatFailsAfterEachOpeningIsNotOpenedAllTheTime) {
     const int before = felt_->opened;
     for (int i = 0; i < 1000; ++i) {
