@@ -49,7 +49,7 @@ or gyroid (bodies), vortices or beltrami (flows).
   --save FILE      .nrrd: the body at the end;  --trace FILE  CSV, a row a tick of 1 ms
   --shots DIR      pictures;  --every N  ticks from picture to picture (500)
   --size WxH       size of the pictures or of the window in px (1280x720)
-  --headless       no window;  --seconds S  length of the session (headless: 4)
+  --headless       no window;  --seconds S  length (headless: 4);  --step MS  0.2 to 1
 )";
 
 constexpr Option volume_options[] = {
@@ -58,7 +58,7 @@ constexpr Option volume_options[] = {
     {"--place", 1},          {"--level", 1},      {"--hand", 1},       {"--carve", 1, true},
     {"--device", 1},         {"--look", 1},       {"--session", 1},    {"--save", 1},
     {"--trace", 1},          {"--shots", 1},      {"--every", 1},      {"--size", 1},
-    {"--headless"},          {"--seconds", 1}};
+    {"--step", 1},           {"--headless"},      {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
@@ -337,6 +337,17 @@ void put_on_usual_mode(VolumeLab& lab) {
     (void)game::change_volume_lab(lab, settings);
 }
 
+/// Reads the length of a servo step (ms), of which a tick has a whole number.
+Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
+    const auto ms = arguments.number("--step", 1.0 / game::most_steps_per_tick, 1);
+    if (!ms) return tl::unexpected(ms.error());
+    const double steps = 1 / ms->value_or(1);
+    if (std::abs(steps - std::round(steps)) > 1e-3 * steps)
+        return fail("--step: a tick of 1 ms must have a whole number of steps: 1, 0.5, 0.25, 0.2");
+    game::set_servo_rate(lab, static_cast<int>(std::lround(steps)));
+    return {};
+}
+
 Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     const bool headless = arguments.has("--headless");
     const auto session = read_session(arguments);
@@ -351,6 +362,7 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
         put_on_usual_mode(plan.lab);
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
+    if (auto read = read_servo_step(arguments, plan.lab); !read) return tl::unexpected(read.error());
     const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);
     if (!seconds) return tl::unexpected(seconds.error());
     plan.seconds = headless ? seconds->value_or(4) : *seconds;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.h"
 #include "core/config.h"
 #include "core/file.h"
 #include "core/hash.h"
@@ -160,6 +161,42 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 
+/// One servo step without safety stage and observer. Returns the force on the hand (N).
+vec3 pure_step(VolumeLab& lab, vec3 tip) {
+    fill_primitives(lab, tip);
+    auto& state = lab.servo_state;
+    const haptics::Balance found =
+        haptics::balance(lab.model.primitives, {tip, lab.model.coupling.stiffness});
+    const bool usable = std::isfinite(found.residual);
+    state.primitives = usable ? static_cast<std::uint32_t>(lab.model.primitives.items().size()) : 0;
+    state.proxy = usable ? found.proxy : tip;
+    // The way of the last tick: over one short step, the device's quantum would be most of it.
+    const vec3 velocity = (tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1]) / tick_seconds;
+    const double drag = std::min(lab.model.viscosity, lab.servo.most_damping);
+    std::shift_right(lab.tips.begin(), lab.tips.end(), 1);
+    lab.tips[0] = tip;
+    return limited(lab.model.coupling.stiffness * (state.proxy - tip) - drag * velocity,
+                   lab.device.peak_force);
+}
+
+/// Plays one tick of servo and hand. Sets tip and force of the figures to those of its first step.
+void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
+    figures.tip = haptics::measured_position(lab.device, lab.hand);
+    if (lab.steps_per_tick == 1) {
+        fill_primitives(lab, figures.tip);
+        figures.force = haptics::servo_step(lab.servo, lab.servo_state, lab.model, {figures.tip, 1});
+        lab.hand = haptics::step(lab.device, lab.hand, target, figures.force);
+        return;
+    }
+    const vec3 from = lab.hand.target;
+    for (int i = 0; i < lab.steps_per_tick; ++i) {
+        const vec3 force = pure_step(lab, haptics::measured_position(lab.device, lab.hand));
+        if (i == 0) figures.force = force;
+        const double share = static_cast<double>(i + 1) / lab.steps_per_tick;
+        lab.hand = haptics::step(lab.device, lab.hand, glm::mix(from, target, share), force);
+    }
+}
+
 /// Uses the tool at the proxy if it is held and due.
 field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     if (!lab.carvable() || tool >= lab.data.tools.size()) return {};
@@ -240,6 +277,13 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
                           .damping = 0.5 * lab.data.device.max_damping};
     lab.model.set_number = 1;
     return lab;
+}
+
+void set_servo_rate(VolumeLab& lab, int steps_per_tick) {
+    THAUM_ASSERT(steps_per_tick >= 1 && steps_per_tick <= most_steps_per_tick, "a rate that the lab offers");
+    lab.steps_per_tick = steps_per_tick;
+    lab.device = haptics::simulated_device(lab.data.device, haptics::Hand{}, tick_seconds / steps_per_tick);
+    lab.tips.fill(haptics::measured_position(lab.device, lab.hand));
 }
 
 Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume) {
@@ -343,12 +387,9 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
     refresh(lab);
-    figures.tip = haptics::measured_position(lab.device, lab.hand);
-    fill_primitives(lab, figures.tip);
-    figures.force = haptics::servo_step(lab.servo, lab.servo_state, lab.model, {figures.tip, 1});
+    feel_and_move(lab, input.target, figures);
     figures.proxy = lab.servo_state.proxy;
     figures.value = value_at(lab, figures.proxy);
-    lab.hand = haptics::step(lab.device, lab.hand, input.target, figures.force);
     ++lab.tick;
     return figures;
 }
@@ -364,7 +405,7 @@ field::Volume volume_now(const VolumeLab& lab) {
 }
 
 std::uint64_t lab_hash(const VolumeLab& lab) {
-    std::uint64_t hash = hash_value(lab.hand, hash_value(lab.servo_state));
+    std::uint64_t hash = hash_value(lab.tips, hash_value(lab.hand, hash_value(lab.servo_state)));
     if (!lab.carvable()) return hash;
     field::Voxels body = lab.body;
     field::BrickHashes fresh;

@@ -33,6 +33,9 @@
 
 namespace thaum::game {
 
+/// Largest number of servo steps in a tick: 0.2 ms each.
+inline constexpr int most_steps_per_tick = 5;
+
 /// Ticks from one use of a tool to the next while it is held.
 inline constexpr Tick ticks_of_a_dab = 8;
 
@@ -117,6 +120,9 @@ struct VolumeLab {
     haptics::Servo servo{};
     haptics::ServoState servo_state{};
     haptics::HapticModel model{};
+    int steps_per_tick = 1;  ///< servo steps in a tick; set by set_servo_rate
+    /// Places of the tip at the last steps, if there are several in a tick; the newest one first (m).
+    std::array<vec3, most_steps_per_tick> tips{};
     Tick tick{};
     vec3 last_dab{};       ///< place of the tool at its last use (m)
     bool carving = false;  ///< the tool is held
@@ -144,6 +150,11 @@ struct VolumeLabFigures {
 
 /// Makes a session. The error says what is wrong with the volume, such as too few samples along an axis.
 Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
+
+/// Lets the servo step more often than once in a tick, from 1 to most_steps_per_tick times. More than one step is the pure
+/// one, tip -> modes -> balance -> force: the servo's safety stage and observer count in ticks of 1 ms. The force ends at
+/// the device's peak, and no damping acts but that of device and hand. So it is for a simulated device alone.
+void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
 /// Adds a volume beside the others. The error says what is wrong with it.
 Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume);

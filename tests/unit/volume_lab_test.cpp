@@ -238,6 +238,42 @@ TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(volume_trace_header(), ','));
 }
 
+TEST(VolumeLab, ShorterServoStepsFeelTheSameWallAndBuzzLessOnAStiffOne) {
+    for (const int steps : {1, 2, 5}) {
+        auto lab = made("sphere");
+        choose(lab, "isosurface", 2.5, 127.5);
+        set_servo_rate(lab, steps);
+        const double r = ball_radius(lab);
+        lab.hand = haptics::resting_at({0, 1.2 * r, 0});
+        lab.tips.fill(lab.hand.position);
+        const auto figures = move(lab, {0, r - 0.004, 0}, 300, 700);
+        EXPECT_NEAR(figures.proxy.y, r, 0.03 * r) << steps;
+        // The wall's spring and the hand's share the way: 0.004 m.
+        const double k = lab.model.coupling.stiffness, hand = lab.device.stiffness;
+        EXPECT_NEAR(figures.force.y, 0.004 * k * hand / (k + hand), 0.15 * figures.force.y) << steps;
+        EXPECT_LT(glm::length(lab.hand.velocity), 2e-3) << steps;
+    }
+    // Far beyond the stiffness that the device renders, the hand buzzes on the wall, the less the shorter the steps are.
+    // The limits of stable stiffness are rows of the bench (servo_rate).
+    const auto fastest = [](int steps) {
+        auto lab = made("sphere");
+        choose(lab, "isosurface", 1e3, 127.5);
+        set_servo_rate(lab, steps);
+        lab.model.coupling = {.stiffness = 1e5};
+        const double r = ball_radius(lab);
+        lab.hand = haptics::resting_at({0, 1.05 * r, 0});
+        lab.tips.fill(lab.hand.position);
+        move(lab, {0, r - 0.004, 0}, 300, 700);
+        double most = 0;
+        for (int i = 0; i < 300; ++i) {
+            move(lab, {0, r - 0.004, 0}, 1, 0);
+            most = std::max(most, glm::length(lab.hand.velocity));
+        }
+        return most;
+    };
+    EXPECT_LT(fastest(5), 0.5 * fastest(2));
+}
+
 // ---- several volumes --------------------------------------------------------------------------------------
 
 TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
