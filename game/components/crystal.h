@@ -5,6 +5,7 @@
 
 #include "core/units.h"
 #include "ecs/component.h"
+#include "game/components/match.h"
 #include "game/components/wizard.h"
 
 namespace thaum::game {
@@ -14,20 +15,24 @@ using ecs::field;
 /// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical axis by
 /// `yaw`.
 struct Crystal {
-    vec3 middle{};            ///< (m, world)
-    double yaw{};             ///< (rad)
-    double size{};            ///< edge length (m)
-    std::uint64_t seed{};     ///< of the rough body and its ghost key
-    double overlap{};         ///< of the body and the key, 0 to 1 (intersection over union)
-    std::uint32_t number{};   ///< place of its voxels in the blobs
-    std::uint32_t touched{};  ///< 1: its voxels are in the blobs; 0: it is the rough body of its seed
-    Tick chipped{};           ///< when a hit last chipped it (ticks of play); 0: never
+    vec3 middle{};         ///< (m, world)
+    double yaw{};          ///< (rad)
+    double size{};         ///< edge length (m)
+    std::uint64_t seed{};  ///< of the rough body and its ghost key
+    /// Overlap of the body and the key, 0 to 1 (intersection over union); 0 while untouched.
+    double overlap{};
+    std::uint32_t number{};           ///< place of its voxels in the blobs
+    std::uint32_t touched{};          ///< 1: its voxels are in the blobs; 0: it is the rough body of its seed
+    Tick chipped{};                   ///< when a hit last chipped it (ticks of play); 0: never
+    std::uint32_t carver{no_player};  ///< player who last used a tool on it; no_player: nobody yet
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Crystal";
     static constexpr auto fields() {
         using C = Crystal;
         return std::tuple(field("middle", &C::middle), field("yaw", &C::yaw), field("size", &C::size),
                           field("seed", &C::seed), field("overlap", &C::overlap), field("number", &C::number),
-                          field("touched", &C::touched), field("chipped", &C::chipped));
+                          field("touched", &C::touched), field("chipped", &C::chipped),
+                          field("carver", &C::carver), field("spare", &C::spare));
     }
 };
 
@@ -52,12 +57,29 @@ struct CrystalColour {
 struct Chisel {
     vec3 place{};             ///< position of the tool (m, world)
     vec3 force{};             ///< force of the crystal on the hand (N, device frame turned to the world)
+    vec3 last{};              ///< place of the tool when it last acted (m, crystal's frame)
     std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
-    std::uint32_t spare{};
+    std::uint32_t blunt{};    ///< 1: the player was told that there is no focus left
     static constexpr std::string_view name = "Chisel";
     static constexpr auto fields() {
         return std::tuple(field("place", &Chisel::place), field("force", &Chisel::force),
-                          field("cutting", &Chisel::cutting), field("spare", &Chisel::spare));
+                          field("last", &Chisel::last), field("cutting", &Chisel::cutting),
+                          field("blunt", &Chisel::blunt));
+    }
+};
+
+/// A hit on a crystal in this tick, an entity of its own.
+struct CrystalStrike {
+    ecs::Entity crystal{};
+    vec3 place{};                     ///< (m, world)
+    vec3 way{};                       ///< direction of flight (world); zero: none, the nearest voxel is hit
+    std::uint32_t player{no_player};  ///< player who shot or threw
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "CrystalStrike";
+    static constexpr auto fields() {
+        using C = CrystalStrike;
+        return std::tuple(field("crystal", &C::crystal), field("place", &C::place), field("way", &C::way),
+                          field("player", &C::player), field("spare", &C::spare));
     }
 };
 

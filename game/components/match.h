@@ -12,7 +12,7 @@ inline constexpr std::uint32_t no_player = 2;
 
 /// A match is one or more rounds. Play stands still between two rounds and after the last one.
 enum class Phase : std::uint32_t { playing, between, over };
-enum class Ending : std::uint32_t { none, kills, time };
+enum class Ending : std::uint32_t { none, kills, time, great_work };
 
 struct Match {
     Tick played{};           ///< ticks of play; does not advance in a pause
@@ -88,8 +88,19 @@ enum class EventKind : std::uint32_t {
     work_lost = 39,    ///< a wizard has lost it by death
     put_away = 40,     ///< a wizard has put a carried ingredient away; detail: its number
     hands_full =
-        41,      ///< a wizard who carries one ingredient stands at the niche of another; detail: its number
-    caught = 42  ///< a wand has caught a thing that flew to its wizard; amount: its mass (kg)
+        41,       ///< a wizard who carries one ingredient stands at the niche of another; detail: its number
+    caught = 42,  ///< a wand has caught a thing that flew to its wizard; amount: its mass (kg)
+    // Numbers from 56 on are those of crystals and of the Great Work.
+    chipped =
+        56,     ///< a hit has melted a part of a crystal; subject: its last carver; amount: volume (voxels)
+    lens = 57,  ///< a wizard has carved the key and holds the Lens
+    lens_lost = 58,  ///< a wizard has lost it by death
+    work_begun =
+        59,  ///< a wizard holds both halves of the Great Work; amount: time that they must be held (s)
+    work_broken = 60,  ///< a wizard has lost one of them again
+    work_done = 61,    ///< a wizard has completed the Great Work
+    blunt = 62,        ///< a wizard has no focus left for carving
+    tool_taken = 63    ///< a wizard carves with another tool; detail: its number
 };
 
 /// Largest number of causes of harm, over the rules and all wands.

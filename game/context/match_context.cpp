@@ -63,6 +63,7 @@ void declare_stations(ecs::World& world) {
     world.declare<CrystalDensity>();
     world.declare<CrystalColour>();
     world.declare<Chisel>();
+    world.declare<CrystalStrike>();
     world.declare<Lens>();
     world.declare<GreatWork>();
 }
@@ -151,7 +152,7 @@ void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
     const double left = hurt.points * (tick < health.hardened_until ? health.harm_share : 1);
-    const double held = tick < health.ward_until ? std::min(health.ward, left) : 0;
+    const double held = tick < health.ward_until && !hurt.pierces ? std::min(health.ward, left) : 0;
     health.ward -= held;
     if (held > 0) {
         record(context, {.tick = tick,

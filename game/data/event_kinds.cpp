@@ -83,6 +83,17 @@ const RuleKind rule_kinds[] = {
     {EventKind::hands_full,
      {.name = "hands_full", .cause = {}, .with = EventWith::ingredient, .placed = true, .has_subject = true}},
     {EventKind::caught, {.name = "caught", .cause = {}, .unit = "kg", .placed = true, .has_subject = true}},
+    {EventKind::chipped,
+     {.name = "chipped", .cause = {}, .unit = "voxels", .placed = true, .has_subject = true}},
+    {EventKind::lens, {.name = "lens", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::lens_lost, {.name = "lens_lost", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::work_begun,
+     {.name = "work_begun", .cause = {}, .unit = "s", .placed = true, .has_subject = true}},
+    {EventKind::work_broken, {.name = "work_broken", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::work_done, {.name = "work_done", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::blunt, {.name = "blunt", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::tool_taken,
+     {.name = "tool_taken", .cause = {}, .with = EventWith::tool, .placed = true, .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

@@ -29,8 +29,9 @@ enum class EventWith : std::uint8_t {
     spell,    ///< Event::detail is the number of a spell
     gesture,  ///< Event::detail is the number of a gesture
     potion,
-    fault,  ///< Event::detail is a BrewFault
-    recipe  ///< Event::detail is a drawn recipe, as EventKind::recipe_told has it
+    fault,   ///< Event::detail is a BrewFault
+    recipe,  ///< Event::detail is a drawn recipe, as EventKind::recipe_told has it
+    tool     ///< Event::detail is the number of a carving tool
 };
 
 /// Meaning of the fields of one kind of event.

@@ -346,6 +346,38 @@ void name_brew(MatchData& data) {
     data.presentation = std::move(shown);
 }
 
+bool has_crystal(const Arena& arena) {
+    return std::any_of(arena.things.begin(), arena.things.end(),
+                       [](const Thing& thing) { return thing.surface == Surface::crystal; });
+}
+
+/// Loads the rules of crystals and the tools that they name.
+void load_crystal(MatchData& data, Loader& loader) {
+    std::optional<Config> file;
+    auto rules = loader.load("crystal.toml", noting(file, read_crystal_rules));
+    const auto materials = loader.load(
+        "materials.toml", [](const Config& read) { return std::optional(field::read_materials(read)); },
+        false);
+    if (!loader.error && !*materials) loader.error = materials->error();
+    for (std::size_t i = 0; i < rules.tool_names.size() && !loader.error; ++i) {
+        const auto& name = rules.tool_names[i];
+        const auto path = text("carving/", name, ".toml");
+        std::error_code ignored;
+        if (!plain_name(name) || !std::filesystem::exists(loader.assets() / path, ignored)) {
+            loader.check_across(file, [&](const ConfigTable& root) {
+                root.tables("tool")[i].report("name", text("tool '", name, "': there is no ", path));
+            });
+            return;
+        }
+        auto tool = loader.load(
+            path, [&](const Config& read) { return std::optional(field::read_tool(read, **materials)); });
+        if (!loader.error && !*tool) loader.error = tool->error();
+        if (!loader.error) rules.tools.push_back(std::move(**tool));
+    }
+    loader.check_across(file, [&](const ConfigTable& root) { check_crystal_tools(root, rules); });
+    data.crystal = std::move(rules);
+}
+
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -390,6 +422,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
             check_bowl(root, data);
         });
     }
+    if (data.rules.cauldron && has_crystal(data.arena)) load_crystal(data, loader);
     load_wands(data, loader);
     load_spells(data, loader);
     if (data.cauldron && data.gestures) load_recipes(data, loader);

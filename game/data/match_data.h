@@ -8,6 +8,7 @@
 #include "game/arena/look.h"
 #include "game/brew/brew.h"
 #include "game/brew/recipe.h"
+#include "game/crystal/crystal_rules.h"
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
 #include "game/data/presentation.h"
@@ -39,6 +40,8 @@ struct MatchData {
     haptics::DeviceSpec device;  ///< device that simulated hands hold
     /// std::nullopt if the rule set has no cauldron or the arena no bowl
     std::optional<CauldronRules> cauldron;
+    /// std::nullopt if the rule set has no cauldron or the arena no crystal
+    std::optional<CrystalRules> crystal;
     std::vector<Recipe>
         recipes;  ///< recipes of potions, sorted by name; empty without a cauldron or gestures
     std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes

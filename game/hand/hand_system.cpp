@@ -5,6 +5,7 @@
 #include "game/components/casting.h"
 #include "game/context/arms.h"
 #include "game/context/stations.h"
+#include "game/crystal/chisel.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
 
@@ -78,6 +79,7 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     } else if (model.fluid.number != 0) {
         model.fluid = {};
     }
+    feel_crystal(context, wizard, hand_state, model);
     return model;
 }
 
@@ -86,7 +88,7 @@ void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Sched
     schedule.add(
         {.name = "touch",
          .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, AtStation, Cauldron, BrewSamples,
-                             resource::Brew, resource::Physics>(),
+                             Chisel, Crystal, CrystalDensity, resource::Brew, resource::Physics>(),
          .writes = world.mask<HandState, Arm, Ladle, DrawnStroke, resource::Models, resource::Forces>(),
          .needs = world.mask<HandState>(),
          .run = [&context, &brew](ecs::World& w, Tick tick) {

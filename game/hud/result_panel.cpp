@@ -175,7 +175,9 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
     const auto winner = last ? picture.match_winner : picture.winner;
     const auto what = last ? std::string() : text(" round ", picture.round + 1);
     const auto kills = text(picture.kills_to_win, picture.kills_to_win == 1 ? " kill" : " kills");
-    const auto how = picture.ending == Ending::kills ? text("first to ", kills) : std::string("time is up");
+    const auto how = picture.ending == Ending::kills        ? text("first to ", kills)
+                     : picture.ending == Ending::great_work ? std::string("by the Great Work")
+                                                            : std::string("time is up");
     if (winner >= players) {
         a.head = last ? "A draw" : text("A draw in", what);
     } else {

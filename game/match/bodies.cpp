@@ -1,5 +1,8 @@
 #include "game/match/bodies.h"
 
+#include "game/components/crystal.h"
+#include "game/context/strikes.h"
+
 namespace thaum::game {
 namespace {
 
@@ -32,7 +35,19 @@ void collect(ecs::World& world, ecs::Entity wizard, ecs::Entity thing, const phy
     blow = {.by = thing, .began = tick, .counts_again = tick + again, .impulse = contact.impulse};
 }
 
-/// Adds the impulses of things that hit wizards to their blows.
+/// Player for whom a thing's blow counts; no_player if no player moved the thing within the blame time.
+std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
+    const auto* prop = world.find<Prop>(thing);
+    return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
+}
+
+void blow_on_crystal(MatchContext& context, ecs::Entity crystal, ecs::Entity thing,
+                     const physics::Contact& contact, Tick tick) {
+    strike_by_thing(context, crystal, contact,
+                    mover_of(context.world, thing, tick, context.data.wizard.blame), tick);
+}
+
+/// Adds the impulses of things that hit wizards to their blows, and notes blows on crystals.
 void collect_blows(MatchContext& context, Tick tick) {
     auto& world = context.world;
     for (const auto& contact : context.physics.read().contacts()) {
@@ -44,13 +59,9 @@ void collect_blows(MatchContext& context, Tick tick) {
             collect(world, a, b, contact, contact.normal, tick, again);
         if (world.has<Wizard>(b) && world.has<Prop>(a))
             collect(world, b, a, contact, -contact.normal, tick, again);
+        if (world.has<Crystal>(a) && world.has<Prop>(b)) blow_on_crystal(context, a, b, contact, tick);
+        if (world.has<Crystal>(b) && world.has<Prop>(a)) blow_on_crystal(context, b, a, contact, tick);
     }
-}
-
-/// Player for whom a thing's blow counts; no_player if no player moved the thing within the blame time.
-std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
-    const auto* prop = world.find<Prop>(thing);
-    return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
 }
 
 /// Number of the thing's Surface, also for a thing that is gone.
@@ -121,7 +132,7 @@ void add_body_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .run = [&context](ecs::World&, Tick) { context.physics.write().step(physics_dt); }});
     schedule.add({.name = "blows",
                   .period = physics_period,
-                  .reads = world.mask<Wizard, Prop, Motion, Look, Dead, resource::Physics>(),
+                  .reads = world.mask<Wizard, Prop, Motion, Look, Dead, Crystal, resource::Physics>(),
                   .writes = world.mask<Blows, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Blows, Prop>(),
                   .run = [&context](ecs::World&, Tick tick) {

@@ -5,6 +5,7 @@
 #include "core/assert.h"
 #include "ecs/snapshot.h"
 #include "game/components/casting.h"
+#include "game/components/crystal.h"
 #include "game/components/hand_state.h"
 #include "game/components/potions.h"
 #include "game/context/hand_forces.h"
@@ -78,6 +79,8 @@ void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t playe
     world.get<Motion>(now).asleep = 0;  // the ground under the wizard may be gone
     if (const auto* focus = from.world.find<Focus>(old); focus != nullptr && world.has<Focus>(now))
         world.get<Focus>(now) = *focus;
+    if (const auto* lens = from.world.find<Lens>(old); lens != nullptr && world.has<Lens>(now))
+        world.get<Lens>(now) = *lens;
     if (const auto* dead = from.world.find<Dead>(old))
         world.add(now, *dead);
     else
@@ -91,6 +94,8 @@ void move_match(const MatchContext& from, MatchContext& to) {
     if (const auto moved = moved_faders_in(from.world)) to.world.create(*moved);
     if (from.world.count<DrawnOrders>() > 0 && to.world.count<DrawnOrders>() > 0)
         to.world.single<DrawnOrders>() = from.world.single<DrawnOrders>();
+    if (from.world.count<GreatWork>() > 0 && to.world.count<GreatWork>() > 0)
+        to.world.single<GreatWork>() = from.world.single<GreatWork>();
 }
 
 void copy_world(const MatchContext& from, MatchContext& to) {
@@ -104,7 +109,8 @@ void copy_world(const MatchContext& from, MatchContext& to) {
 /// Whether the components of one match fit the other: the same scene and the same parts of the game.
 bool fits(const MatchData& from, const MatchData& to) {
     return to.arena == from.arena && (to.gestures == nullptr) == (from.gestures == nullptr) &&
-           to.cauldron.has_value() == from.cauldron.has_value();
+           to.cauldron.has_value() == from.cauldron.has_value() &&
+           to.crystal.has_value() == from.crystal.has_value();
 }
 
 }  // namespace

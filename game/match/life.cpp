@@ -4,6 +4,7 @@
 
 #include "game/cauldron/potions.h"
 #include "game/components/casting.h"
+#include "game/crystal/chisel.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -43,6 +44,7 @@ void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Healt
                      .detail = health.hurt_how,
                      .place = motion.position});
     lose_potions(context, e, tick);
+    lose_lens(context, e, tick);
     world.commands().add(e, Dead{tick + context.data.round.respawn});
     world.commands().remove<Body>(e);
 }
@@ -87,7 +89,7 @@ void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Health, Score, Potions, WandBelt, EventLog, resource::Journal>(),
+                  .writes = world.mask<Health, Score, Potions, Lens, WandBelt, EventLog, resource::Journal>(),
                   .needs = world.mask<Health>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       const double start = context.data.wizard.health;

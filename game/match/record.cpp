@@ -83,7 +83,9 @@ std::string result_line(const Simulation& match, const std::array<std::string, p
         score += text(", rounds ", state.rounds_won[0], " : ", state.rounds_won[1]);
     const auto time = fixed(seconds(state.played), 1);
     if (state.phase != Phase::over) return text("stopped after ", time, " s, score ", score);
-    const auto how = state.ending == Ending::kills ? "by kills" : "on time";
+    const auto how = state.ending == Ending::kills        ? "by kills"
+                     : state.ending == Ending::great_work ? "by the Great Work"
+                                                          : "on time";
     const auto winner = ahead(state);
     if (winner == no_player) return text("a draw ", how, ", score ", score, ", after ", time, " s");
     const auto& name = winner_names[winner];

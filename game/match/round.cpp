@@ -7,6 +7,7 @@
 #include "game/context/hand_forces.h"
 #include "game/data/stroke_reading.h"
 #include "game/hand/arm_system.h"
+#include "game/match/great_work.h"
 #include "game/match/haptic_setup.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -41,6 +42,7 @@ void spawn_wizards(MatchContext& context) {
                                     full_belt(context.data), empty_hand_state(), Score{},
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
         if (context.data.cauldron) world.add(e, Potions{});
+        if (context.data.crystal) world.add(e, Lens{});
         for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
         if (context.data.casting) world.add(e, Focus{context.data.casting->focus_cap});
         if (context.data.casting) world.add(e, LastProp{});
@@ -71,6 +73,11 @@ void end_round(MatchContext& context, Ending ending, std::uint32_t winner, Tick 
                      .detail = static_cast<std::uint32_t>(ending)});
 }
 
+void end_by_great_work(MatchContext& context, std::uint32_t worker, Tick tick) {
+    record(context, {.tick = tick, .kind = EventKind::work_done, .subject = worker, .by = worker});
+    end_round(context, Ending::great_work, worker, tick);
+}
+
 std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
     if (kills[0] == kills[1]) return no_player;
     return kills[0] > kills[1] ? 0 : 1;
@@ -78,26 +85,29 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 
 }  // namespace
 
-void open_round(MatchContext& context, BrewSolver& solver) {
+void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals) {
     const auto arms = arms_in(context.world);
     const auto faders = moved_faders_in(context.world);
     std::optional<DrawnOrders> orders;
     if (context.world.count<DrawnOrders>() > 0) orders = std::as_const(context.world).single<DrawnOrders>();
+    const auto seeds = next_seeds(context.world);
     clear_scene(context.world);
     spawn_arena(context.world, context.data.arena);
     spawn_cauldron(context, solver);
+    spawn_crystals(context, crystals, seeds);
     spawn_niches(context);
     spawn_wizards(context);
     add_arms(context, arms);
     if (faders) context.world.create(*faders);
     if (orders) context.world.create(*orders);
+    if (context.data.crystal && context.data.cauldron) context.world.create(GreatWork{});
 }
 
 void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "round",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Score>(),
+                  .reads = world.mask<Wizard, Score, GreatWork>(),
                   .writes = world.mask<Match, EventLog, resource::Journal>(),
                   .needs = world.mask<Score>(),
                   .run = [&context](ecs::World& w, Tick tick) {
@@ -110,8 +120,11 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
                       const bool enough = kills[0] >= rules.kills || kills[1] >= rules.kills;
                       // If both players reach the limit in one tick, the one with more kills wins. Equal
                       // kills are a draw.
+                      const auto worker = great_worker(context, tick);
                       if (enough) {
                           end_round(context, Ending::kills, leader(kills), tick);
+                      } else if (worker < players) {
+                          end_by_great_work(context, worker, tick);
                       } else if (match.played + 1 >= match.round_began + rules.length) {
                           end_round(context, Ending::time, leader(kills), tick);
                       }
@@ -141,8 +154,8 @@ bool next_round_is_due(const MatchContext& context) {
     return match.phase == Phase::between && match.waited >= context.data.round.interval;
 }
 
-void begin_next_round(MatchContext& context, BrewSolver& solver) {
-    open_round(context, solver);
+void begin_next_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals) {
+    open_round(context, solver, crystals);
     auto& match = context.world.single<Match>();
     match.phase = Phase::playing;
     match.round_began = match.played;

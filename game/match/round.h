@@ -1,11 +1,12 @@
 // game/match/round.h: begins and ends the rounds of a match and decides who has won.
 #pragma once
 #include "game/cauldron/cauldron.h"
+#include "game/crystal/crystal.h"
 
 namespace thaum::game {
 
 /// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
-void open_round(MatchContext& context, BrewSolver& solver);
+void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
 
 /// Adds the system that ends a round, and after the last round the match.
 void add_round_system(MatchContext& context, ecs::Schedule& schedule);
@@ -14,6 +15,6 @@ void add_round_system(MatchContext& context, ecs::Schedule& schedule);
 /// after a while.
 void add_interval_system(MatchContext& context, ecs::Schedule& schedule);
 bool next_round_is_due(const MatchContext& context);
-void begin_next_round(MatchContext& context, BrewSolver& solver);
+void begin_next_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crystals);
 
 }  // namespace thaum::game

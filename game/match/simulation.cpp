@@ -8,11 +8,14 @@
 #include "game/cauldron/potions.h"
 #include "game/cauldron/splash.h"
 #include "game/context/stations.h"
+#include "game/crystal/chips.h"
+#include "game/crystal/chisel.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
 #include "game/hand/hand_system.h"
 #include "game/match/bodies.h"
 #include "game/match/carry_over.h"
+#include "game/match/great_work.h"
 #include "game/match/haptic_setup.h"
 #include "game/match/life.h"
 #include "game/match/own_gestures.h"
@@ -29,9 +32,12 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
-void add_hand_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {
+void add_hand_systems(MatchContext& context, BrewResource& brew, CrystalResource& crystals,
+                      ecs::Schedule& schedule) {
     if (context.data.cauldron) add_stir_system(context, brew, schedule);
+    if (context.data.crystal) add_carving_systems(context, crystals, schedule);
     add_hand_system(context, brew, schedule);
+    if (context.data.crystal) add_chisel_system(context, schedule);
     if (!context.data.cauldron) return;
     add_station_gaze_system(context, schedule);
     add_ladle_system(context, schedule);
@@ -57,32 +63,36 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
              .frame = {}},
       context_(*data_, input_),
       brew_(context_.world, jobs_),
+      crystals_(context_.world),
       jobs_(setup_.workers) {
     auto& context = context_;
     declare_components(context.world);
     context.world.reserve_entities(1024);
     add_body_hooks(context);
     spawn_match(context.world, setup_.seed);
-    open_round(context, brew_.write());
+    open_round(context, brew_.write(), crystals_.write());
     draw_orders(context, setup_.seed);
+    draw_crystals(context, setup_.seed);
 
     add_arm_system(context, always_);
     add_controls_system(context, always_);
     add_interval_system(context, always_);
     add_pause_system(context, always_);
 
-    add_hand_systems(context, brew_, live_);
+    add_hand_systems(context, brew_, crystals_, live_);
     add_walk_system(context, live_);
     add_probe_system(context, live_);
     add_wand_forces(context, live_);
     add_body_systems(context, live_);
     add_missile_systems(context, live_);
+    if (data_->crystal) add_chip_system(context, crystals_, live_);
     add_belt_system(context, live_);
     add_casting_systems(context, live_);
     add_free_casting_systems(context, live_);
     if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);
+    add_great_work_system(context, live_);
     add_round_system(context, live_);
     add_controls_used_system(context, live_);
     keyframe();
@@ -97,7 +107,7 @@ void Simulation::tick(const input::InputFrame& frame) {
     auto& world = context_.world;
     move_faders(*data_, setup_.devices, frame, world, input_.haptic_setup);
     always_.run(world, now_);
-    if (next_round_is_due(context_)) begin_next_round(context_, brew_.write());
+    if (next_round_is_due(context_)) begin_next_round(context_, brew_.write(), crystals_.write());
     const auto& match = std::as_const(world).single<Match>();
     const bool live = match.paused == 0 && match.phase == Phase::playing;
     if (live) {
@@ -131,12 +141,15 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     recall_models(context_);
     rebuild_physics(context_);
     rebuild_brew(context_, brew_.write());
+    rebuild_crystals(context_, crystals_.write());
     now_ = at;
     return {};
 }
 
 const HapticSetup& Simulation::haptic_setup() const { return input_.haptic_setup; }
 const BrewWork* Simulation::brew() const { return brew_.read().work.get(); }
+const CrystalBodies& Simulation::crystals() const { return crystals_.read(); }
+CrystalBodies& Simulation::crystals_to_change() { return crystals_.write(); }
 const ForceTrace& Simulation::felt(std::uint32_t player) const {
     return context_.output.forces.read()[player];
 }
@@ -156,6 +169,7 @@ std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const Mat
     auto& solver = next->brew_.write();
     solver.bursts_seen = brew_.read().bursts_seen;
     rebuild_brew(next->context_, solver);
+    rebuild_crystals(next->context_, next->crystals_.write());
     next->now_ = now_;
     next->force_hash_ = force_hash_;
     next->input_.strokes_unread = input_.strokes_unread;

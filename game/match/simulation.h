@@ -13,6 +13,7 @@
 
 #include "core/bytes.h"
 #include "game/cauldron/cauldron.h"
+#include "game/crystal/crystal.h"
 
 namespace thaum::game {
 
@@ -70,6 +71,10 @@ public:
     /// The part that computes the cauldron's brew (game/cauldron/cauldron.h); null if no player has touched
     /// the brew.
     const BrewWork* brew() const;
+    /// What is known of the crystals beside their state: changed bricks and ghost keys (game/crystal/crystal.h).
+    const CrystalBodies& crystals() const;
+    /// The same, for scenarios and tests that carve.
+    CrystalBodies& crystals_to_change();
     /// Writes the World's snapshot (ecs/snapshot.h). It can be restored only if now() is a multiple of
     /// keyframe_interval.
     void save(Bytes& out) const;
@@ -94,6 +99,7 @@ private:
     MatchInput input_;
     MatchContext context_;
     BrewResource brew_;
+    CrystalResource crystals_;
     Jobs jobs_;  // declared after brew_, so that jobs end before the memory that they use is freed
     ecs::Schedule always_, live_;
     Tick now_ = 0;

@@ -72,9 +72,15 @@ std::string_view name_of_ending(std::uint32_t ending) {
     switch (static_cast<Ending>(ending)) {
         case Ending::kills: return "kills";
         case Ending::time: return "time";
+        case Ending::great_work: return "great_work";
         case Ending::none: break;
     }
     return "";
+}
+
+std::string tool_name(const MatchData& data, std::uint32_t number) {
+    return data.crystal && number < data.crystal->tools.size() ? data.crystal->tools[number].name
+                                                               : std::string();
 }
 
 std::string with_what(EventWith with, const Event& event, const Simulation& match) {
@@ -92,6 +98,7 @@ std::string with_what(EventWith with, const Event& event, const Simulation& matc
         case EventWith::gesture: return name_of_gesture(match.context(), event.by, event.detail);
         case EventWith::potion: return std::string(brew_words_of(match.data()).potion(event.detail));
         case EventWith::fault: return std::string(name_of_fault(static_cast<BrewFault>(event.detail)));
+        case EventWith::tool: return tool_name(match.data(), event.detail);
         case EventWith::recipe: return words_of_recipe(match.data(), event.detail);
         case EventWith::round: return text("round ", event.detail);
     }

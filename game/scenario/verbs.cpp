@@ -239,9 +239,10 @@ int verb_match_state(lua_State* lua, void* context) {
     lua_pushnumber(lua, seconds(match.played));
     lua_pushboolean(lua, match.paused != 0);
     lua_pushboolean(lua, match.phase != Phase::playing);
-    lua_pushstring(lua, match.ending == Ending::kills  ? "kills"
-                        : match.ending == Ending::time ? "time"
-                                                       : "none");
+    lua_pushstring(lua, match.ending == Ending::kills        ? "kills"
+                        : match.ending == Ending::time       ? "time"
+                        : match.ending == Ending::great_work ? "great_work"
+                                                             : "none");
     if (match.winner < players) {
         lua_pushinteger(lua, match.winner + 1);
     } else {
@@ -577,7 +578,7 @@ constexpr VerbName match_verbs[] = {
 
 Expected<void> add_verbs(Sandbox& sandbox, Play& play) {
     for (const auto list : {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs(),
-                            brew_verbs(), casting_verbs(), sense_verbs()}) {
+                            brew_verbs(), casting_verbs(), crystal_verbs(), sense_verbs()}) {
         for (const auto& [name, verb] : list) sandbox.add(name, verb, &play);
     }
     return sandbox.run_prelude(prelude);

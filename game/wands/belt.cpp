@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "game/components/arm.h"
+#include "game/components/crystal.h"
 #include "game/components/fog.h"
 #include "game/components/station.h"
 
@@ -86,24 +87,23 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     auto writes = world.mask<WandBelt>();
     for (const auto& wand : context.data.wands) writes |= wand.rules->writes(world);
-    schedule.add(
-        {.name = "wands",
-         .period = gameplay_period,
-         .reads =
-             world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, AtStation, Arm, Fog, resource::Physics>(),
-         .writes = writes,
-         .needs = world.mask<WandBelt>(),
-         .run = [&context](ecs::World& w, Tick tick) {
-             w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<AtStation>>().each(
-                 [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
-                     use_wands(context, e, controls, belt, tick);
-                 });
-             const auto put_down = [&](ecs::Entity e, const WandBelt&, const auto&) {
-                 put_away_wand(context, e, tick);
-             };
-             w.view<const WandBelt, const Dead>().each(put_down);
-             w.view<const WandBelt, const AtStation>().each(put_down);
-         }});
+    schedule.add({.name = "wands",
+                  .period = gameplay_period,
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, AtStation, Arm, Fog, Lens,
+                                      resource::Physics>(),
+                  .writes = writes,
+                  .needs = world.mask<WandBelt>(),
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<AtStation>>().each(
+                          [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
+                              use_wands(context, e, controls, belt, tick);
+                          });
+                      const auto put_down = [&](ecs::Entity e, const WandBelt&, const auto&) {
+                          put_away_wand(context, e, tick);
+                      };
+                      w.view<const WandBelt, const Dead>().each(put_down);
+                      w.view<const WandBelt, const AtStation>().each(put_down);
+                  }});
 }
 
 void add_wand_forces(MatchContext& context, ecs::Schedule& schedule) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "game/components/crystal.h"
 #include "game/context/hand_forces.h"
 #include "game/wands/shot.h"
 
@@ -40,11 +41,13 @@ struct Blast {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< key of the shooter's body
+    double lens{1};           ///< factor of the harm by the shooter's Lens; 1: without one
     static constexpr std::string_view name = "Blast";
     static constexpr auto fields() {
         return std::tuple(field("position", &Blast::position), field("velocity", &Blast::velocity),
                           field("charge", &Blast::charge), field("dies_at", &Blast::dies_at),
-                          field("player", &Blast::player), field("shooter", &Blast::shooter));
+                          field("player", &Blast::player), field("shooter", &Blast::shooter),
+                          field("lens", &Blast::lens));
     }
 };
 
@@ -105,6 +108,12 @@ double recoil_of(const BlastData& data, double charge) {
     return data.recoil * energy * data.speed.at(charge) / data.speed.most;
 }
 
+/// Factor of the harm of a wizard's blasts.
+double lens_of(const MatchContext& context, ecs::Entity wizard) {
+    const auto* lens = context.world.find<Lens>(wizard);
+    return lens != nullptr && lens->held != 0 ? context.data.crystal->lens_share : 1;
+}
+
 void shoot(const WandUse& use, const BlastData& data, double charge) {
     auto& world = use.context.world;
     auto muzzle = muzzle_of(use, data.radius);
@@ -114,7 +123,8 @@ void shoot(const WandUse& use, const BlastData& data, double charge) {
                                   .charge = charge,
                                   .dies_at = use.tick + data.life,
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
-                                  .shooter = use.wizard.index});
+                                  .shooter = use.wizard.index,
+                                  .lens = lens_of(use.context, use.wizard)});
     note_shot(use, data.hit, muzzle.tip);
     recoil(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
@@ -182,7 +192,7 @@ void add_force_systems(const WandSystems& to, const BlastData& data) {
 
 void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 place, physics::Key struck,
          Tick tick) {
-    const double damage = data.damage.at(blast.charge);
+    const double damage = blast.lens * data.damage.at(blast.charge);
     burst(context,
           {.place = place,
            .size = data.radius,
@@ -194,7 +204,8 @@ void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 
            .shooter = blast.shooter,
            .how = data.hit,
            .struck = struck,
-           .struck_damage = damage},
+           .struck_damage = damage,
+           .pierces = blast.lens > 1},
           tick);
 }
 
@@ -215,7 +226,7 @@ void add_missile_systems(const WandSystems& to, const BlastData& data) {
     to.schedule.add(
         {.name = "blasts",
          .period = physics_period,
-         .reads = world.mask<Body, Motion, Wizard, Dead>(),
+         .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
          .writes = world.mask<Blast, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Blast>(),
          .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});

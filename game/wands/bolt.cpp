@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/components/crystal.h"
 #include "game/context/hand_forces.h"
 #include "game/context/match_context.h"
+#include "game/context/strikes.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {
@@ -104,6 +106,7 @@ void fire(const WandUse& use, const BoltData& data) {
 void hit(MatchContext& context, const Bolt& bolt, const BoltData& data, const physics::RayHit& at,
          Tick tick) {
     const auto victim = context.world.entity(at.key);
+    strike(context, at.key, at.point, bolt.velocity, bolt.player);
     context.physics.write().apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
     if (victim && context.world.has<Wizard>(victim)) {
         hurt(context, victim, tick,
@@ -129,7 +132,7 @@ void add_missile_systems(const WandSystems& to, const BoltData& data) {
     to.schedule.add(
         {.name = "bolts",
          .period = physics_period,
-         .reads = world.mask<Wizard, Dead>(),
+         .reads = world.mask<Wizard, Dead, Crystal>(),
          .writes = world.mask<Bolt, Health, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Bolt>(),
          .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});

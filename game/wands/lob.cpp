@@ -14,6 +14,7 @@
 #include <optional>
 #include <utility>
 
+#include "game/components/crystal.h"
 #include "game/components/hand_state.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
@@ -254,7 +255,7 @@ void add_missile_systems(const WandSystems& to, const LobData& data) {
     to.schedule.add(
         {.name = "lobs",
          .period = physics_period,
-         .reads = world.mask<Body, Motion, Wizard, Dead>(),
+         .reads = world.mask<Body, Motion, Wizard, Dead, Crystal>(),
          .writes = world.mask<Lob, Health, Stance, EventLog, Prop, resource::Journal, resource::Physics>(),
          .needs = world.mask<Lob>(),
          .run = [&context = to.context, &data](ecs::World& w, Tick tick) {

@@ -9,6 +9,7 @@
 #include "game/context/aim_assist.h"
 #include "game/context/hand_forces.h"
 #include "game/context/shove.h"
+#include "game/context/strikes.h"
 
 namespace thaum::game {
 namespace {
@@ -68,7 +69,12 @@ void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, dou
             health.poisoned_by = burst.player;
         }
     }
-    hurt(context, e, tick, {.points = points, .by = burst.player, .how = burst.how, .place = burst.place});
+    hurt(context, e, tick,
+         {.points = points,
+          .by = burst.player,
+          .how = burst.how,
+          .place = burst.place,
+          .pierces = burst.pierces});
 }
 
 }  // namespace
@@ -137,6 +143,7 @@ void burst(MatchContext& context, const Burst& burst, Tick tick) {
                      .detail = static_cast<std::uint32_t>(burst.how),
                      .amount = burst.radius,
                      .place = burst.place});
+    strike_by_burst(context, burst.place, burst.size, burst.player);
     const auto& physics = context.physics.read();
     context.world.view<const Body, const Motion>().each(
         [&](ecs::Entity e, const Body& body, const Motion& motion) {

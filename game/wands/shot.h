@@ -60,10 +60,11 @@ struct Burst {
     EventKind how{};
     std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
     double struck_damage{};                  ///< harm to the struck body (HP)
+    bool pierces{};                          ///< shields do not stop the harm
     double venom{};      ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
     Tick venom_lasts{};  ///< time for which the poison hurts
 };
-/// Applies and records a burst. Reads Body, Motion, Wizard and Dead. Writes Health, Stance, EventLog,
+/// Applies and records a burst. Reads Body, Motion, Wizard, Dead and Crystal. Writes Health, Stance, EventLog,
 /// Prop, resource::Journal and resource::Physics.
 void burst(MatchContext& context, const Burst& burst, Tick tick);
 

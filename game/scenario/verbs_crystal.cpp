@@ -1,0 +1,158 @@
+// Verbs for crystals, the wizards who carve them, and the Great Work.
+#include <cmath>
+
+#include "core/hash.h"
+#include "game/components/hand_state.h"
+#include "game/components/potions.h"
+#include "game/crystal/crystal.h"
+#include "game/match/great_work.h"
+#include "game/scenario/detail/verb.h"
+
+namespace thaum::game {
+namespace {
+
+namespace arg = arguments;
+using arg::fault;
+
+const Crystal& crystal_of(const Play& play, lua_State* lua) {
+    const auto& world = world_of(play);
+    if (world.count<Crystal>() == 0) fault("this match has no crystal");
+    const auto number = arg::integer(lua, 1, "a crystal", {1, static_cast<double>(world.count<Crystal>())});
+    return world.get<Crystal>(crystal_entity(world, static_cast<std::uint32_t>(number - 1)));
+}
+
+const Crystal& touched_crystal(const Play& play, lua_State* lua) {
+    const auto& crystal = crystal_of(play, lua);
+    if (crystal.touched == 0) fault("nobody has touched that crystal yet");
+    return crystal;
+}
+
+/// Hash of the voxels of one crystal, as text.
+std::string voxel_hash_of(const ecs::World& world, const Crystal& crystal) {
+    const auto first = crystal.number * crystal_voxels;
+    const auto density = world.blob<CrystalDensity>().subspan(first, crystal_voxels);
+    const auto colour = world.blob<CrystalColour>().subspan(3 * first, 3 * crystal_voxels);
+    return text(hash_bytes(std::as_bytes(colour), hash_bytes(std::as_bytes(density))));
+}
+
+int verb_crystal(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto& crystal = crystal_of(play, lua);
+    lua_createtable(lua, 0, 8);
+    arg::set_number(lua, "overlap", crystal.overlap);
+    arg::set_number(lua, "size", crystal.size);
+    arg::set_number(lua, "voxel", spacing_of(crystal));
+    arg::set_number(lua, "chipped", seconds(crystal.chipped));
+    arg::set_text(lua, "seed", text(crystal.seed));
+    lua_pushboolean(lua, static_cast<int>(crystal.touched));
+    lua_setfield(lua, -2, "touched");
+    if (crystal.carver < players) arg::set_number(lua, "carver", crystal.carver + 1);
+    if (crystal.touched != 0) arg::set_text(lua, "hash", voxel_hash_of(world_of(play), crystal));
+    arg::push_place(lua, crystal.middle);
+    lua_setfield(lua, -2, "middle");
+    return 1;
+}
+
+int verb_crystal_density(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto& crystal = touched_crystal(play, lua);
+    const vec3 place = field::to_own(placement_of(crystal), arg::place(lua, 2, "place", farthest));
+    lua_pushnumber(lua, density_grid(world_of(play), crystal, field::Kernel::linear).value(place));
+    return 1;
+}
+
+/// The place where a ray meets the surface that the picture shows; nil if it misses.
+int verb_crystal_ray(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto& crystal = touched_crystal(play, lua);
+    const auto placement = placement_of(crystal);
+    const vec3 from = field::to_own(placement, arg::place(lua, 2, "from", farthest));
+    const vec3 way = arg::place(lua, 3, "way", farthest) * placement.turn;
+    const auto met = surface_along(world_of(play), crystal, from, way);
+    if (!met) return lua_pushnil(lua), 1;
+    arg::push_place(lua, field::to_parent(placement, *met));
+    return 1;
+}
+
+/// Largest density of the key in a voxel that clearly lies outside of it.
+constexpr float clear_miss = 0.1F;
+
+/// The voxel nearest to a place that is solid and clearly should not be ("melt"), or clearly should be and is not
+/// ("construct"), with that word; nil if there is none. `kind`: one of these words, or nil for both.
+int verb_crystal_fault(lua_State* lua, void* context) {
+    auto& play = *static_cast<Play*>(context);
+    const auto& crystal = touched_crystal(began(context), lua);
+    const auto placement = placement_of(crystal);
+    const vec3 from = field::to_own(placement, arg::place(lua, 2, "place", farthest));
+    const auto kind = lua_isnoneornil(lua, 3) ? std::string() : arg::string(lua, 3, "kind");
+    const auto& body = play.match->crystals().list.at(crystal.number);
+    const auto density = world_of(play).blob<CrystalDensity>().subspan(crystal.number * crystal_voxels);
+    vec3 nearest(0);
+    double least = HUGE_VAL;
+    bool surplus = false;
+    for (std::size_t i = 0; i < crystal_voxels; ++i) {
+        const bool solid = density[i] >= crystal_surface;
+        if (solid ? body.key[i] > clear_miss : body.key[i] < 1 - clear_miss) continue;
+        if ((kind == "melt" && !solid) || (kind == "construct" && solid)) continue;
+        constexpr std::size_t side = crystal_side;
+        const vec3 voxel(i % side, i / side % side, i / (side * side));
+        const vec3 place = spacing_of(crystal) * (voxel - 0.5 * (crystal_side - 1));
+        const double distance = glm::distance(place, from);
+        if (distance < least) nearest = place, least = distance, surplus = solid;
+    }
+    if (!(least < HUGE_VAL)) return lua_pushnil(lua), 1;
+    arg::push_place(lua, field::to_parent(placement, nearest));
+    lua_pushstring(lua, surplus ? "melt" : "construct");
+    return 2;
+}
+
+/// What a wizard has of crystals: tool, cutting, place of the tool, Lens, seconds of the Great Work.
+int verb_carver(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto player = arg::player(lua, 1);
+    const auto& world = world_of(play);
+    const auto wizard = wizard_of(world, player);
+    const auto* lens = world.find<Lens>(wizard);
+    if (lens == nullptr) fault("this match has no crystal");
+    lua_createtable(lua, 0, 6);
+    arg::set_text(lua, "tool", play.data->crystal->tools.at(lens->tool).name);
+    lua_pushboolean(lua, static_cast<int>(lens->held));
+    lua_setfield(lua, -2, "lens");
+    const auto tick = play.match->match().played;
+    const bool works = world.count<GreatWork>() > 0;
+    arg::set_number(lua, "great_work", works ? seconds(held_both_for(world, player, tick)) : 0);
+    const auto* chisel = world.find<Chisel>(wizard);
+    if (chisel == nullptr) return 1;
+    lua_pushboolean(lua, static_cast<int>(chisel->cutting));
+    lua_setfield(lua, -2, "cutting");
+    arg::push_place(lua, chisel->place);
+    lua_setfield(lua, -2, "place");
+    arg::push_place(lua, chisel->force);
+    lua_setfield(lua, -2, "force");
+    return 1;
+}
+
+/// Gives a wizard one half of the Great Work by hand.
+int verb_give(lua_State* lua, void* context) {
+    auto& play = began(context);
+    const auto wizard = wizard_of(world_of(play), arg::player(lua, 1));
+    const auto what = arg::string(lua, 2, "what to give");
+    auto& world = play.match->world_to_change();
+    scene_is_set(play);
+    if (what == "lens" && world_of(play).has<Lens>(wizard)) return world.get<Lens>(wizard).held = 1, 0;
+    if (what == "azoth" && world_of(play).has<Potions>(wizard))
+        return world.get<Potions>(wizard).work_half = 1, 0;
+    fault("give takes \"lens\" or \"azoth\", in a match that has it, not '", what, "'");
+}
+
+constexpr VerbName crystal_names[] = {
+    {"crystal", verb_crystal},         {"crystal_density", verb_crystal_density},
+    {"crystal_ray", verb_crystal_ray}, {"crystal_fault", verb_crystal_fault},
+    {"carver", verb_carver},           {"give", verb_give},
+};
+
+}  // namespace
+
+std::span<const VerbName> crystal_verbs() { return crystal_names; }
+
+}  // namespace thaum::game
