@@ -7,6 +7,7 @@
 #include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
+#include "game/components/orb.h"
 #include "game/components/station.h"
 
 namespace thaum::game {
@@ -135,6 +136,11 @@ void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace)
     ended.read = read;
 }
 
+bool is_at(const ecs::World& world, ecs::Entity wizard, StationKind kind) {
+    const auto* station = world.find<AtStation>(wizard);
+    return station != nullptr && station->kind == kind;
+}
+
 /// Follows the stroke of one wizard for a gameplay tick.
 void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, DrawnStroke& trace) {
     auto& world = context.world;
@@ -144,7 +150,9 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     auto& hand_state = world.get<HandState>(caster.wizard);
     const bool dead = std::as_const(world).has<Dead>(caster.wizard);
     const bool held = (controls.held & bit(Button::trace)) != 0;
-    if ((ladle != nullptr) != (trace.on_brew != 0)) trace.over = 1;
+    const bool moved_on = (ladle != nullptr) != (trace.on_brew != 0) ||
+                          is_at(world, caster.wizard, StationKind::orb) != (trace.on_orb != 0);
+    if (moved_on) trace.over = 1;
     if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, trace);
     if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
         const auto chord = chord_reading(context, *gestures, controls);
@@ -152,22 +160,22 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
         if (chord.stroke.gesture != no_gesture) act_on(context, caster, chord, *gestures);
     }
     if (held && !dead) return;
-    if (!dead && trace.over == 0 && !is_slip(*context.data.casting, trace))
+    if (!dead && trace.over == 0 && trace.on_orb == 0 && !is_slip(*context.data.casting, trace))
         act_on(context, caster, read_drawn(*gestures, trace, space), *gestures);
     if (trace.on_brew == 0) hand_state.home = trace.home;
-    if (!dead) keep(context, caster, trace);
+    if (!dead && trace.on_orb == 0) keep(context, caster, trace);
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "focus",
                   .period = gameplay_period,
-                  .reads = context.world.mask<Dead>(),
+                  .reads = context.world.mask<Dead, Scrying>(),
                   .writes = context.world.mask<Focus>(),
                   .needs = context.world.mask<Focus>(),
                   .run = [&context](ecs::World& w, Tick) {
                       const auto& rules = *context.data.casting;
-                      w.view<Focus, ecs::Without<Dead>>().each([&](Focus& focus) {
+                      w.view<Focus, ecs::Without<Dead>, ecs::Without<Scrying>>().each([&](Focus& focus) {
                           focus.points =
                               std::min(rules.focus_cap, focus.points + rules.focus_regain * gameplay_dt);
                       });
@@ -203,9 +211,8 @@ const LoadedSpell* spell_of(const MatchData& data, std::string_view gesture) {
 void begin_stroke(MatchContext& context, ecs::Entity wizard) {
     auto& world = context.world;
     if (!context.data.gestures || std::as_const(world).has<DrawnStroke>(wizard)) return;
-    const auto* station = std::as_const(world).find<AtStation>(wizard);
-    const bool on_brew = station != nullptr && station->kind == StationKind::cauldron;
-    world.commands().add(wizard, DrawnStroke{.on_brew = on_brew ? 1U : 0U,
+    world.commands().add(wizard, DrawnStroke{.on_brew = is_at(world, wizard, StationKind::cauldron) ? 1U : 0U,
+                                             .on_orb = is_at(world, wizard, StationKind::orb) ? 1U : 0U,
                                              .home = std::as_const(world).get<HandState>(wizard).home});
 }
 

@@ -224,17 +224,7 @@ void tell_orders(MatchContext& context, Tick tick) {
     const auto& match = std::as_const(context.world).single<Match>();
     const auto age = tick - match.round_began;
     if (age < told_after || age >= told_after + gameplay_period) return;
-    for (std::uint32_t i = 0; i < context.data.recipes.size(); ++i) {
-        const auto& recipe = context.data.recipes[i];
-        for (std::uint32_t player = 0; player < players && recipe.drawn; ++player) {
-            record(context,
-                   {.tick = tick,
-                    .kind = EventKind::recipe_told,
-                    .subject = player,
-                    .by = player,
-                    .detail = packed_recipe(i, order_of(recipe, std::as_const(context.world), player))});
-        }
-    }
+    for (std::uint32_t player = 0; player < players; ++player) tell_order(context, player, tick);
 }
 
 using Order = std::array<std::uint32_t, most_recipe_ingredients>;
@@ -370,6 +360,18 @@ double weight_of(const MatchData& data, const Potions* potions, Tick tick) {
     return product_of(data, potions, tick, &PotionGift::gravity);
 }
 
+void tell_order(MatchContext& context, std::uint32_t player, Tick tick) {
+    for (std::uint32_t i = 0; i < context.data.recipes.size(); ++i) {
+        const auto& recipe = context.data.recipes[i];
+        if (!recipe.drawn) continue;
+        record(context, {.tick = tick,
+                         .kind = EventKind::recipe_told,
+                         .subject = player,
+                         .by = player,
+                         .detail = packed_recipe(i, order_of(recipe, std::as_const(context.world), player))});
+    }
+}
+
 void draw_orders(MatchContext& context, std::uint64_t seed) {
     if (!context.data.cauldron) return;
     constexpr std::uint64_t stream = 2;
@@ -430,6 +432,7 @@ void add_potion_systems(MatchContext& context, ecs::Schedule& schedule) {
                   .writes = world.mask<Potions, Health, EventLog, resource::Journal>(),
                   .needs = world.mask<Potions>(),
                   .run = [&context](ecs::World&, Tick tick) { run_potions(context, tick); }});
+    if (context.data.orb) return;
     schedule.add({.name = "drawn recipes",
                   .period = gameplay_period,
                   .reads = world.mask<Match, DrawnOrders>(),

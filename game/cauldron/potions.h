@@ -63,13 +63,17 @@ double weight_of(const MatchData& data, const Potions* potions, Tick tick);
 /// Draws the orders of recipes from the match's seed.
 void draw_orders(MatchContext& context, std::uint64_t seed);
 
+/// Tells a player the orders of recipes that were drawn. Reads DrawnOrders, writes EventLog and resource::Journal.
+void tell_order(MatchContext& context, std::uint32_t player, Tick tick);
+
 /// Ends a changed brew whose time is up, and drives one that swirls or rises. Writes Cauldron.
 void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick);
 
 /// Removes what belongs to one filling of the cauldron: owner, clock, recipe and strokes.
 void forget_filling(Cauldron& cauldron);
 
-/// Adds the systems that end potions, hurt by poison and tell drawn recipes, every gameplay tick.
+/// Adds the systems that end potions, hurt by poison and tell drawn recipes, every gameplay tick. With an orb in the
+/// arena, it tells them instead (game/orb/scrying.h).
 void add_potion_systems(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -40,11 +40,11 @@ struct DrawnStroke {
     std::uint32_t count{};
     std::uint32_t every{1};  ///< gameplay ticks between two points
     std::uint32_t waits{};   ///< gameplay ticks until the next point
-    /// 0: it is read at its end; 1: the ladle came or went, so nothing is read of it; by_chord
+    /// 0: it is read at its end; 1: the ladle or the probe came or went, so nothing is read of it; by_chord
     std::uint32_t over{};
     std::uint32_t on_brew{};  ///< 1: the ladle draws
-    std::uint32_t spare{};
-    vec3 home{};  ///< hand position chosen by the player before the stroke (m, device frame)
+    std::uint32_t on_orb{};   ///< 1: a wizard who scries draws, so it is no spell's stroke
+    vec3 home{};              ///< hand position chosen by the player before the stroke (m, device frame)
     /// Way of the hand beyond its device's workspace (m). The hand of a mouse is stopped there; its stroke goes on.
     vec3 beyond{};
     static constexpr std::string_view name = "DrawnStroke";
@@ -52,7 +52,7 @@ struct DrawnStroke {
         return std::tuple(field("points", &DrawnStroke::points), field("count", &DrawnStroke::count),
                           field("every", &DrawnStroke::every), field("waits", &DrawnStroke::waits),
                           field("over", &DrawnStroke::over), field("on_brew", &DrawnStroke::on_brew),
-                          field("spare", &DrawnStroke::spare), field("home", &DrawnStroke::home),
+                          field("on_orb", &DrawnStroke::on_orb), field("home", &DrawnStroke::home),
                           field("beyond", &DrawnStroke::beyond));
     }
 };

@@ -90,6 +90,12 @@ enum class EventKind : std::uint32_t {
     hands_full =
         41,       ///< a wizard who carries one ingredient stands at the niche of another; detail: its number
     caught = 42,  ///< a wand has caught a thing that flew to its wizard; amount: its mass (kg)
+    // Numbers from 48 on are those of the orb.
+    core_near = 48,  ///< the probe of a wizard who scries came near the hidden core
+    core_lost = 49,  ///< that probe left it
+    scried = 50,     ///< the orb told a wizard what it tells; amount: health given (HP)
+    unscried = 51,   ///< a wizard who scried has no focus left
+    mode_worn = 52,  ///< a wizard put a mode on or took it off; detail: its number; amount: 1 on, 0 off
     // Numbers from 56 on are those of crystals and of the Great Work.
     chipped =
         56,     ///< a hit has melted a part of a crystal; subject: its last carver; amount: volume (voxels)

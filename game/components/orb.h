@@ -44,27 +44,36 @@ struct WornModes {
                                                     no_mode};  ///< numbers of modes; the oldest first
     /// Strength of each mode by its property, as the rules give it or as the wizard drew it.
     std::array<field::TransferFunction, most_orb_modes> strength{};
-    std::uint32_t told{};     ///< 1: the orb has told this wizard what it tells, in this life
+    std::uint32_t told{};        ///< 1: the orb has told this wizard what it tells, in this life
+    std::uint32_t order_told{};  ///< 1: the orb has told this player the orders of recipes, in this match
+    std::uint32_t
+        spent{};  ///< 1: focus ran out while scrying; the wizard scries again after Stir was released
     std::uint32_t version{};  ///< counts changes of modes and curves
     static constexpr std::string_view name = "WornModes";
     static constexpr auto fields() {
         using W = WornModes;
         return std::tuple(field("worn", &W::worn), field("strength", &W::strength), field("told", &W::told),
+                          field("order_told", &W::order_told), field("spent", &W::spent),
                           field("version", &W::version));
     }
 };
 
 /// A wizard who scries: holds Stir at the orb and moves a probe in its flow.
 struct Scrying {
-    vec3 place{};       ///< position of the probe (m, world)
-    vec3 force{};       ///< force of the modes on the probe (N, device frame turned to the world)
-    double distance{};  ///< of the probe from the hidden core (m, world)
-    Tick near_since{};  ///< when the probe came within reach of the core (ticks of play); 0: it is not
+    vec3 place{};              ///< position of the probe (m, world)
+    vec3 force{};              ///< force of the modes on the probe (N, device frame turned to the world)
+    double distance{};         ///< of the probe from the hidden core (m, world)
+    Tick near_since{};         ///< when the probe came within reach of the core (ticks of play); 0: it is not
+    vec3 pen{};                ///< position of the hand when it last drew a curve (m, device frame)
+    std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is known
+    std::uint32_t drawing{};   ///< 1: the hand draws the curve of the mode worn last, and feels no mode
     static constexpr std::string_view name = "Scrying";
     static constexpr auto fields() {
         using S = Scrying;
         return std::tuple(field("place", &S::place), field("force", &S::force),
-                          field("distance", &S::distance), field("near_since", &S::near_since));
+                          field("distance", &S::distance), field("near_since", &S::near_since),
+                          field("pen", &S::pen), field("pen_down", &S::pen_down),
+                          field("drawing", &S::drawing));
     }
 };
 

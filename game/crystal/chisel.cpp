@@ -172,13 +172,6 @@ field::Placement in_hand(const HandFrame& frame, const Crystal& crystal) {
             .scale = 1 / frame.metres_per_metre};
 }
 
-void stop_feeling(haptics::HapticModel& model) {
-    const haptics::HapticModel fresh;
-    model.primitives = fresh.primitives;
-    model.coupling = fresh.coupling;
-    model.set_number = fresh.set_number;
-}
-
 }  // namespace
 
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station) {
@@ -191,10 +184,6 @@ HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station) {
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model) {
     const auto& world = context.world;
-    if (!world.has<Chisel>(wizard)) {
-        if (model.set_number >= crystal_set) stop_feeling(model);
-        return;
-    }
     const auto& rules = *context.data.crystal;
     const auto& station = world.get<AtStation>(wizard);
     const auto& crystal = world.get<Crystal>(crystal_entity(world, station.number));

@@ -15,8 +15,8 @@ namespace thaum::game {
 /// Pose of a carving hand's device frame (world).
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 
-/// Sets the primitives of a wizard's haptic model for one tick: those of the crystal for a wizard who carves, none for
-/// one who has stopped. Reads Chisel, AtStation, Crystal and CrystalDensity.
+/// Sets the primitives of a wizard's haptic model for one tick: those of the crystal. The wizard must have a Chisel.
+/// Reads Chisel, AtStation, Crystal and CrystalDensity.
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model);
 

@@ -94,6 +94,17 @@ const RuleKind rule_kinds[] = {
     {EventKind::blunt, {.name = "blunt", .cause = {}, .placed = true, .has_subject = true}},
     {EventKind::tool_taken,
      {.name = "tool_taken", .cause = {}, .with = EventWith::tool, .placed = true, .has_subject = true}},
+    {EventKind::core_near, {.name = "core_near", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::core_lost, {.name = "core_lost", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::scried, {.name = "scried", .cause = {}, .unit = "hp", .placed = true, .has_subject = true}},
+    {EventKind::unscried, {.name = "unscried", .cause = {}, .placed = true, .has_subject = true}},
+    {EventKind::mode_worn,
+     {.name = "mode_worn",
+      .cause = {},
+      .with = EventWith::mode,
+      .unit = "worn",
+      .placed = true,
+      .has_subject = true}},
 };
 
 constexpr std::uint32_t most_kinds = 256;

@@ -30,6 +30,7 @@ enum class EventWith : std::uint8_t {
     gesture,  ///< Event::detail is the number of a gesture
     potion,
     fault,   ///< Event::detail is a BrewFault
+    mode,    ///< Event::detail is the number of a mode of the orb
     recipe,  ///< Event::detail is a drawn recipe, as EventKind::recipe_told has it
     tool     ///< Event::detail is the number of a carving tool
 };

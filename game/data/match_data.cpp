@@ -147,6 +147,12 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     }
 }
 
+bool has_orb(const Arena& arena) {
+    return std::any_of(arena.things.begin(), arena.things.end(), [](const Thing& thing) {
+        return thing.surface == Surface::orb && thing.body.shape == physics::Shape::sphere;
+    });
+}
+
 /// Reports a bowl in which the solver makes no brew, for instance because it would need too many cells.
 void check_bowl(const ConfigTable& arena, const MatchData& data) {
     const auto brew = check_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
@@ -339,6 +345,13 @@ void load_recipes(MatchData& data, Loader& loader) {
     }
 }
 
+/// Loads the rules of the orb, if arena and rule set have one.
+void load_orb(MatchData& data, Loader& loader) {
+    if (!data.rules.cauldron || !data.rules.spells || !has_orb(data.arena)) return;
+    data.orb =
+        loader.load("orb.toml", [](const Config& file) { return std::optional(read_orb_rules(file)); });
+}
+
 /// Names ingredients and potions for those who show the match.
 void name_brew(MatchData& data) {
     auto shown = std::make_shared<Presentation>(*data.presentation);
@@ -423,6 +436,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
         });
     }
     if (data.rules.cauldron && has_crystal(data.arena)) load_crystal(data, loader);
+    load_orb(data, loader);
     load_wands(data, loader);
     load_spells(data, loader);
     if (data.cauldron && data.gestures) load_recipes(data, loader);

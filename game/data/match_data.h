@@ -11,6 +11,7 @@
 #include "game/crystal/crystal_rules.h"
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
+#include "game/data/orb_rules.h"
 #include "game/data/presentation.h"
 #include "game/data/rules.h"
 #include "game/data/spell.h"
@@ -44,6 +45,8 @@ struct MatchData {
     std::optional<CrystalRules> crystal;
     std::vector<Recipe>
         recipes;  ///< recipes of potions, sorted by name; empty without a cauldron or gestures
+    /// std::nullopt if the rule set has no cauldron or no spells, or the arena no orb
+    std::optional<OrbRules> orb;
     std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes
     /// Gestures of assets/gestures, and what strokes can do. All are empty if the rule set has no spells.
     std::shared_ptr<const GestureSet> gestures;

@@ -8,6 +8,7 @@
 #include "game/crystal/chisel.h"
 #include "game/hand/arm_system.h"
 #include "game/hand/bare_probe.h"
+#include "game/orb/worn_modes.h"
 
 namespace thaum::game {
 namespace {
@@ -57,6 +58,18 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
     return glm::length(force);
 }
 
+/// Sets the primitives of the model: those of orb or crystal for a hand at one of them, none for any other.
+void feel_station(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
+                  haptics::HapticModel& model) {
+    if (context.world.has<Scrying>(wizard)) return feel_orb(context, wizard, hand_state, model);
+    if (context.world.has<Chisel>(wizard)) return feel_crystal(context, wizard, hand_state, model);
+    if (model.set_number == 0) return;
+    const haptics::HapticModel fresh;
+    model.primitives = fresh.primitives;
+    model.coupling = fresh.coupling;
+    model.set_number = 0;
+}
+
 }  // namespace
 
 const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
@@ -79,7 +92,7 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     } else if (model.fluid.number != 0) {
         model.fluid = {};
     }
-    feel_crystal(context, wizard, hand_state, model);
+    feel_station(context, wizard, hand_state, model);
     return model;
 }
 
@@ -88,7 +101,8 @@ void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Sched
     schedule.add(
         {.name = "touch",
          .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, AtStation, Cauldron, BrewSamples,
-                             Chisel, Crystal, CrystalDensity, resource::Brew, resource::Physics>(),
+                             Scrying, WornModes, Orb, Chisel, Crystal, CrystalDensity, resource::Brew,
+                             resource::Physics>(),
          .writes = world.mask<HandState, Arm, Ladle, DrawnStroke, resource::Models, resource::Forces>(),
          .needs = world.mask<HandState>(),
          .run = [&context, &brew](ecs::World& w, Tick tick) {

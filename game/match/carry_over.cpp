@@ -12,6 +12,7 @@
 #include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
 #include "game/match/haptic_setup.h"
+#include "game/orb/worn_modes.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -58,6 +59,8 @@ void refit_wizards(const MatchContext& from, MatchContext& to) {
         belt = carried_belt(from.data, to.data, belt);
         if (auto* focus = to.world.find<Focus>(wizard); focus != nullptr && to.data.casting)
             focus->points = std::min(focus->points, to.data.casting->focus_cap);
+        if (from.data.orb && to.data.orb)
+            refit_modes(*from.data.orb, *to.data.orb, to.world.get<WornModes>(wizard));
         refit(to, wizard, from.data.wizard);
     }
 }
@@ -110,7 +113,7 @@ void copy_world(const MatchContext& from, MatchContext& to) {
 bool fits(const MatchData& from, const MatchData& to) {
     return to.arena == from.arena && (to.gestures == nullptr) == (from.gestures == nullptr) &&
            to.cauldron.has_value() == from.cauldron.has_value() &&
-           to.crystal.has_value() == from.crystal.has_value();
+           to.orb.has_value() == from.orb.has_value() && to.crystal.has_value() == from.crystal.has_value();
 }
 
 }  // namespace

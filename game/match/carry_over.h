@@ -1,9 +1,10 @@
 // game/match/carry_over.h: carries a running match over to other data, for example numbers that a player has
 // just edited.
 //
-// If the arena is the same, and both have spells and a brew or both have none, everything stays except what the data decides: a wizard's body keeps the position
-// of its feet, and energy follows its wand to another slot. If not, the scene is created again
-// from the new arena. Both wizards keep position, direction of view and state there.
+// If the arena is the same, and both have spells, a brew and an orb or both have none, everything stays except
+// what the data decides: a wizard's body keeps the position of its feet, and energy follows its wand to another
+// slot. If not, the scene is created again from the new arena. Both wizards keep position, direction of view and
+// state there.
 #pragma once
 #include "game/context/match_context.h"
 

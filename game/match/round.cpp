@@ -9,6 +9,7 @@
 #include "game/hand/arm_system.h"
 #include "game/match/great_work.h"
 #include "game/match/haptic_setup.h"
+#include "game/orb/orb.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -91,6 +92,7 @@ void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crysta
     std::optional<DrawnOrders> orders;
     if (context.world.count<DrawnOrders>() > 0) orders = std::as_const(context.world).single<DrawnOrders>();
     const auto seeds = next_seeds(context.world);
+    const auto orb = orb_memory(context.world);
     clear_scene(context.world);
     spawn_arena(context.world, context.data.arena);
     spawn_cauldron(context, solver);
@@ -101,6 +103,7 @@ void open_round(MatchContext& context, BrewSolver& solver, CrystalBodies& crysta
     if (faders) context.world.create(*faders);
     if (orders) context.world.create(*orders);
     if (context.data.crystal && context.data.cauldron) context.world.create(GreatWork{});
+    if (orb) spawn_next_orb(context, *orb);
 }
 
 void add_round_system(MatchContext& context, ecs::Schedule& schedule) {

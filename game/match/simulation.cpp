@@ -21,6 +21,8 @@
 #include "game/match/own_gestures.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
+#include "game/orb/orb.h"
+#include "game/orb/scrying.h"
 #include "game/player/controls.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -32,12 +34,21 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
+/// Makes what the seed decides.
+void draw_by_seed(MatchContext& context, std::uint64_t seed) {
+    draw_orders(context, seed);
+    draw_crystals(context, seed);
+    spawn_orb(context, seed);
+}
+
 void add_hand_systems(MatchContext& context, BrewResource& brew, CrystalResource& crystals,
                       ecs::Schedule& schedule) {
     if (context.data.cauldron) add_stir_system(context, brew, schedule);
     if (context.data.crystal) add_carving_systems(context, crystals, schedule);
+    add_scrying_system(context, schedule);
     add_hand_system(context, brew, schedule);
     if (context.data.crystal) add_chisel_system(context, schedule);
+    add_orb_probe_system(context, schedule);
     if (!context.data.cauldron) return;
     add_station_gaze_system(context, schedule);
     add_ladle_system(context, schedule);
@@ -71,8 +82,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_body_hooks(context);
     spawn_match(context.world, setup_.seed);
     open_round(context, brew_.write(), crystals_.write());
-    draw_orders(context, setup_.seed);
-    draw_crystals(context, setup_.seed);
+    draw_by_seed(context, setup_.seed);
 
     add_arm_system(context, always_);
     add_controls_system(context, always_);

@@ -20,6 +20,11 @@ std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
     return known ? data.cauldron->ingredients[number].name : "";
 }
 
+std::string name_of_mode(const MatchData& data, std::uint32_t number) {
+    const bool known = data.orb && number < data.orb->modes.size();
+    return known ? data.orb->modes[number].name : "";
+}
+
 std::string name_of_gesture(const MatchContext& context, std::uint32_t player, std::uint32_t number) {
     const auto* gestures = player < players ? gestures_of(context, player) : nullptr;
     return gestures == nullptr ? std::string() : std::string(gestures->name(number));
@@ -100,6 +105,7 @@ std::string with_what(EventWith with, const Event& event, const Simulation& matc
         case EventWith::fault: return std::string(name_of_fault(static_cast<BrewFault>(event.detail)));
         case EventWith::tool: return tool_name(match.data(), event.detail);
         case EventWith::recipe: return words_of_recipe(match.data(), event.detail);
+        case EventWith::mode: return name_of_mode(match.data(), event.detail);
         case EventWith::round: return text("round ", event.detail);
     }
     return {};

@@ -9,7 +9,7 @@ local raw = {}
 for _, name in ipairs {
     "wait", "match", "button", "trigger", "fader", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
-    "picture_colours", "reach", "told", "stall", "stick", "draw",
+    "picture_colours", "reach", "told", "stall", "stick", "draw", "scrying", "core", "curve",
 } do
     raw[name] = _G["raw_" .. name]
     _G["raw_" .. name] = nil
@@ -104,6 +104,28 @@ function distance(a, b)
     local ax, ay, az = coordinates(a)
     local bx, by, bz = coordinates(b)
     return length {ax - bx, ay - by, az - bz}
+end
+
+-- a + share b; without a share, a + b.
+function plus(a, b, share)
+    local ax, ay, az = coordinates(a)
+    local bx, by, bz = coordinates(b)
+    share = share or 1
+    return {x = ax + share * bx, y = ay + share * by, z = az + share * bz}
+end
+
+function dot(a, b)
+    local ax, ay, az = coordinates(a)
+    local bx, by, bz = coordinates(b)
+    return ax * bx + ay * by + az * bz
+end
+
+-- The direction of a way; {x = 1, y = 0, z = 0} if it has no length.
+function unit(a)
+    local x, y, z = coordinates(a)
+    local size = sqrt(x * x + y * y + z * z)
+    if size < 1e-12 then return {x = 1, y = 0, z = 0} end
+    return {x = x / size, y = y / size, z = z / size}
 end
 
 -- wizards ------------------------------------------------------------------------------------------------------------
@@ -260,6 +282,60 @@ function Wizard:chord(slot, harsh)
     raw.button(self.player, "trace", false)
     raw.wait(16)
 end
+
+-- A wizard at the orb or at a crystal moves the hand for a tick towards a place (m, device frame), at most so many m/s, in
+-- the steps of a mouse and of the keys for walking: 0.1 mm. Returns the distance that is left to the place.
+function Wizard:steer(place, speed)
+    local x, y, z = coordinates(place)
+    local home = self.home
+    if home == nil then
+        home = self:hand()
+        home.moved = {0, 0, 0}
+        self.home = home
+    end
+    local dx, dy, dz = x - home.x, y - home.y, z - home.z
+    local way = sqrt(dx * dx + dy * dy + dz * dz)
+    local share = min(1, speed / 1000 / max(way, 1e-9))
+    home.x, home.y, home.z = home.x + share * dx, home.y + share * dy, home.z + share * dz
+    local moved = home.moved
+    local steps = {}
+    for i, whole in ipairs {dx, dy, dz} do
+        moved[i] = moved[i] + 1e4 * share * whole
+        steps[i] = floor(moved[i] + 0.5)
+        if i == 3 then steps[i] = max(-1, min(1, steps[i])) end
+        moved[i] = moved[i] - steps[i]
+    end
+    raw.draw(self.player, steps[1], steps[2])
+    raw.move(self.player, 0, -steps[3])
+    raw.wait(1)
+    return way * (1 - share)
+end
+
+-- Moves the hand to a place at so many m/s, until it is there, the condition holds or 5 s are over.
+function Wizard:hand_to(place, speed, condition)
+    for _ = 1, 5000 do
+        if self:steer(place, speed) < 1e-6 or condition and condition() then return end
+    end
+end
+
+-- Holds Stir at the orb and puts on the modes of these keys.
+function Wizard:scry(...)
+    self.home = nil
+    raw.button(self.player, "stir", true)
+    raw.wait(50)
+    for _, key in ipairs {...} do
+        raw.button(self.player, "wand_" .. key, true)
+        raw.wait(24)
+        raw.button(self.player, "wand_" .. key, false)
+        raw.wait(16)
+    end
+end
+
+function Wizard:scrying() return raw.scrying(self.player) end
+
+function Wizard:core() return raw.core(self.player) end
+
+function Wizard:curve(key, property) return raw.curve(self.player, key, property) end
 
 -- Fetches what is found at a niche, and drops it into the brew from a place at the rim; Stir stays held.
 function Wizard:drop_in(niche, at)

@@ -578,7 +578,7 @@ constexpr VerbName match_verbs[] = {
 
 Expected<void> add_verbs(Sandbox& sandbox, Play& play) {
     for (const auto list : {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs(),
-                            brew_verbs(), casting_verbs(), crystal_verbs(), sense_verbs()}) {
+                            brew_verbs(), casting_verbs(), crystal_verbs(), orb_verbs(), sense_verbs()}) {
         for (const auto& [name, verb] : list) sandbox.add(name, verb, &play);
     }
     return sandbox.run_prelude(prelude);

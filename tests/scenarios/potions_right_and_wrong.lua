@@ -7,10 +7,24 @@ wizard(2):place {15, 0, -15}
 local niches = {ember = {-4.5, 0, 0}, salt = {4.5, 0, 0}, iron = {-7, 0, 0}, resin = {7, 0, 0}, down = {-9.5, 0, 0},
     mist = {9.5, 0, 0}, moss = {12, 0, 0}}
 local azoth = {}
-for name in expect_event({kind = "recipe_told", by = 1, within = 3}).with:match(": (.*)"):gmatch("%a+") do
-    azoth[#azoth + 1] = name
+
+-- The orb tells the order of Azoth.
+local function scry_the_order()
+    me:place {-16.5, 0, 0}
+    wait(0.3)
+    me:scry(1)
+    me:hand_to((me:core()), 0.1)
+    wait(1.6)
+    me:hand_to({0, 0, 0}, 0.1)
+    wait(0.1)
+    me:release("stir")
+    wait(0.1)
+    for name in expect_event({kind = "recipe_told", by = 1}).with:match(": (.*)"):gmatch("%a+") do
+        azoth[#azoth + 1] = name
+    end
+    expect(#azoth == 3, "three ingredients of Azoth are told")
 end
-expect(#azoth == 3, "three ingredients of Azoth are told")
+wait(1)
 
 -- Counterclockwise from the top, 2 wide.
 local back = {}
@@ -89,6 +103,7 @@ end
 
 local west, east = {-2.2, 0, 0}, {2.2, 0, 0}
 for _, name in ipairs {"haste", "ironhide", "feather", "venom", "azoth"} do
+    if name == "azoth" then scry_the_order() end
     local recipe, window = recipes[name], windows[name]
     -- Right ways: at once, later in the window, from the other side of the rim, small strokes and large ones.
     mix(name, 0, west) draw(name) brewed(name, "at once")

@@ -179,17 +179,21 @@ TEST(Potions, OrdersFollowFromTheSeedAndDiffer) {
     EXPECT_GE(first.size(), 3U) << "of six possible orders";
 }
 
-TEST(Potions, BothPlayersAreToldTheirOrder) {
-    Kitchen kitchen;
-    kitchen.run(ticks(1.2));
+TEST(Potions, WithoutAnOrbBothPlayersAreToldTheirOrder) {
+    auto data = load_match_data(assets(), {.arena = "the_well"});
+    ASSERT_TRUE(data.has_value()) << data.error().message;
+    Simulation match(std::make_shared<const MatchData>(std::move(*data)), two_hands());
+    for (Tick t = 0; t < ticks(1.2); ++t) match.tick({});
     std::vector<std::uint32_t> told;
-    const auto& events = kitchen.match().events();
+    const auto& events = match.events();
     for (auto i = events.first(); i < events.count(); ++i)
         if (events[i].kind == EventKind::recipe_told) told.push_back(events[i].detail);
     ASSERT_EQ(told.size(), 2U);
     EXPECT_NE(told[0], told[1]);
-    const auto& recipe = kitchen.match().data().recipes[kitchen.number_of("azoth")];
-    const auto order = order_of(recipe, kitchen.world(), 0);
+    const auto& recipes = match.data().recipes;
+    const auto recipe = std::find_if(recipes.begin(), recipes.end(), [](const Recipe& r) { return r.drawn; });
+    ASSERT_NE(recipe, recipes.end());
+    const auto order = order_of(*recipe, match.world(), 0);
     EXPECT_EQ((told[0] >> 8U) & 0xFFU, order.steps[0].ingredient);
     EXPECT_EQ((told[0] >> 24U) & 0xFFU, order.steps[2].ingredient);
 }

@@ -19,6 +19,7 @@ std::span<const VerbName> report_verbs();
 std::span<const VerbName> brew_verbs();
 std::span<const VerbName> casting_verbs();
 std::span<const VerbName> crystal_verbs();
+std::span<const VerbName> orb_verbs();
 std::span<const VerbName> sense_verbs();
 
 // Limits that keep a script's values in the range of the physics.

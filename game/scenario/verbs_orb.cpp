@@ -1,0 +1,87 @@
+// Verbs for wizards who scry.
+#include "game/components/hand_state.h"
+#include "game/components/orb.h"
+#include "game/components/station.h"
+#include "game/orb/orb.h"
+#include "game/scenario/detail/verb.h"
+
+namespace thaum::game {
+namespace {
+
+namespace arg = arguments;
+
+/// Sets the list of worn modes by name, the oldest first.
+void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto mode : modes.worn) {
+        if (mode >= play.data->orb->modes.size()) continue;
+        const auto& name = play.data->orb->modes[mode].name;
+        lua_pushlstring(lua, name.data(), name.size());
+        lua_rawseti(lua, -2, ++count);
+    }
+    lua_setfield(lua, -2, "modes");
+}
+
+/// What a wizard does at the orb; nil if the wizard does not scry.
+int verb_scrying(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto player = arg::player(lua, 1);
+    const auto wizard = wizard_entity(play, player);
+    const auto* scrying = world_of(play).find<Scrying>(wizard);
+    if (scrying == nullptr) {
+        lua_pushnil(lua);
+        return 1;
+    }
+    lua_createtable(lua, 0, 7);
+    arg::push_place(lua, scrying->place);
+    lua_setfield(lua, -2, "place");
+    arg::push_place(lua, scrying->force);
+    lua_setfield(lua, -2, "force");
+    arg::set_number(lua, "distance", scrying->distance);
+    lua_pushboolean(lua, static_cast<int>(scrying->near_since != 0));
+    lua_setfield(lua, -2, "near");
+    lua_pushboolean(lua, static_cast<int>(scrying->drawing != 0));
+    lua_setfield(lua, -2, "drawing");
+    set_modes(lua, play, part<WornModes>(play, player));
+    return 1;
+}
+
+/// Where the core lies in the device frame of a wizard who scries: the place of it that is nearest to the orb's middle,
+/// and its direction.
+int verb_core(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto wizard = wizard_entity(play, arg::player(lua, 1));
+    const auto* station = world_of(play).find<AtStation>(wizard);
+    if (station == nullptr || station->kind != StationKind::orb) arg::fault("this wizard does not scry");
+    const auto& orb = world_of(play).single<Orb>();
+    const auto core = core_of(orb);
+    const auto frame = probe_frame(*play.data->orb, orb, station->yaw);
+    arg::push_place(lua, frame.to_device(core.middle));
+    arg::push_place(lua, glm::conjugate(frame.turn) * core.axis);
+    return 2;
+}
+
+/// Strength that a wizard has drawn, or that the rules gave, for a mode's key at a property (N).
+int verb_curve(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto player = arg::player(lua, 1);
+    if (!play.data->orb) arg::fault("this match has no orb");
+    const auto count = static_cast<double>(play.data->orb->modes.size());
+    const auto mode = static_cast<std::size_t>(arg::integer(lua, 2, "the mode's key", {1, count})) - 1;
+    const double property = arg::number(lua, 3, "the property", {-1e6, 1e6});
+    lua_pushnumber(lua, part<WornModes>(play, player).strength[mode](property));
+    return 1;
+}
+
+constexpr VerbName orb_list[] = {
+    {"raw_scrying", verb_scrying},
+    {"raw_core", verb_core},
+    {"raw_curve", verb_curve},
+};
+
+}  // namespace
+
+std::span<const VerbName> orb_verbs() { return orb_list; }
+
+}  // namespace thaum::game
