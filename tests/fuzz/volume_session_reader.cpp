@@ -6,13 +6,17 @@ namespace thaum::fuzz {
 namespace {
 
 std::vector<std::string> sessions(const Places&) {
-    game::VolumeSession session{.first = {.volume = "sphere"}, .beside = {{.volume = "vortices"}}};
+    game::VolumeSession session, plain;
+    session.first.volume = "sphere";
+    session.beside.resize(1);
+    session.beside[0].volume = "vortices";
+    plain.first.volume = "head.nrrd";
     session.opacity = field::window(0, 255, 0, 0.3);
     session.modes = {{.name = "isosurface", .filters = {{field::FilterKind::smooth, 1}}},
                      {.name = "viscosity"}};
     session.feel = {{game::FeelKind::wall, {500, 0.8, 0.2}}, {game::FeelKind::shell, {0, 100, 1, 1}}};
     for (auto& mode : session.modes) mode.settings.strength = mode.settings.friction = field::constant(1);
-    return {game::session_text(session), game::session_text({.first = {.volume = "head.nrrd"}})};
+    return {game::session_text(session), game::session_text(plain)};
 }
 
 Outcome read_saved_session(const std::string& input, const Places&) {
