@@ -5,6 +5,10 @@ thaum_test(test_game
 thaum_test(test_orb
     SOURCES unit/orb_test.cpp
     LINK thaum_duel)
+thaum_test(test_crystal
+    SOURCES unit/crystal_test.cpp unit/crystal_shape_test.cpp
+    LINK thaum_duel
+    NOT_SANITIZED CrystalShape.KeysOfAThousand* Crystal.CarvingUnderTheHand*)
 thaum_test(test_free_casting
     SOURCES unit/free_casting_test.cpp
     LINK thaum_duel thaum_strokes

@@ -112,7 +112,7 @@ struct Hurt {
     EventKind how{};
     vec3 place{};
     std::uint32_t detail{};  ///< Event::detail of the recorded event
-    bool pierces{};          ///< a shield does not take any of it
+    bool pierces{};          ///< true: a shield takes none of it
 };
 
 /// Takes health and records the event, unless the wizard is shielded or dead. Writes Health, EventLog and

@@ -8,7 +8,7 @@
 #include "game/arena/look.h"
 #include "game/brew/brew.h"
 #include "game/brew/recipe.h"
-#include "game/crystal/crystal_rules.h"
+#include "game/data/crystal_rules.h"
 #include "game/data/casting_rules.h"
 #include "game/data/gesture_set.h"
 #include "game/data/orb_rules.h"

@@ -62,6 +62,17 @@ void add_cauldron_systems(MatchContext& context, BrewResource& brew, ecs::Schedu
     add_brew_systems(context, brew, schedule);
 }
 
+/// Adds the systems that move bodies, and those of wands and strokes.
+void add_fighting_systems(MatchContext& context, CrystalResource& crystals, ecs::Schedule& schedule) {
+    add_wand_forces(context, schedule);
+    add_body_systems(context, schedule);
+    add_missile_systems(context, schedule);
+    if (context.data.crystal) add_chip_system(context, crystals, schedule);
+    add_belt_system(context, schedule);
+    add_casting_systems(context, schedule);
+    add_free_casting_systems(context, schedule);
+}
+
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
@@ -92,13 +103,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_hand_systems(context, brew_, crystals_, live_);
     add_walk_system(context, live_);
     add_probe_system(context, live_);
-    add_wand_forces(context, live_);
-    add_body_systems(context, live_);
-    add_missile_systems(context, live_);
-    if (data_->crystal) add_chip_system(context, crystals_, live_);
-    add_belt_system(context, live_);
-    add_casting_systems(context, live_);
-    add_free_casting_systems(context, live_);
+    add_fighting_systems(context, crystals_, live_);
     if (data_->cauldron) add_cauldron_systems(context, brew_, live_);
     add_power_up_system(context, live_);
     add_life_systems(context, live_);

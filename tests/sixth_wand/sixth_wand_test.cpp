@@ -50,7 +50,7 @@ TEST(EventKinds, KindsOfTheGameKeepTheirNumbersAndNewOnesFollowByName) {
     EXPECT_EQ(static_cast<int>(hit_kind("bolt_hit")), 2);
     EXPECT_EQ(static_cast<int>(hit_kind("blast_hit")), 11);
     EXPECT_EQ(static_cast<int>(hit_kind("lob_hit")), 12);
-    constexpr int last = static_cast<int>(EventKind::caught);
+    constexpr int last = static_cast<int>(EventKind::tool_taken);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_frost")), last + 1);
     EXPECT_EQ(static_cast<int>(hit_kind("hail_hit")), last + 2);
     const std::vector<std::string_view> wanted{"bolt", "blast", "lob",   "blow", "fall",
@@ -80,7 +80,7 @@ TEST(EventKinds, NumbersDoNotDependOnTheOrderOfRegistration) {
     }
     EXPECT_EQ(first.kinds.back().name, "d_hit");
     EXPECT_EQ(first.kinds.back().cause_number,
-              first.kinds[static_cast<std::size_t>(EventKind::caught) + 1].cause_number)
+              first.kinds[static_cast<std::size_t>(EventKind::tool_taken) + 1].cause_number)
         << "one cause for two hits";
 }
 

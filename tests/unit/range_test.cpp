@@ -343,10 +343,10 @@ protected:
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         for (const auto* part :
-             {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures", "spells"})
+             {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures", "spells", "carving"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
-        for (const auto* file :
-             {"range.toml", "haptics.toml", "cauldron.toml", "casting.toml", "events.toml"})
+        for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml", "casting.toml",
+                                 "crystal.toml", "events.toml", "materials.toml"})
             fs::copy(assets() / file, folder_);
         auto files = RangeFiles::open(folder_, {});
         EXPECT_TRUE(files) << (files ? "" : files.error().message);

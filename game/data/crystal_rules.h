@@ -1,4 +1,4 @@
-// game/crystal/crystal_rules.h: rules of the crystals, of the Lens and of the Great Work (assets/crystal.toml).
+// game/data/crystal_rules.h: rules of the crystals, of the Lens and of the Great Work (assets/crystal.toml).
 #pragma once
 #include <string>
 #include <vector>

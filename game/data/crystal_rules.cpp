@@ -1,4 +1,4 @@
-#include "game/crystal/crystal_rules.h"
+#include "game/data/crystal_rules.h"
 
 #include <algorithm>
 

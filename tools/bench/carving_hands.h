@@ -1,0 +1,40 @@
+// bench/carving_hands.h: two players who carve one crystal, for benchmarks and tests of a match.
+#pragma once
+#include <cmath>
+
+#include "core/maths.h"
+#include "game/match/simulation.h"
+
+namespace thaum::bench {
+
+/// Places the first player before a crystal and the second behind it, or far away.
+inline void place_at_the_crystal(game::Simulation& match, bool both = true, std::uint32_t number = 0) {
+    auto& world = match.world_to_change();
+    const vec3 middle = match.world().get<game::Crystal>(game::crystal_entity(match.world(), number)).middle;
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto wizard = game::wizard_of(world, player);
+        auto& motion = world.get<game::Motion>(wizard);
+        const double off = player == 0 ? -1.5 : both ? 1.5 : -20;
+        motion.position = {middle.x, match.data().wizard.height / 2, middle.z + off};
+        match.physics().set_state(wizard.index, motion);
+    }
+}
+
+/// Input with which both players hold Stir, press their hands into the crystal and out again, and go round. Fire is held,
+/// except in the last quarter of each second, and the tool changes each second.
+inline input::InputFrame carving(Tick tick) {
+    input::InputFrame frame;
+    for (std::size_t player = 0; player < game::players; ++player) {
+        const double turn = 2 * pi * static_cast<double>(tick) / (player == 0 ? 700 : 1100);
+        auto& sample = frame.devices[player];
+        sample.press(input::Button::stir);
+        if (tick % 1000 < 750) sample.press(input::Button::fire);
+        if (tick % 1000 > 980) sample.wand = static_cast<std::uint8_t>(1 + (tick / 1000 + player) % 4);
+        sample.counts[input::hand::look_right] = static_cast<std::int32_t>(std::lround(2 * det::cos(turn)));
+        sample.counts[input::hand::look_up] = static_cast<std::int32_t>(std::lround(2 * det::sin(turn)));
+        sample.counts[input::hand::forward] = tick % 600 < 350 ? 127 : -127;
+    }
+    return frame;
+}
+
+}  // namespace thaum::bench
