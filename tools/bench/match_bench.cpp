@@ -10,6 +10,7 @@
 #include "game/wands/belt.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
+#include "tools/bench/carving_hands.h"
 #include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
 #include "tools/bench/stirring_hands.h"
@@ -227,7 +228,7 @@ using Stir = std::function<void(SceneMatch&, Tick)>;
 struct Feature {
     const char* name;
     std::vector<std::string_view> systems;
-    const char* idle_state;  ///< "absent" or "asleep"
+    const char* idle_state;  ///< such as "absent" or "asleep"
     Stir stir;
     std::vector<std::string> overrides{};
     Tick
@@ -308,8 +309,14 @@ void stir_brew(SceneMatch& scene, Tick tick) {
     scene.frame = stirring(tick);
 }
 
+void carve_crystal(SceneMatch& scene, Tick tick) {
+    if (tick == 0) place_at_the_crystal(*scene.match);
+    scene.frame = carving(tick);
+}
+
 void skip_features(const Options& options, Report& report) {
     const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
+    const std::vector<std::string_view> crystal_systems{"carvers", "carving", "chisels", "chips"};
     // A less viscous brew would take minutes to come to rest.
     const std::vector<std::string> thick_brew{"cauldron.brew.viscosity_m2_s=0.2",
                                               "cauldron.surface.damping_per_s=20"};
@@ -320,6 +327,8 @@ void skip_features(const Options& options, Report& report) {
         {"wizards", {"walk", "physics", "places"}, "asleep", walk_about},
         {"fluid", fluid_systems, "absent", stir_brew},
         {"fluid", fluid_systems, "asleep", stir_brew, thick_brew, 20'000},
+        {"crystal", crystal_systems, "untouched", carve_crystal},
+        {"crystal", crystal_systems, "left", carve_crystal, {}, 100},
     };
     const Tick count = options.quick ? 4000 : 16'000;
     for (const auto& feature : features) {
