@@ -3,7 +3,7 @@ thaum_test(test_game
     LINK thaum_duel
     NOT_SANITIZED ArenaMatch.Bots* ArenaMatch.AnArena* Bot.HigherLevels* Bot.LeadingTheFoe* Bot.DodgingIsHit* Bot.WaitsNowhere* GameMatch.TwoBots* GameSystemsOfBots.* HapticSetup.TheAuditFinds* Lob.AStoneNever* Probe.TurningAndWalking* GameCauldron.FadersTake* GameCauldron.TheSameWithAnyNumber* Bot.FetchesHealth* Bot.DoesNotWaitForACharge*)
 thaum_test(test_orb
-    SOURCES unit/orb_test.cpp
+    SOURCES accuracy/orb_force_test.cpp stability/orb_hostile_test.cpp unit/orb_test.cpp
     LINK thaum_duel)
 thaum_test(test_crystal
     SOURCES unit/crystal_test.cpp unit/crystal_shape_test.cpp

@@ -98,3 +98,8 @@ endif()
 thaum_test(test_scenario
     SOURCES unit/scenario_sandbox_test.cpp unit/scenario_runner_test.cpp
     LINK thaum_scenario PkgConfig::lua nlohmann_json::nlohmann_json)
+thaum_test(test_orb_follow
+    SOURCES stability/orb_follow_test.cpp
+    LINK thaum_scenario
+    NOT_SANITIZED OrbFollow.*
+    SLOW OrbFollow.*)

@@ -33,6 +33,16 @@
 //                         how: {size = width in m, seconds, times = turns in one stroke}
 //       reach(place [, speed])
 //                         moves the arm's tip (m, m/s, arm's frame); without a speed the tip jumps
+//       scry(keys ...)    holds Stir at the orb and puts on the modes of these keys
+//       steer(place, speed)
+//                         at the orb or a crystal: moves the hand for a tick towards a place (m, m/s, device frame);
+//                         returns the distance that is left
+//       hand_to(place, speed [, condition])
+//                         steers until the hand is there or the condition holds
+//       scrying()         nil, or {place = , force = , distance = from the hidden core, near = , drawing = , modes = names}
+//       core()            place of the hidden core nearest to the orb's middle, and its direction (device frame)
+//       curve(key, property)
+//                         strength that a mode has at a property (N)
 //       told()            force computed by the arm's own thread in its last tick (N)
 //       place(feet), face(yaw, pitch) in degrees: set the scene
 //     wait(seconds), tick([n]), time(), now() in ticks, wait_until(condition, seconds), pause(n)
@@ -80,7 +90,7 @@
 //                         sets the scene: records an event that did not happen, to be heard and felt
 //     check_senses{layouts = , quit = seconds}
 //                         plays the same frames again, with and without hearing and feeling; quit: all of it dies then
-//     distance(a, b), length(v), log(...)
+//     distance(a, b), length(v), plus(a, b [, share]), dot(a, b), unit(v), log(...)
 //
 // Verbs that set the scene are not actions of a player, so the input alone cannot replay the match. A scenario
 // that uses them leaves no log and cannot use check_seek, check_late, check_threads or check_senses.

@@ -57,13 +57,15 @@ local function search(from)
     if middle or not felt then wait_at(middle or from) end
 end
 
-local far = 0.022
-for _, from in ipairs {
-    {0, 0, 0}, {far, 0, 0}, {-far, 0, 0}, {0, far, 0}, {0, -far, 0}, {0, 0, far}, {0, 0, -far}, {0.015, 0.015, 0.015},
-    {-0.015, 0.015, 0.015}, {0.015, -0.015, 0.015}, {0.015, 0.015, -0.015}, {-0.03, 0.03, 0}, {0.03, -0.03, 0},
-    {0.015, 0, 0}, {-0.015, 0, 0}, {0, 0.015, 0}, {0, -0.015, 0}, {0.03, 0.03, 0}, {-0.03, -0.03, 0},
-} do
-    if not over() then search(from) end
+local starts = {
+    {0, 0, 0}, {0.022, 0, 0}, {-0.022, 0, 0}, {0, 0.022, 0}, {0, -0.022, 0}, {0, 0, 0.022}, {0, 0, -0.022},
+    {0.015, 0.015, 0.015}, {-0.015, 0.015, 0.015}, {0.015, -0.015, 0.015}, {0.015, 0.015, -0.015}, {-0.03, 0.03, 0},
+    {0.03, -0.03, 0}, {0.015, 0, 0}, {-0.015, 0, 0}, {0, 0.015, 0}, {0, -0.015, 0}, {0.03, 0.03, 0}, {-0.03, -0.03, 0},
+}
+for _, share in ipairs {1, 0.7, 1.4} do
+    for _, from in ipairs(starts) do
+        if not over() then search(plus({0, 0, 0}, from, share)) end
+    end
 end
 log(string.format("%s after %.3f s", told() and "found" or "not found", time() - began))
 expect(told() or limit ~= 20, "the bot found the core by force alone")

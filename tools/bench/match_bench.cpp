@@ -314,6 +314,22 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
+/// Both wizards search the orb with two modes each.
+void search_orb(SceneMatch& scene, Tick tick) {
+    if (tick == 0) {
+        place(*scene.match, 0, {-16.5, 0.9, 0}, pi / 2, 0);
+        place(*scene.match, 1, {-18, 0.9, 1.4}, 0, 0);
+    }
+    auto& world = scene.match->world_to_change();
+    world.view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });
+    for (std::size_t d = 0; d < game::players; ++d) {
+        auto& hand = scene.frame.devices[d];
+        hand.press(input::Button::stir);
+        hand.counts[input::hand::look_right] = tick % 1000 < 500 ? 1 : -1;
+        hand.wand = tick == 40 ? 4 : tick == 80 ? 6 : 0;
+    }
+}
+
 void skip_features(const Options& options, Report& report) {
     const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
     const std::vector<std::string_view> crystal_systems{"carvers", "carving", "chisels", "chips"};
@@ -329,6 +345,7 @@ void skip_features(const Options& options, Report& report) {
         {"fluid", fluid_systems, "asleep", stir_brew, thick_brew, 20'000},
         {"crystal", crystal_systems, "untouched", carve_crystal},
         {"crystal", crystal_systems, "left", carve_crystal, {}, 100},
+        {"orb", {"orb probes"}, "absent", search_orb},
     };
     const Tick count = options.quick ? 4000 : 16'000;
     for (const auto& feature : features) {

@@ -1,0 +1,131 @@
+// Hostile curves at the orb: strengths up to 10^6 N of either sign that jump, all pairs of modes, both players at once.
+#include "core/random.h"
+#include "unit/orb_rig.h"
+
+namespace thaum::game::test {
+namespace {
+
+/// A curve with jumps at four places.
+field::TransferFunction hostile_curve(Random& random, double most_property) {
+    constexpr std::array<double, 6> strengths{1e6, -1e6, 0, 1, 5, 0.3};
+    std::array<vec2, 8> points{};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {most_property * static_cast<double>(i / 2) / 3,
+                     strengths[random.below(strengths.size())]};
+    return field::transfer_function(points).value_or(field::constant(1e6));
+}
+
+/// Energy that the forces gave to one hand, from the device's own motion.
+class GivenEnergy {
+public:
+    void add(const HandState& before, const HandState& now, const haptics::HapticModel& model, double cap) {
+        created_ += glm::dot(now.device.force, now.device.position - before.device.position);
+        // What was dissipated earlier gives no right to create energy later.
+        if (stored(now, model, cap) < 1e-3) created_ = std::max(created_, 0.0);
+        most_ = std::max(most_, created_);
+    }
+    double most() const { return most_; }
+
+private:
+    /// Energy of the spring between tip and proxy and of the primitives, of which the cap lets no more force through (J).
+    static double stored(const HandState& hand, const haptics::HapticModel& model, double cap) {
+        const double stretch = glm::distance(hand.servo.proxy, hand.device.position);
+        const double stiffness = model.coupling.stiffness, most = cap / stiffness;
+        double energy = stretch < most ? stiffness * stretch * stretch / 2 : cap * (stretch - most / 2);
+        for (const auto& p : model.primitives.items()) {
+            const vec3 off = hand.servo.proxy - p.position;
+            const double along = glm::dot(off, p.direction);
+            const bool line = p.kind == haptics::PrimitiveKind::line,
+                       plane = p.kind == haptics::PrimitiveKind::plane;
+            const double way = plane  ? std::max(0.0, -along)
+                               : line ? glm::length(off - along * p.direction)
+                                      : glm::length(off);
+            energy += std::min(p.strength, cap) * way;
+        }
+        return energy;
+    }
+
+    double created_{}, most_{};
+};
+
+struct Outcome {
+    double largest{}, cap{}, created{}, felt{};
+    bool finite{true};
+};
+
+/// Both players wear two modes while their hands dart about and their curves change.
+Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t seed) {
+    Seance seance(seed);
+    seance.begin(0);
+    seance.begin(1);
+    Random random = random_stream(seed, 4);
+    Outcome outcome;
+    std::array<GivenEnergy, players> energies;
+    std::array<vec3, players> aims{};
+    for (Tick t = 0; t < length; ++t) {
+        std::array<HandState, players> before;
+        for (std::uint32_t player = 0; player < players; ++player) {
+            auto& modes = seance.change().get<WornModes>(seance.wizard(player));
+            seance.change().get<Focus>(seance.wizard(player)).points = 100;
+            if (t % 500 == 0) {
+                modes.worn = worn;
+                for (std::size_t i = 0; i < seance.rules().modes.size(); ++i)
+                    modes.strength[i] = hostile_curve(random, seance.rules().modes[i].most_property);
+                ++modes.version;
+            }
+            if (t % 300 == 0)
+                aims[player] = {random.uniform(-0.07, 0.07), random.uniform(-0.05, 0.05),
+                                random.uniform(-0.03, 0.03)};
+            before[player] = seance.part<HandState>(player);
+            // Forces beyond all bounds shut a device off; a press of the panic key arms it again.
+            auto& hand = seance.change().get<HandState>(seance.wizard(player));
+            hand.home += (t % 300 < 10 ? 0.1 : 0.01) * (aims[player] - hand.home);
+            if (before[player].servo.safety.latched != 0 && t % 40 < 20)
+                seance.hold(input::Button::panic, player);
+            else
+                seance.release(input::Button::panic, player);
+        }
+        seance.run(1);
+        for (std::uint32_t player = 0; player < players; ++player) {
+            const auto& now = seance.part<HandState>(player);
+            const vec3 output = now.servo.safety.output;
+            outcome.cap = seance.match->haptic_setup().servos[player].limits.cap;
+            outcome.finite = outcome.finite && is_finite(output) && is_finite(now.device.position);
+            outcome.largest = std::max(outcome.largest, glm::length(output));
+            outcome.felt += output != vec3(0) ? 0.5 / static_cast<double>(length) : 0;
+            energies[player].add(before[player], now, seance.model(player), outcome.cap);
+            outcome.created = std::max(outcome.created, energies[player].most());
+        }
+    }
+    EXPECT_TRUE(seance.scries(0) && seance.scries(1));
+    return outcome;
+}
+
+constexpr Tick whole = 100'000;
+
+TEST(OrbHostile, AllPairsOfModesStayWithinTheCap) {
+    for (std::uint32_t one = 0; one < 6; ++one) {
+        for (std::uint32_t other = one + 1; other < 6; ++other) {
+            const auto outcome = dart_about({one, other}, whole / 15, 6 * one + other);
+            EXPECT_TRUE(outcome.finite) << one << ", " << other;
+            EXPECT_LE(outcome.largest, outcome.cap * (1 + 1e-12)) << one << ", " << other;
+            EXPECT_GT(outcome.felt, 0.3) << one << ", " << other << ": something was felt";
+        }
+    }
+}
+
+TEST(OrbHostile, PairsOfPassiveModesCreateNoEnergy) {
+    constexpr std::array<std::uint32_t, 4> passive{0, 3, 4, 5};
+    for (std::size_t i = 0; i < passive.size(); ++i) {
+        for (std::size_t j = i + 1; j < passive.size(); ++j) {
+            const auto outcome = dart_about({passive[i], passive[j]}, whole / 6, 40 + 6 * i + j);
+            EXPECT_LE(outcome.created, 0.02) << passive[i] << ", " << passive[j];
+            EXPECT_GT(outcome.felt, 0.3) << passive[i] << ", " << passive[j];
+            RecordProperty(std::to_string(10 * passive[i] + passive[j]),
+                           std::to_string(1000 * outcome.created) + " mJ");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace thaum::game::test
