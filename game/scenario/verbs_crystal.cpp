@@ -95,7 +95,8 @@ int verb_crystal_fault(lua_State* lua, void* context) {
         if (solid ? body.key[i] > clear_miss : body.key[i] < 1 - clear_miss) continue;
         if ((kind == "melt" && !solid) || (kind == "construct" && solid)) continue;
         constexpr std::size_t side = crystal_side;
-        const vec3 voxel(i % side, i / side % side, i / (side * side));
+        const std::size_t x = i % side, y = i / side % side, z = i / (side * side);
+        const vec3 voxel(x, y, z);
         const vec3 place = spacing_of(crystal) * (voxel - 0.5 * (crystal_side - 1));
         const double distance = glm::distance(place, from);
         if (distance < least) nearest = place, least = distance, surplus = solid;

@@ -41,13 +41,14 @@ struct Blast {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t shooter{};  ///< key of the shooter's body
-    double lens{1};           ///< factor of the harm by the shooter's Lens; 1: without one
+    std::uint32_t lens{};     ///< 1: the shooter held the Lens
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Blast";
     static constexpr auto fields() {
         return std::tuple(field("position", &Blast::position), field("velocity", &Blast::velocity),
                           field("charge", &Blast::charge), field("dies_at", &Blast::dies_at),
                           field("player", &Blast::player), field("shooter", &Blast::shooter),
-                          field("lens", &Blast::lens));
+                          field("lens", &Blast::lens), field("spare", &Blast::spare));
     }
 };
 
@@ -108,10 +109,9 @@ double recoil_of(const BlastData& data, double charge) {
     return data.recoil * energy * data.speed.at(charge) / data.speed.most;
 }
 
-/// Factor of the harm of a wizard's blasts.
-double lens_of(const MatchContext& context, ecs::Entity wizard) {
-    const auto* lens = context.world.find<Lens>(wizard);
-    return lens != nullptr && lens->held != 0 ? context.data.crystal->lens_share : 1;
+bool holds_lens(const ecs::World& world, ecs::Entity wizard) {
+    const auto* lens = world.find<Lens>(wizard);
+    return lens != nullptr && lens->held != 0;
 }
 
 void shoot(const WandUse& use, const BlastData& data, double charge) {
@@ -124,7 +124,7 @@ void shoot(const WandUse& use, const BlastData& data, double charge) {
                                   .dies_at = use.tick + data.life,
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                   .shooter = use.wizard.index,
-                                  .lens = lens_of(use.context, use.wizard)});
+                                  .lens = holds_lens(world, use.wizard) ? 1U : 0U});
     note_shot(use, data.hit, muzzle.tip);
     recoil(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
@@ -192,7 +192,8 @@ void add_force_systems(const WandSystems& to, const BlastData& data) {
 
 void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 place, physics::Key struck,
          Tick tick) {
-    const double damage = blast.lens * data.damage.at(blast.charge);
+    const bool lens = blast.lens != 0 && context.data.crystal;
+    const double damage = data.damage.at(blast.charge) * (lens ? context.data.crystal->lens_share : 1);
     burst(context,
           {.place = place,
            .size = data.radius,
@@ -205,7 +206,7 @@ void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 
            .how = data.hit,
            .struck = struck,
            .struck_damage = damage,
-           .pierces = blast.lens > 1},
+           .pierces = lens},
           tick);
 }
 
