@@ -109,6 +109,7 @@ struct Renderer::State {
     std::vector<Levels> mesh_levels;            // coarser copies of each mesh
     std::vector<PatchTable> mesh_patches;       // patches of each mesh
     std::vector<std::uint64_t> mesh_revisions;  // number of changes of each mesh
+    std::vector<std::uint64_t> mesh_versions;   // MeshChange::version sent last for each mesh; 0: none
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
@@ -171,6 +172,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .mesh_levels = {},
                                                .mesh_patches = {},
                                                .mesh_revisions = {},
+                                               .mesh_versions = {},
                                                .instance_buffer = make_buffer(),
                                                .patch_buffer = make_buffer(),
                                                .no_attributes = make_vertex_array(),
@@ -206,6 +208,7 @@ MeshId Renderer::upload(const MeshData& mesh) {
     s.mesh_levels.emplace_back();
     s.mesh_patches.emplace_back();
     s.mesh_revisions.push_back(0);
+    s.mesh_versions.push_back(0);
     const auto id = static_cast<MeshId>(s.meshes.size() - 1);
     replace(id, mesh);
     return id;
@@ -248,6 +251,12 @@ void Renderer::draw(const Frame& frame) {
     s.drawn_width = frame.width;
     s.drawn_height = frame.height;
     if (frame.width <= 0 || frame.height <= 0) return;
+    for (const auto& change : frame.changes) {
+        if (change.triangles == nullptr || s.mesh_versions.at(change.mesh) == change.version) continue;
+        replace(change.mesh, *change.triangles);
+        s.mesh_versions[change.mesh] = change.version;
+        ++s.statistics.meshes_sent;
+    }
     s.draw_views(frame);
     s.draw_overlay(frame);
 }

@@ -33,6 +33,7 @@ struct DrawStatistics {
     /// Scans whose rays were computed; fewer than those drawn if a sharp picture was kept.
     std::size_t scans_marched{};
     std::size_t scan_bricks_sent{};
+    std::size_t meshes_sent{};  ///< meshes of Frame::changes whose triangles were sent
 };
 
 class Renderer {

@@ -13,6 +13,7 @@
 
 #include "core/maths.h"
 #include "render/colour.h"
+#include "render/mesh.h"
 #include "render/occlusion.h"
 #include "render/quality.h"
 #include "render/scan.h"
@@ -166,6 +167,14 @@ struct Overlay {
     std::vector<OverlayItem> items;
 };
 
+/// New triangles of a mesh that changes, such as a line that follows a hand.
+struct MeshChange {
+    MeshId mesh{};
+    /// The triangles are sent only if it differs from the version sent last for this mesh; above 0.
+    std::uint64_t version{};
+    const MeshData* triangles{};
+};
+
 /// The whole picture.
 struct Frame {
     int width{}, height{};         ///< size of the window's framebuffer (px)
@@ -173,8 +182,9 @@ struct Frame {
     Overlay overlay;
     float internal_scale = 1;  ///< scale of the views' resolution, 0.25 to 1; the result is stretched
     Quality quality = Quality::low;
-    bool bloom = true;  ///< used at Quality::high only
-    Casters casters{};  ///< things that cast shadows in the sun of the first view
+    bool bloom = true;                      ///< used at Quality::high only
+    Casters casters{};                      ///< things that cast shadows in the sun of the first view
+    std::span<const MeshChange> changes{};  ///< meshes that may have changed; sent before anything is drawn
 };
 
 }  // namespace thaum::render
