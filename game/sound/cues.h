@@ -25,6 +25,8 @@ enum class Cue : std::uint8_t {
     stir,
     boil,
     splash,
+    orb_hum,
+    carve,
     count_tick,
     count_go,
     last_seconds,
@@ -39,10 +41,10 @@ enum class Cue : std::uint8_t {
 };
 inline constexpr std::size_t cues = static_cast<std::size_t>(Cue::count);
 inline constexpr std::array<std::string_view, cues> cue_names{
-    "step_stone", "step_wood",   "step_metal", "jump",        "land",          "hit_wood",
-    "hit_stone",  "hit_metal",   "hit_soft",   "heartbeat",   "wand_change",   "stir",
-    "boil",       "splash",      "count_tick", "count_go",    "last_seconds",  "round_won",
-    "round_lost", "round_drawn", "music_calm", "music_pulse", "music_tension", "music_final"};
+    "step_stone",  "step_wood",  "step_metal",  "jump",          "land",         "hit_wood",  "hit_stone",
+    "hit_metal",   "hit_soft",   "heartbeat",   "wand_change",   "stir",         "boil",      "splash",
+    "orb_hum",     "carve",      "count_tick",  "count_go",      "last_seconds", "round_won", "round_lost",
+    "round_drawn", "music_calm", "music_pulse", "music_tension", "music_final"};
 
 /// Materials by which things sound.
 enum class Material : std::uint8_t { stone, wood, metal, soft };

@@ -6,7 +6,7 @@ namespace thaum::game {
 
 /// Keys of lasting voices. A wizard's voices have the player's number added.
 namespace lasting {
-inline constexpr std::uint32_t ready = 10, hold = 20, stir = 30, boil = 40, score = 50;
+inline constexpr std::uint32_t ready = 10, hold = 20, stir = 30, boil = 40, score = 50, orb = 60, carve = 64;
 }
 
 /// A frame that is being written.
@@ -41,6 +41,8 @@ void add_event_sounds(SoundWriting& writing);
 void add_wizard_sounds(SoundWriting& writing);
 void add_thing_sounds(SoundWriting& writing);
 void add_brew_sounds(SoundWriting& writing);
+/// The hum of an orb that somebody scries. It rises towards the core.
+void add_orb_sounds(SoundWriting& writing);
 void add_clock_sounds(SoundWriting& writing);
 void add_score(SoundWriting& writing);
 /// Muffles lasting voices behind walls. Looks at one voice in each frame, since each look costs a ray.

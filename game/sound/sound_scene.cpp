@@ -124,6 +124,7 @@ void SoundScene::take(const Simulation& match, std::span<const std::uint32_t> li
             add_wizard_sounds(writing);
             add_thing_sounds(writing);
             add_brew_sounds(writing);
+            add_orb_sounds(writing);
         }
         add_clock_sounds(writing);
     }

@@ -6,6 +6,7 @@
 // heart, the clock, the score.
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
 
 #include "audio/frame.h"
@@ -20,7 +21,8 @@ struct WizardSoundMemory {
     double falling{};  ///< speed downwards (m/s)
     bool grounded{true}, holds{}, ladle_inside{};
     std::uint32_t selected{}, fired{};
-    Tick heart_at{};  ///< when the heart beats next (ticks of play)
+    Tick heart_at{};               ///< when the heart beats next (ticks of play)
+    std::optional<vec3> chisel{};  ///< place of the tool in a crystal (m, world)
 };
 
 /// Motion of a loose thing at the last frame.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/components/orb.h"
 #include "game/sound/scene_parts.h"
 
 namespace thaum::game {
@@ -59,6 +60,19 @@ void add_brew_sounds(SoundWriting& writing) {
     if (cauldron.begun == 0) return;
     last(writing, writing.sounds.cues.at(static_cast<std::size_t>(Cue::boil)), lasting::boil,
          {.place = cauldron.middle, .gain = 0.3 + 0.7 * ripe, .pitch = 0.8 + 0.5 * ripe});
+}
+
+void add_orb_sounds(SoundWriting& writing) {
+    constexpr double far_from_core = 0.6;  // share of the orb's radius from which on the hum is lowest
+    const auto& world = writing.match.world();
+    if (world.count<Orb>() == 0) return;
+    const auto& orb = world.single<Orb>();
+    world.view<const Wizard, const Scrying>().each([&](const Wizard& wizard, const Scrying& scrying) {
+        const double near = std::clamp(1 - scrying.distance / (far_from_core * orb.radius), 0.0, 1.0);
+        last(writing, writing.sounds.cues.at(static_cast<std::size_t>(Cue::orb_hum)),
+             lasting::orb + wizard.player,
+             {.place = scrying.place, .gain = 0.3 + 0.7 * near, .pitch = 1 + near * near});
+    });
 }
 
 }  // namespace thaum::game

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/components/crystal.h"
 #include "game/context/aim.h"
 #include "game/sound/scene_parts.h"
 #include "game/wands/belt.h"
@@ -117,12 +118,29 @@ void add_ladle(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory
          {.place = ladle->place, .gain = std::min(1.0, speed / fast_stir), .pitch = 1 - 0.08 * thick});
 }
 
+/// The scrape of a tool in a crystal: louder the harder it is pressed and the faster it moves.
+void add_chisel(SoundWriting& writing, const WizardNow& wizard, WizardSoundMemory& memory) {
+    constexpr double fast = 0.4, hard_n = 1.5;  // m/s, N
+    const auto* chisel = writing.match.world().find<Chisel>(wizard.entity);
+    const auto before = memory.chisel;
+    memory.chisel = chisel != nullptr ? std::optional(chisel->place) : std::nullopt;
+    if (chisel == nullptr || !before) return;
+    const double speed = glm::distance(chisel->place, *before) / seconds(audio::frame_ticks);
+    const double moves = std::min(1.0, speed / fast),
+                 presses = std::min(1.0, glm::length(chisel->force) / hard_n);
+    const double gain = chisel->cutting != 0 ? 0.3 + 0.7 * std::max(moves, presses) : 0.5 * moves * presses;
+    if (gain < 0.02) return;
+    last(writing, writing.sounds.cues.at(static_cast<std::size_t>(Cue::carve)),
+         lasting::carve + wizard.player, {.place = chisel->place, .gain = gain, .pitch = 0.85 + 0.3 * moves});
+}
+
 void add_living(SoundWriting& writing, const WizardNow& wizard) {
     auto& memory = writing.memory.wizards.at(wizard.player);
     add_steps(writing, wizard, memory);
     add_wand(writing, wizard, memory);
     add_heart(writing, wizard, memory);
     if (writing.match.data().cauldron) add_ladle(writing, wizard, memory);
+    if (writing.match.data().crystal) add_chisel(writing, wizard, memory);
 }
 
 }  // namespace

@@ -38,10 +38,11 @@ Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Pres
     if (!spells) return tl::unexpected(spells.error());
     out.spells = std::move(*spells);
     const std::pair<std::string_view, std::uint32_t*> needed[] = {
-        {"recoil", &out.recoil},          {"stir", &out.stir},
-        {"heartbeat", &out.heartbeat},    {"walk_left", &out.walk_left},
-        {"walk_right", &out.walk_right},  {"sound_low", &out.sounds[0]},
-        {"sound_middle", &out.sounds[1]}, {"sound_high", &out.sounds[2]}};
+        {"recoil", &out.recoil},       {"stir", &out.stir},
+        {"heartbeat", &out.heartbeat}, {"great_work", &out.great_work},
+        {"walk_left", &out.walk_left}, {"walk_right", &out.walk_right},
+        {"sound_low", &out.sounds[0]}, {"sound_middle", &out.sounds[1]},
+        {"sound_high", &out.sounds[2]}};
     for (const auto& [name, number] : needed) {
         const auto found = bank.find(name);
         if (!found)

@@ -17,7 +17,7 @@ using EffectNumber = std::optional<std::uint32_t>;
 struct MatchEffects {
     std::vector<EffectNumber> events;  ///< by EventKind; without those of spells
     std::vector<EffectNumber> spells;  ///< by number of the spell
-    std::uint32_t recoil{}, stir{}, heartbeat{}, walk_left{}, walk_right{};
+    std::uint32_t recoil{}, stir{}, heartbeat{}, great_work{}, walk_left{}, walk_right{};
     std::array<std::uint32_t, felt_bands> sounds{};  ///< by band, the lowest first
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/components/hand_state.h"
+#include "game/match/great_work.h"
 #include "game/match/hurt_side.h"
 
 namespace thaum::game {
@@ -18,7 +19,7 @@ constexpr double chest = 1.15;           ///< height of a blow whose height is u
 constexpr double least_raise = 0.02;  ///< smallest move of an arm that is passed on (rad)
 
 /// Keys of lasting effects.
-constexpr std::uint32_t heart_key = 1, stir_key = 2, first_sound_key = 10;
+constexpr std::uint32_t heart_key = 1, stir_key = 2, work_key = 3, first_sound_key = 10;
 
 /// Place at which a player feels an event: on the side of the event's place, or of the player who caused it.
 tactile::Where where_of(const Simulation& match, const Event& event, std::uint32_t player) {
@@ -144,6 +145,7 @@ void TactileScene::feel_own(const Simulation& match) {
     fired_ = belt.fired;
     if (world.has<Dead>(wizard)) return;
     feel_steps(match, wizard);
+    feel_foes_work(match);
     const double health = world.get<Health>(wizard).points / match.data().wizard.health;
     if (health > 0 && health < loud_heart_health)
         feel({.effect = effects_.heartbeat, .strength = 1 - health / loud_heart_health, .key = heart_key},
@@ -152,6 +154,16 @@ void TactileScene::feel_own(const Simulation& match) {
         const double drag = std::min(1.0, glm::length(ladle->force) / full_drag);
         if (drag > 0) feel({.effect = effects_.stir, .strength = drag, .key = stir_key}, match.now());
     }
+}
+
+/// The heart of a player whose foe holds the Great Work beats the faster the longer the foe has held it.
+void TactileScene::feel_foes_work(const Simulation& match) {
+    const auto& world = match.world();
+    if (!match.data().crystal || world.count<GreatWork>() == 0) return;
+    const auto held = held_both_for(world, 1 - player_, match.match().played);
+    if (held == 0) return;
+    const double share = seconds(held) / std::max(seconds(match.data().crystal->work_lasts), 1e-3);
+    feel({.effect = effects_.great_work, .strength = std::min(share, 1.0), .key = work_key}, match.now());
 }
 
 /// Sounds are felt only where no blow is: for a moment after an event they are still.

@@ -59,6 +59,7 @@ private:
     void feel_event(const Simulation& match, const Event& event);
     void feel_sound(Tick now);
     void feel_own(const Simulation& match);
+    void feel_foes_work(const Simulation& match);
     void follow_arm(const Simulation& match, bool anew);
     void feel_steps(const Simulation& match, ecs::Entity wizard);
 

@@ -91,8 +91,8 @@ std::vector<Source> all_sources(const Presentation& shown, const MatchSounds& so
     for (const auto& wand : sounds.wands)
         for (const auto& number : {wand.fire, wand.burst, wand.take, wand.ready, wand.hold})
             hear("wand", number);
-    for (const auto number :
-         {effects.recoil, effects.stir, effects.heartbeat, effects.walk_left, effects.walk_right})
+    for (const auto number : {effects.recoil, effects.stir, effects.heartbeat, effects.great_work,
+                              effects.walk_left, effects.walk_right})
         feel("state", number);
     for (const auto& force : force_words) all.push_back({"force", std::string(force.verb)});
     return all;

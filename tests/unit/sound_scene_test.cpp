@@ -9,6 +9,8 @@
 #include "audio/mixer.h"
 #include "audio/synth.h"
 #include "core/hash.h"
+#include "game/components/crystal.h"
+#include "game/components/orb.h"
 #include "game/sound/heard.h"
 #include "unit/game_duel.h"
 
@@ -312,6 +314,58 @@ TEST(SoundScene, TheHeartIsHeardByItsOwnerOnlyAndFasterWithLessHealth) {
     const int fast = beats(2);
     EXPECT_NEAR(slow, 5 * 1.25, 1.5);
     EXPECT_NEAR(fast, 5 * 2.3, 1.5);
+}
+
+/// The lasting voice of a sound in the newest frame; null: it is not heard.
+const Voice* lasting_voice(const AudioFrame& frame, std::string_view name) {
+    for (const auto& voice : frame.lasts)
+        if (voice.sound == number_of(name)) return &voice;
+    return nullptr;
+}
+
+TEST(SoundScene, TheOrbHumsHigherAndLouderNearTheCore) {
+    SoundRig rig;
+    rig.play(audio::frame_ticks);
+    EXPECT_EQ(lasting_voice(rig.heard.take(), "orb_hum"), nullptr) << "nobody scries";
+    auto& world = rig.match.world_to_change();
+    const auto& orb = world.single<Orb>();
+    world.add(rig.wizard(0), Scrying{.place = orb.middle, .distance = 2 * orb.radius});
+    double gain = 0, pitch = 0;
+    for (const double distance : {1.0, 0.4, 0.1, 0.0}) {
+        world.get<Scrying>(rig.wizard(0)).distance = distance * orb.radius;
+        const auto* hum = lasting_voice(rig.heard.take(), "orb_hum");
+        ASSERT_NE(hum, nullptr);
+        EXPECT_EQ(hum->position, orb.middle);
+        EXPECT_GT(hum->gain, gain) << distance;
+        EXPECT_GT(hum->pitch, pitch) << distance;
+        gain = hum->gain;
+        pitch = hum->pitch;
+    }
+    EXPECT_DOUBLE_EQ(gain, 1);
+    EXPECT_DOUBLE_EQ(pitch, 2) << "an octave above the hum far from the core";
+}
+
+TEST(SoundScene, ATouchedCrystalIsScrapedByForceAndSpeed) {
+    SoundRig rig;
+    rig.play(audio::frame_ticks);
+    auto& world = rig.match.world_to_change();
+    world.add(rig.wizard(0), Chisel{});
+    const auto gain = [&](vec3 moved, double newtons, bool cuts) {
+        auto& chisel = world.get<Chisel>(rig.wizard(0));
+        chisel.force = vec3(0, newtons, 0);
+        chisel.cutting = cuts ? 1 : 0;
+        rig.heard.take();
+        chisel.place += moved;
+        const auto* scrape = lasting_voice(rig.heard.take(), "carve");
+        return scrape == nullptr ? 0 : scrape->gain;
+    };
+    const vec3 slow(0.002, 0, 0), fast(0.006, 0, 0);
+    EXPECT_EQ(gain(vec3(0), 1, false), 0) << "a tool that rests on the crystal";
+    EXPECT_EQ(gain(fast, 0, false), 0) << "a tool that moves through the air";
+    EXPECT_GT(gain(slow, 0.5, false), 0);
+    EXPECT_GT(gain(fast, 0.5, false), gain(slow, 0.5, false));
+    EXPECT_GT(gain(slow, 1, false), gain(slow, 0.5, false));
+    EXPECT_GT(gain(slow, 0.5, true), gain(slow, 0.5, false)) << "it cuts";
 }
 
 TEST(SoundScene, TheStartIsHeardAndAfterTheEndNothingGoesOn) {

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/hash.h"
+#include "game/components/crystal.h"
+#include "game/components/potions.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -234,6 +236,24 @@ TEST(TactileScene, TheHeartBeatsWhenHealthIsLow) {
         felt = felt || !rig.frame().is_silent();
     }
     EXPECT_TRUE(felt);
+}
+
+TEST(TactileScene, TheHeartBeatsWhileTheFoeHoldsTheGreatWork) {
+    for (const std::uint32_t holder : {0U, 1U}) {
+        BodyRig rig;
+        rig.play(ticks(1));
+        EXPECT_TRUE(rig.frame().is_silent());
+        auto& world = rig.match.world_to_change();
+        const auto wizard = wizard_of(rig.match.world(), holder);
+        world.get<Potions>(wizard).work_half = 1;
+        world.get<Lens>(wizard).held = 1;
+        bool felt = false;
+        for (int i = 0; i < 125; ++i) {
+            rig.play(tactile::frame_ticks);
+            felt = felt || !rig.frame().is_silent();
+        }
+        EXPECT_EQ(felt, holder == 1) << "only the foe of the one who holds it";
+    }
 }
 
 std::uint64_t frames_of_bots(std::uint64_t* state) {
