@@ -210,7 +210,7 @@ std::string_view help_of(Action action) {
         case Action::next_wand: return "Takes the next wand.";
         case Action::previous_wand: return "Takes the wand before.";
         case Action::trace: return "Draws a gesture while held; with a wand's key it casts that key's spell.";
-        case Action::stir: return "Stirs the brew at the cauldron's rim.";
+        case Action::stir: return "Stirs the brew, scries the orb, carves the crystal.";
         case Action::throw_: return "Throws the thing that the wand Lift holds, or puts an ingredient away.";
         case Action::clutch: return "Moves the hand and not the view, while held.";
         case Action::panic: return "Ends all forces at once, for everybody.";

@@ -128,7 +128,8 @@ game::ArenaScene arena_scene_of(render::Renderer& renderer, const game::MatchDat
 /// Tests whether both data sets make the same arena scene.
 bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
     return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes && a.look == b.look &&
-           a.wizard.height == b.wizard.height;
+           a.wizard.height == b.wizard.height && a.orb.has_value() == b.orb.has_value() &&
+           a.crystal.has_value() == b.crystal.has_value();
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.

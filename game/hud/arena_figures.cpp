@@ -111,7 +111,7 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
     const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
                      render::translated(fvec3(drawn_reach(p.wand_reach))) * stylus_turned(p);
-    if (p.stirs) return;  // the view of a player who stirs shows only the ladle
+    if (p.works()) return;  // the view of a player at a station shows only the ladle or the tip
     out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});

@@ -234,7 +234,7 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
     for (std::uint32_t i = 0; i < picture.burst_count; ++i)
         add_burst(arena_scene, picture, picture.bursts[i], viewer, out);
     add_niches(arena_scene, picture, out);
-    add_cauldron(arena_scene, picture, viewer, out);
+    add_stations(arena_scene, picture, viewer, out);
 }
 
 void choose_lights(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,

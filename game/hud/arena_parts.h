@@ -77,6 +77,13 @@ void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vect
 /// Adds the shape of the next stroke on the brew, for a wizard who stirs (ghost_stroke.cpp).
 void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t player,
                       std::vector<render::Instance>& out);
+/// Adds the cauldron, the orb and the crystals, with the probes and tools of wizards who work there
+/// (stations_scene.cpp).
+void add_stations(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
+                  std::vector<render::Instance>& out);
+/// Adds the reach of tools in crystals, for ViewScene::mists.
+void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
+                    std::vector<render::Instance>& out);
 /// Adds the brew with ladles, embers and bubbles.
 void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
                   std::vector<render::Instance>& out);

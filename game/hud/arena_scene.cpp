@@ -124,13 +124,31 @@ void add_light_of(const Thing& thing, ArenaScene& arena_scene) {
         arena_scene.lights.push_back({at + fvec3(0, 0.6F, 0), 1.8F * colour(0x50D0F0), 7});
 }
 
+/// Takes the painted insides of the orb and the crystals out of the meshes that are always drawn, where there is a flow
+/// or a body instead.
+void add_station(render::Renderer& renderer, const MatchData& data, const Thing& thing,
+                 ArenaScene& arena_scene) {
+    auto& meshes = arena_scene.solids.back().meshes;
+    if (thing.surface == Surface::orb && data.orb && arena_scene.orb == nullptr) {
+        arena_scene.orb = std::make_shared<OrbLook>(make_orb_look(renderer, thing.body.size.x));
+        meshes.glowing.reset();
+    }
+    if (thing.surface == Surface::crystal && data.crystal) {
+        arena_scene.crystals.push_back(std::make_shared<CrystalLook>(make_crystal_look(renderer)));
+        meshes.glowing.reset();
+    }
+}
+
 /// Adds a thing with its meshes, its light, the block with which it hides others, and the ground on it.
-void add_thing(render::Renderer& renderer, const Arena& arena, const Thing& thing, render::Patchwork& stone,
-               ArenaScene& arena_scene) {
-    if (thing.prop)
+void add_thing(render::Renderer& renderer, const MatchData& data, const Thing& thing,
+               render::Patchwork& stone, ArenaScene& arena_scene) {
+    const auto& arena = data.arena;
+    if (thing.prop) {
         add_kind(renderer, key_of(thing), arena_scene);
-    else
+    } else {
         arena_scene.solids.push_back(make_solid(renderer, arena_scene.shade, arena, thing, stone));
+        add_station(renderer, data, thing, arena_scene);
+    }
     if (thing.surface == Surface::bowl && thing.body.shape == physics::Shape::mesh)
         arena_scene.painted_brew = upload(renderer, cauldron(arena.meshes[thing.body.mesh]).glowing);
     add_light_of(thing, arena_scene);
@@ -199,7 +217,7 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     arena_scene.shade = make_shade(arena, data.look);
     const auto& shade = arena_scene.shade;
     render::Patchwork stone;
-    for (const auto& thing : arena.things) add_thing(renderer, arena, thing, stone, arena_scene);
+    for (const auto& thing : arena.things) add_thing(renderer, data, thing, stone, arena_scene);
     for (std::uint32_t team = 0; team < players; ++team)
         arena_scene.teams[team] = make_team(renderer, *data.presentation, team);
     arena_scene.power_ups = make_power_up_meshes(renderer);

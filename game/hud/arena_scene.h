@@ -8,6 +8,8 @@
 
 #include "game/hud/baked_light.h"
 #include "game/hud/brew_look.h"
+#include "game/hud/crystal_look.h"
+#include "game/hud/orb_look.h"
 #include "game/hud/picture.h"
 #include "game/hud/powerups.h"
 #include "render/renderer.h"
@@ -68,6 +70,9 @@ struct ArenaScene {
     std::optional<render::MeshId> painted_brew;  ///< self-lit mesh for a bowl without a simulated brew
     /// Brew of the drawing thread, refreshed as the brew moves; null: no simulated brew.
     std::shared_ptr<BrewLook> brew;
+    std::shared_ptr<OrbLook> orb;  ///< as `brew`; null: no orb with a flow
+    /// As `brew`, one for each crystal that can be carved, in the order of Picture::crystals.
+    std::vector<std::shared_ptr<CrystalLook>> crystals;
     render::Environment environment;
     MenuCameraLook menu_camera;
     double wizard_height{1.8};  ///< height of a wizard (m)
@@ -83,6 +88,14 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
 
 /// Refreshes the look of the brew if it has moved and a player is near enough to see it.
 void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const BrewOverlay& overlay);
+
+/// Refreshes the looks of the orb and the crystals as far as a player is near enough to see a difference.
+void show_stations(const ArenaScene& arena_scene, const Picture& picture);
+/// Adds the crystals that are near an eye, for ViewScene::scans.
+void add_crystals(const ArenaScene& arena_scene, const Picture& picture, vec3 eye,
+                  std::vector<render::Scan>& out);
+/// Adds the meshes of both that may have changed, for Frame::changes.
+void add_mesh_changes(const ArenaScene& arena_scene, std::vector<render::MeshChange>& out);
 
 /// Returns the volume of the simulated brew. Returns null if there is none, or if it is too far away to look
 /// different from the painted brew.

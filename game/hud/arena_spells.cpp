@@ -163,6 +163,7 @@ void add_spell_mists(const ArenaScene& arena_scene, const Picture& picture, std:
         if (player != viewer) add_shell_mist(arena_scene, picture.wizards[player], out);
     add_fog(arena_scene, picture, out);
     add_dust(arena_scene, picture, out);
+    add_tool_mists(arena_scene, picture, out);
 }
 
 }  // namespace thaum::game

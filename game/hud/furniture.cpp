@@ -170,9 +170,11 @@ FurnitureMesh orb(float radius) {
         const float swirl = 0.5F + 0.5F * std::sin(7 * p.y + 3 * std::atan2(p.z, p.x) + 2 * p.x);
         v.colour = glm::mix(colour(0x4A2EA8), colour(0xB8A0FF), swirl);
     }
-    out.lit = render::frame(32, 1.05F * radius, 0.97F * radius, 0.06F, colour(0xC89A4A));
-    append(out.lit, render::frame(32, 1.05F * radius, 0.97F * radius, 0.06F, colour(0xC89A4A)),
-           rotated({0, 1, 0}, quarter));
+    out.lit = render::transformed(render::frame(32, 1.05F * radius, 0.97F * radius, 0.06F, colour(0xC89A4A)),
+                                  rotated({0, 1, 0}, quarter));
+    // A collar on the plinth, so that nothing crosses the ball for those who stand before it.
+    append(out.lit, render::frame(24, 0.72F * radius, 0.5F * radius, 0.2F * radius, colour(0xC89A4A)),
+           translated({0, -0.82F * radius, 0}) * rotated({1, 0, 0}, quarter));
     return out;
 }
 

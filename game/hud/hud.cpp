@@ -29,6 +29,9 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
     add_instances(arena_scene, picture, player, instances);
     add_power_ups(arena_scene.power_ups, picture, picture.wizards[player].eye, instances);
     choose_lights(arena_scene, picture, picture.wizards[player].eye, lights);
+    auto& scans = memory.scans[player];
+    scans.clear();
+    add_crystals(arena_scene, picture, picture.wizards[player].eye, scans);
     auto& mists = memory.spell_mists[player];
     mists.clear();
     add_spell_mists(arena_scene, picture, player, mists);
@@ -41,7 +44,8 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
                                   .shades = memory.shades,
                                   .mists = mists.empty() ? memory.mists : mists,
                                   .blocks = blocks_seen_from(arena_scene, picture.wizards[player].eye),
-                                  .volume = brew});
+                                  .volume = brew,
+                                  .scans = scans});
 }
 
 /// Fills in the lists that both views share.
@@ -102,6 +106,10 @@ void begin_frame(const ArenaScene& arena_scene, const Picture& picture, const Hu
     frame.overlay.items.clear();
     add_shared(arena_scene, picture, memory);
     show_brew_near(arena_scene, picture, {.arrows = settings.forces, .streamlines = settings.forces});
+    show_stations(arena_scene, picture);
+    memory.changes.clear();
+    add_mesh_changes(arena_scene, memory.changes);
+    frame.changes = memory.changes;
 }
 
 const render::Frame& make_frame(const ArenaScene& arena_scene, const Picture& picture,

@@ -45,6 +45,8 @@ struct FrameMemory {
     std::array<std::vector<render::Instance>, players> spell_mists;  ///< with `mists`; empty without spells
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
+    std::array<std::vector<render::Scan>, players> scans;
+    std::vector<render::MeshChange> changes;
     render::Frame frame;
 };
 

@@ -42,7 +42,7 @@ Strip strip_of(std::size_t wands, float rows) {
 
 /// How the views lie beside each other.
 struct Arrangement {
-    bool alone{}, stacked{}, lesson{}, brews{};
+    bool alone{}, stacked{}, lesson{}, cards{};
     std::uint32_t player{};
     bool upper() const { return stacked && player == 0; }
     bool lower() const { return stacked && player == 1; }
@@ -106,7 +106,7 @@ void place_middle(const Arrangement& how, InUnits& out) {
     const float above = how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
     const float aside =
         out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
-    const float least = (how.brews && out.tall ? 6 : 2) * line;  // height of the messages
+    const float least = (how.cards && out.tall ? 6 : 2) * line;  // height of the messages
     out.ring = std::clamp(std::min({h / 2 - above - edge / 2, bottom - h / 2 - edge - least, aside}),
                           ring_least, ring_most);
     const float top = h / 2 + out.ring + edge / 2;
@@ -366,7 +366,7 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
                     .lesson = wishes.lesson};
     for (how.player = 0; how.player < players; ++how.player) {
         const auto& view = views[how.player];
-        how.brews = wishes.brews[how.player];
+        how.cards = wishes.cards[how.player];
         if (view.width <= 0 || view.height <= 0) continue;
         const float wanted = wanted_unit(how, view, window, settings.text_scale);
         out.unit = unit_of(how, view, wanted, wands);

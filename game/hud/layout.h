@@ -62,8 +62,8 @@ inline constexpr float heard_line_high = 20;
 struct LayoutWishes {
     /// There are words of a lesson. In an only view the other panels then grow only as far as its words have room.
     bool lesson = false;
-    /// Players at the cauldron. In a tall view the ring then leaves room below it for the card (rim_card.h).
-    std::array<bool, players> brews{};
+    /// Players at a station. In a tall view the ring then leaves room below it for the card (rim_card.h).
+    std::array<bool, players> cards{};
 };
 HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t wands,
                   const LayoutWishes& wishes = {});

@@ -125,15 +125,16 @@ void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* 
     if (met && match.world().has<Wizard>(met)) out.target.kind = TargetKind::foe;
 }
 
-void take_force(const Simulation& match, std::uint32_t player, const LoadedWand* wand,
+void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const LoadedWand* wand,
                 const HandState& hand_state, ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
     out.cap = match.haptic_setup().on[player] ? force_cap(match.haptic_setup(), player) : 0;
     out.now = hand_state.servo.safety.output;
-    out.source =
-        strongest_source(hand_state, wand != nullptr ? wand->look.steady_force : std::string_view()).name;
+    out.source = strongest_source(forces_on(match.world(), wizard),
+                                  wand != nullptr ? wand->look.steady_force : std::string_view())
+                     .name;
     out.created = hand_state.servo.energy.most_created;
     // The plot shows whole columns, so that a shown column never changes. The ring's oldest column is being
     // overwritten, so it is skipped.
@@ -218,6 +219,18 @@ void take_fogs(const Simulation& match, Picture& out) {
     });
 }
 
+/// Takes what the wizard does at stations and with spells.
+void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const Motion& motion,
+                const Health& health, PlayerPicture& out) {
+    take_brewing(match, wizard, motion, out);
+    take_potions(match, wizard, health, out);
+    take_casting(match, wizard, player, out.casting);
+    take_work(match, wizard, player, out.work);
+    if (out.dead) return;
+    take_scrying(match, wizard, player, out.scrying);
+    take_carving(match, wizard, player, out.carving);
+}
+
 void take_wizards(const Simulation& match, Picture& out) {
     const auto& rules = match.data().wizard;
     const auto& state = match.match();
@@ -251,10 +264,8 @@ void take_wizards(const Simulation& match, Picture& out) {
                 wand_tip_of(match.haptic_setup().wand_per_hand[wizard.player], hand_state) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
             if (!p.dead) take_draw(match, e, wand, hand_state, p);
-            take_force(match, wizard.player, wand, hand_state, p.force);
-            take_brewing(match, e, motion, p);
-            take_potions(match, e, health, p);
-            take_casting(match, e, wizard.player, p.casting);
+            take_force(match, e, wizard.player, wand, hand_state, p.force);
+            take_magic(match, e, wizard.player, motion, health, p);
             if (!p.dead) take_target(match, e, wand, p);
         });
 }
@@ -417,6 +428,8 @@ void take_picture(const Simulation& match, Picture& out) {
     take_niches(match, out);
     take_fogs(match, out);
     take_cauldron(match, out.cauldron);
+    take_orb(match, out.orb);
+    take_crystals(match, out.crystals);
     take_wizards(match, out);
     take_events(match, out);
 }

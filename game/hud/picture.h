@@ -16,6 +16,7 @@
 #include "game/hud/casting_picture.h"
 #include "game/hud/gesture_wall.h"
 #include "game/hud/recipe_picture.h"
+#include "game/hud/station_picture.h"
 #include "game/match/result.h"
 #include "game/sound/heard.h"
 #include "haptics/safety.h"
@@ -161,6 +162,11 @@ struct PlayerPicture {
     bool stirs{};          ///< true if the player holds a ladle
     bool at_rim{};         ///< true if the player can start to stir
     bool misses_rim{};     ///< true if the player presses Stir a few steps away from the rim
+    ScryingPicture scrying;
+    CarvingPicture carving;
+    WorkPicture work;
+    /// Whether the wizard stirs, scries or carves: the hand moves no wand.
+    bool works() const { return stirs || scrying.scries || carving.carves; }
     /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
     vec3 wand_turn{};
     vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)
@@ -213,6 +219,8 @@ struct Picture {
     std::vector<PowerUpPicture> power_ups;
     std::vector<NichePicture> niches;
     CauldronPicture cauldron;
+    OrbPicture orb;
+    std::vector<CrystalPicture> crystals;
     std::array<PlayerPicture, players> wizards{};
     std::shared_ptr<const MatchData> data;  ///< keeps what the picture refers to, although the match may end
     std::shared_ptr<const Presentation>

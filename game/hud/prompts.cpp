@@ -40,7 +40,13 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
         if (p.carries.empty() || too_soon) return std::nullopt;
         return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.carries)};
     }
+    if (p.scrying.scries && !p.scrying.draws && !p.scrying.told && p.scrying.newest < most_orb_modes)
+        return Offer{PromptKind::draw_curve, &controls.trace,
+                     text("Draw the strength of ", p.scrying.modes.at(p.scrying.newest))};
+    if (p.scrying.scries || p.carving.carves) return std::nullopt;
     if (p.at_rim) return Offer{PromptKind::stir, &controls.stir, "Stir"};
+    if (p.scrying.near) return Offer{PromptKind::scry, &controls.stir, "Scry"};
+    if (p.carving.near) return Offer{PromptKind::carve, &controls.stir, "Carve"};
     if (p.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
     if (p.held) return std::nullopt;
     if (p.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
@@ -55,6 +61,9 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     const auto done = [&](PromptKind kind) { ++uses.of(player, kind); };
     if (before.lives != now.lives || now.dead) return;
     if (!before.stirs && now.stirs) done(PromptKind::stir);
+    if (!before.scrying.scries && now.scrying.scries) done(PromptKind::scry);
+    if (!before.scrying.draws && now.scrying.draws) done(PromptKind::draw_curve);
+    if (!before.carving.carves && now.carving.carves) done(PromptKind::carve);
     const bool hands_free = !before.carries.empty() && now.carries.empty();
     const bool put_away = now.gift.kind == EventKind::put_away && now.gift.tick != before.gift.tick;
     if (hands_free && (now.stirs || put_away)) done(put_away ? PromptKind::put_away : PromptKind::drop);

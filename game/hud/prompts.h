@@ -23,8 +23,19 @@ struct ControlNames {
 /// control that toggles is "Press".
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown);
 
-enum class PromptKind : std::uint8_t { stir, drop, lift, throw_thing, swing, cast, put_away };
-inline constexpr std::size_t prompt_kinds = 7;
+enum class PromptKind : std::uint8_t {
+    stir,
+    drop,
+    lift,
+    throw_thing,
+    swing,
+    cast,
+    put_away,
+    scry,
+    carve,
+    draw_curve
+};
+inline constexpr std::size_t prompt_kinds = 10;
 
 /// When prompts are shown. The settings file has the names.
 enum class PromptWish : std::uint8_t { until_learnt, always, never };

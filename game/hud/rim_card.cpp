@@ -111,7 +111,7 @@ FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float w
     constexpr float any_height = 1e5F;  // px
     FittedCard out;
     const float u = out.unit = em / step_size;
-    out.ghost = parts.ghost && card.stroke != nullptr;
+    out.ghost = parts.ghost && (card.stroke != nullptr || !card.curve.empty());
     out.whole = parts.potions && parts.brew;
     const float before = out.ghost ? (ghost_side + card_pad) * u : 0;
     const fvec2 room(wide - before - 2 * card_pad * u, any_height);
@@ -154,7 +154,12 @@ std::string words_of_potions(const PlayerPicture& p) {
     const auto add = [&](const std::string& more) { words += text(words.empty() ? "" : "   ", more); };
     for (std::uint32_t i = 0; i < p.potions; ++i)
         add(text(capitalised(p.potion_names.at(i)), " ", whole_seconds(p.potion_left_s.at(i))));
-    if (p.work_half) add("half of the Great Work");
+    if (p.work_half && p.work.lens)
+        add("both halves of the Great Work");
+    else if (p.work_half)
+        add("half of the Great Work");
+    else if (p.work.lens)
+        add("the Lens");
     if (p.poisoned_s > 0) add(text("poisoned ", whole_seconds(p.poisoned_s)));
     return words;
 }
@@ -221,6 +226,18 @@ void add_gauge(Overlay& out, const BrewGauge& gauge, fvec2 corner, float wide, f
     if (gauge.fresh > 0) bar(7, 3, gauge.fresh, gauge.fresh < 0.25F ? paints.amber : paints.soft);
 }
 
+/// Plots heights at even distances.
+void add_curve(Overlay& out, std::span<const float> heights, const Panel& box, float u) {
+    out.items.emplace_back(RectItem{box.low, box.high, paints.track, 3 * u});
+    const fvec2 low = box.low + fvec2(3 * u), size = box.high - box.low - fvec2(6 * u);
+    const auto at = [&](std::size_t i) {
+        const float x = static_cast<float>(i) / static_cast<float>(heights.size() - 1);
+        return low + size * fvec2(x, 1 - std::clamp(heights[i], 0.0F, 1.0F));
+    };
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i)
+        out.items.emplace_back(LineItem{at(i), at(i + 1), std::max(1.5F, 2 * u), paints.amber});
+}
+
 /// Adds lines of words from a corner downwards. Returns the height that they take.
 float add_lines(Overlay& out, const FittedWords& words, fvec2 corner, fvec4 paint, float u) {
     for (std::size_t i = 0; i < words.lines.size(); ++i)
@@ -238,7 +255,10 @@ void add_rim_card(Overlay& out, const RimCard& card, const FittedCard& fitted, f
     fvec2 corner = low + fvec2(card_pad * u);
     if (fitted.ghost) {
         const float half = ghost_side * u / 2;
-        add_ghost(out, *card.stroke, corner + fvec2(half), half - 4 * u, seconds, u);
+        if (card.stroke != nullptr)
+            add_ghost(out, *card.stroke, corner + fvec2(half), half - 4 * u, seconds, u);
+        else
+            add_curve(out, card.curve, {corner, corner + fvec2(2 * half)}, u);
         corner.x += (ghost_side + card_pad) * u;
     }
     float wide = low.x + fitted.size.x - card_pad * u - corner.x;

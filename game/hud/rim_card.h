@@ -1,4 +1,5 @@
-// game/hud/rim_card.h: the card of a wizard at the cauldron. It helps through a recipe, all of it readable at once:
+// game/hud/rim_card.h: the card of a wizard at the cauldron, the orb or a crystal (station_card.h). At the cauldron it
+// helps through a recipe, all of it readable at once:
 //
 //     +-------+  Haste: hold [Right mouse] and draw: circle      the next step
 //     | ghost |  Ember and salt, mixed 57 %, boils over in 9 s   the brew
@@ -6,6 +7,7 @@
 //     +-------+  o o .  gently  [==|====      ]                  strokes done, and the band of their force
 //                [=====|=====|     ]                             mixing with the moment for the next step; time left
 #pragma once
+#include <span>
 #include <string>
 
 #include "game/hud/layout.h"
@@ -28,13 +30,15 @@ struct RimCard {
     std::string step, brew, potions;
     BrewGauge gauge;
     const RecipePicture* stroke = nullptr;  ///< recipe of which a stroke comes next; null: none
+    /// Plot in place of the ghost: heights as shares at even distances; empty: none.
+    std::span<const float> curve{};
 };
 
 /// The parts of a card, fitted to a box.
 struct FittedCard {
     FittedWords step, brew, potions;
     float unit{};         ///< length of a unit of the card (px)
-    bool ghost{};         ///< the ghost has room
+    bool ghost{};         ///< the ghost, or the curve, has room
     bool gauge_in_row{};  ///< the gauge stands beside the force, not below it
     bool whole = true;    ///< no words are left out
     fvec2 size{};         ///< (px); zero: the box is too small for any card

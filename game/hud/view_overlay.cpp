@@ -10,7 +10,7 @@
 #include "game/hud/feed_overlay.h"
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
-#include "game/hud/rim_card.h"
+#include "game/hud/station_card.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 
@@ -56,6 +56,24 @@ struct HealthArcs {
 };
 constexpr HealthArcs with_focus{29, 36, 37, 39.5F, 19, 19};
 
+/// Adds the halves of the Great Work that the player holds, in the upper corners of the health's box: Azoth as the left
+/// half of a disc, and the Lens as the right half with a dot, so that both together make a whole.
+void add_halves(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
+    const float u = l.unit, radius = 8 * u;
+    const auto gold = colour(0xFFD060, 1.0F);
+    const auto half = [&](fvec2 centre, float start) {
+        out.items.emplace_back(ArcItem{centre, 0, radius + 1.5F * u, 0, whole_turn, paints.dark});
+        out.items.emplace_back(ArcItem{centre, 0, radius, start, whole_turn / 2, gold});
+        out.items.emplace_back(ArcItem{centre, radius - 1.5F * u, radius, 0, whole_turn, gold});
+    };
+    const fvec2 inset(radius + 2 * u, radius + 2 * u);
+    if (p.work_half) half(l.health.low + inset, whole_turn / 2);
+    if (!p.work.lens) return;
+    const fvec2 lens(l.health.high.x - inset.x, l.health.low.y + inset.y);
+    half(lens, 0);
+    out.items.emplace_back(ArcItem{lens, 0, 3 * u, 0, whole_turn, paints.white});
+}
+
 void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const ViewLayout& l) {
     const float u = l.unit;
     const fvec2 centre = (l.health.low + l.health.high) / 2.0F;
@@ -86,6 +104,7 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
     add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, arcs.number_lift * u),
              arcs.number_size * u, paints.white, Align::centre);
     add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
+    add_halves(out, p, l);
 }
 
 /// Adds the strip of wands below the name and the energy of the one in hand.
@@ -307,7 +326,7 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
     add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
-    if (!at_cauldron(p) && captions) {
+    if (!has_card(p) && captions) {
         if (!p.carries.empty()) add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
         add(words_of_potions(p), paints.soft);
     }
@@ -331,12 +350,12 @@ void add_messages(Overlay& out, const std::vector<Message>& messages, const Pane
     }
 }
 
-/// Adds the card of a player at the cauldron. It stands beside the ring or below it, wherever it is more readable.
+/// Adds the card of a player at a station. It stands beside the ring or below it, wherever it is more readable.
 /// Returns the box that it leaves to the messages. `said`: there are messages.
-Panel add_cauldron(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
-                   const ViewLayout& l, bool said) {
+Panel add_card(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
+               const ViewLayout& l, bool said) {
     const float gap = 3 * l.unit;
-    const auto card = rim_card_of(picture, settings, player);
+    const auto card = card_of(picture, settings, player);
     const auto beside = fit_card(card, l.aside.high - l.aside.low, l.unit);
     auto below = fit_card(card, l.messages.high - l.messages.low, l.unit);
     if (fits_better(beside, below)) {
@@ -356,13 +375,13 @@ Panel add_cauldron(Overlay& out, const Picture& picture, const HudSettings& sett
     return holds_line(l.aside) && !holds_line(above) ? l.aside : above;
 }
 
-/// Adds the card of a player at the cauldron, and the messages where it leaves room for them.
+/// Adds the card of a player at a station, and the messages where it leaves room for them.
 void add_words_below(Overlay& out, const Picture& picture, const HudSettings& settings, std::uint32_t player,
                      const ViewLayout& l) {
     const auto& p = picture.wizards[player];
     const auto messages = messages_to(picture, settings, player, l);
-    const bool card = !p.dead && at_cauldron(p);
-    const auto box = card ? add_cauldron(out, picture, settings, player, l, !messages.empty()) : l.messages;
+    const bool card = !p.dead && has_card(p);
+    const auto box = card ? add_card(out, picture, settings, player, l, !messages.empty()) : l.messages;
     if (!card || holds_line(box)) add_messages(out, messages, box, l.unit);
 }
 

@@ -6,7 +6,7 @@
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
 #include "game/hud/result_panel.h"
-#include "game/hud/rim_card.h"
+#include "game/hud/station_card.h"
 #include "game/hud/view_overlay.h"
 
 namespace thaum::game {
@@ -60,11 +60,20 @@ void add_practice(Overlay& out, const Picture& picture, const ControlNames& cont
 struct Notice {
     std::string words;
     fvec4 paint{};
+    float size = 14;  ///< em (units)
 };
 
 /// Lines for both players, the most important first.
-std::vector<Notice> notices_of(const Picture& picture) {
+std::vector<Notice> notices_of(const Picture& picture, const PlayerNames& names) {
     std::vector<Notice> all;
+    constexpr float large = 22;  // em of what may end the round (units)
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& work = picture.wizards[player].work;
+        if (picture.phase == Phase::playing && work.left_s > 0)
+            all.push_back({text("Great Work of ", name_of(names, player), ": ",
+                                std::lround(std::ceil(work.left_s)), " s"),
+                           opaque(team_colours(player).light), large});
+    }
     if (!picture.caption.words.empty())
         all.push_back({picture.caption.words, picture.caption.fault ? paints.light_red : paints.white});
     if (picture.overloaded) {
@@ -77,10 +86,10 @@ std::vector<Notice> notices_of(const Picture& picture) {
 }
 
 /// Adds the notices from the top of their box downwards, as many as fit.
-void add_notices(Overlay& out, const Picture& picture, const Panel& box, float u) {
-    const float size = std::floor(14 * u);
+void add_notices(Overlay& out, const Picture& picture, const PlayerNames& names, const Panel& box, float u) {
     float top = box.low.y;
-    for (const auto& notice : notices_of(picture)) {
+    for (const auto& notice : notices_of(picture, names)) {
+        const float size = std::floor(notice.size * u);
         const fvec2 room(box.high.x - box.low.x - size, box.high.y - top);
         const bool first = top <= box.low.y;
         if (!first && room.y < FittedWords::line_spacing * size) return;
@@ -202,18 +211,18 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     if (settings.menu) return;
     auto layout = lay_out(settings, size, picture.shown->wands.size(),
                           {.lesson = !picture.practice.lesson.empty(),
-                           .brews = {at_cauldron(picture.wizards[0]), at_cauldron(picture.wizards[1])}});
+                           .cards = {has_card(picture.wizards[0]), has_card(picture.wizards[1])}});
     if (shows_wall(picture, layout)) make_room_for_wall(wall_box(layout), *layout.views[wall_player]);
     const bool result = picture.phase != Phase::playing && seconds_to_start(picture) == 0;
     if (!result) add_play(out, picture, settings, layout);
-    add_notices(out, picture, layout.notices, layout.unit);
+    add_notices(out, picture, settings.names, layout.notices, layout.unit);
     if (layout.replay) add_replay_bar(out, *settings.replay, picture.tick, *layout.replay);
     gather(out, 0);
     const auto panel = out.items.size();
     const auto area = area_of_views(settings, size);
     Rect window{0, 0, area.width, area.height};
     if (result) {
-        if (!notices_of(picture).empty()) {
+        if (!notices_of(picture, settings.names).empty()) {
             window.y = std::min(static_cast<int>(layout.notices.high.y), area.height / 2);
             window.height -= window.y;
         }

@@ -39,7 +39,7 @@ HeardFrom side_of_force(vec3 newtons) {
 
 void HandWords::take(const Simulation& match, std::uint32_t player, HeardLines& lines) {
     const auto wizard = wizard_of(match.world(), player);
-    const auto forces = forces_on(match.world().get<HandState>(wizard));
+    const auto forces = forces_on(match.world(), wizard);
     for (std::size_t i = 0; i < force_sources; ++i) {
         auto& told = told_.at(i);
         const bool was_on = told.on;

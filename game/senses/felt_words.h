@@ -27,7 +27,9 @@ inline constexpr std::array<ForceWords, force_sources> force_words{{{"wand", "ki
                                                                     {"wall", "pushes"},
                                                                     {"brew", "pushes"},
                                                                     {"bowl", "pushes"},
-                                                                    {"surface of the brew", "pushes"}}};
+                                                                    {"surface of the brew", "pushes"},
+                                                                    {"flow", "pushes"},
+                                                                    {"crystal", "pushes"}}};
 
 /// Side to which a force pushes (device frame: +x right, +y up, -z ahead).
 HeardFrom side_of_force(vec3 newtons);

@@ -1,5 +1,9 @@
 #include "game/tactile/felt_source.h"
 
+#include "game/components/crystal.h"
+#include "game/components/orb.h"
+#include "game/components/station.h"
+
 namespace thaum::game {
 namespace {
 
@@ -34,13 +38,26 @@ HandForces forces_on(const HandState& hand_state) {
             wall_of(servo.surface),
             fluid.force,
             fluid.wall,
-            vec3(0, fluid.surface_force, 0)};
+            vec3(0, fluid.surface_force, 0),
+            vec3(0),
+            vec3(0)};
 }
 
-FeltSource strongest_source(const HandState& hand_state, std::string_view steady_name) {
-    const std::array<std::string_view, force_sources> names{"Recoil",  "Spring", steady_name, "Wall",
-                                                            "Current", "Wall",   "Surface"};
-    const auto forces = forces_on(hand_state);
+HandForces forces_on(const ecs::World& world, ecs::Entity wizard) {
+    auto forces = forces_on(world.get<HandState>(wizard));
+    const auto* station = world.find<AtStation>(wizard);
+    if (station == nullptr) return forces;
+    const quat to_hand = glm::inverse(look_rotation(station->yaw, 0));
+    if (const auto* scrying = world.find<Scrying>(wizard))
+        forces.at(static_cast<std::size_t>(ForceSource::flow)) = to_hand * scrying->force;
+    if (const auto* chisel = world.find<Chisel>(wizard))
+        forces.at(static_cast<std::size_t>(ForceSource::crystal)) = to_hand * chisel->force;
+    return forces;
+}
+
+FeltSource strongest_source(const HandForces& forces, std::string_view steady_name) {
+    const std::array<std::string_view, force_sources> names{
+        "Recoil", "Spring", steady_name, "Wall", "Current", "Wall", "Surface", "Flow", "Crystal"};
     FeltSource strongest;
     for (std::size_t i = 0; i < force_sources; ++i) {
         const double newtons = glm::length(forces.at(i));

@@ -102,7 +102,7 @@ TEST(HudLayout, NoTwoPanelsOverlapAtAnySize) {
         const bool lesson = wands > 100;
         each_case([&](const HudSettings& settings, render::Size window, const std::string& name) {
             const auto boxes = boxes_of(lay_out(settings, window, wands % 100,
-                                                {.lesson = lesson, .brews = {wands == 5, wands == 6}}));
+                                                {.lesson = lesson, .cards = {wands == 5, wands == 6}}));
             for (std::size_t a = 0; a < boxes.size(); ++a) {
                 for (std::size_t b = a + 1; b < boxes.size(); ++b) {
                     EXPECT_FALSE(overlap(boxes[a].box, boxes[b].box))

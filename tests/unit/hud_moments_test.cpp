@@ -2,6 +2,10 @@
 // a drawn shot.
 #include <set>
 
+#include "game/cauldron/potions.h"
+#include "game/components/crystal.h"
+#include "game/components/orb.h"
+#include "game/components/station.h"
 #include "game/context/hand_forces.h"
 #include "game/hud/event_words.h"
 #include "game/hud/layout.h"
@@ -164,8 +168,8 @@ TEST(Feed, DoesNotNameAFallTwice) {
 }
 
 TEST(Feed, AViewWithRoomForOneLineShowsItsOwnRecipe) {
-    const auto match = new_match();
-    for (int i = 0; i < 1010; ++i) match->tick({});
+    auto match = new_match();
+    for (const std::uint32_t player : {0U, 1U}) tell_order(match->context_to_change(), player, 0);
     const auto picture = picture_of(*match);
     ASSERT_EQ(picture.feed_lines, 2U) << "each player is told an order";
     const auto overlay = overlay_of(picture, {.split = render::Split::top_bottom});
@@ -205,23 +209,38 @@ TEST(Feed, FindsTheThingInTheVictimsLastBlow) {
 
 TEST(FeltSource, IsTheStrongestOfAll) {
     auto hand = empty_hand_state();
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "");
     hand.steady_force.force = {0, -0.5, 0};
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Weight");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Weight");
     hand.tether = {.anchor = hand.device.position + vec3(0, 0, 0.02), .stiffness = 50};
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Spring");
-    EXPECT_NEAR(strongest_source(hand, "Weight").newtons, 1, 1e-12);
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Spring");
+    EXPECT_NEAR(strongest_source(forces_on(hand), "Weight").newtons, 1, 1e-12);
     hand.servo.pulses[0] = {.peak = {0, 0, 2}, .length = 20, .at = 10};
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Recoil");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Recoil");
     hand.servo.pulses[0].at = 20;  // over
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Spring");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Spring");
     hand.servo.fluid.force = {1.5, 0, 0};
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Current");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Current");
     hand.servo.fluid.surface_force = -1.8;
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Surface");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Surface");
     hand.servo.surface.contacts = 1;
     hand.servo.surface.touched[0].force = {0, 2, 0};
-    EXPECT_EQ(strongest_source(hand, "Weight").name, "Wall");
+    EXPECT_EQ(strongest_source(forces_on(hand), "Weight").name, "Wall");
+}
+
+TEST(FeltSource, NamesFlowAndCrystalInTheHandsFrame) {
+    auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    world.add(wizard, AtStation{.yaw = pi / 2, .kind = StationKind::orb});
+    world.add(wizard, Scrying{.force = {-0.8, 0, 0}});
+    const auto forces = forces_on(world, wizard);
+    EXPECT_EQ(strongest_source(forces, "").name, "Flow");
+    const vec3 flow = forces.at(static_cast<std::size_t>(ForceSource::flow));
+    EXPECT_LT(glm::distance(flow, vec3(0, 0, -0.8)), 1e-9) << "ahead of a wizard who looks along -x";
+    world.remove<Scrying>(wizard);
+    world.add(wizard, Chisel{.force = {0, 0.5, 0}});
+    EXPECT_EQ(strongest_source(forces_on(world, wizard), "").name, "Crystal");
 }
 
 TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {

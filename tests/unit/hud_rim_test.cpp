@@ -9,13 +9,12 @@
 #include "game/hud/layout.h"
 #include "game/hud/recipe_panel.h"
 #include "render/font.h"
+#include "unit/hud_busy.h"
 #include "unit/hud_rig.h"
 #include "unit/hud_words.h"
 
 namespace thaum::game::hud_tests {
 namespace {
-
-constexpr float readable = 12;  // least em of words at 1280 x 720 (px)
 
 void put_circle(RecipePicture& recipe) {
     recipe.ghost_points = most_ghost_points;
@@ -79,50 +78,8 @@ Picture busy_at(RecipeStep step) {
     return picture;
 }
 
-HudSettings busy_settings(render::Split split, Watch watch, double scale) {
-    HudSettings settings{.split = split, .watch = watch, .text_scale = scale};
-    settings.heard = {HeardWish::all, HeardWish::all};
-    settings.prompts.fill(PromptWish::always);
-    for (auto& one : settings.controls)
-        one = {.fire = "Left mouse", .stir = "E", .throw_ = "F", .trace = "Right mouse"};
-    return settings;
-}
-
 constexpr std::array steps{RecipeStep::choose, RecipeStep::ingredient, RecipeStep::stroke,
                            RecipeStep::spoilt};
-
-/// Calls f(settings, name) for a full view and both splits, at all sizes of the text.
-template <class F>
-void each_view(F f) {
-    for (double scale = 1; scale <= 2.5; scale += 0.5) {
-        f(busy_settings(render::Split::top_bottom, Watch::both, scale), text("stacked at ", scale));
-        f(busy_settings(render::Split::side_by_side, Watch::both, scale), text("beside at ", scale));
-        f(busy_settings(render::Split::top_bottom, Watch::first, scale), text("alone at ", scale));
-    }
-}
-
-render::Overlay busy_overlay_of(const Picture& picture, const HudSettings& settings,
-                                render::Size window = {1280, 720}) {
-    render::Overlay overlay;
-    make_overlay(picture, settings, window, overlay);
-    return overlay;
-}
-
-/// Em of the smallest text that has a part, and how many views have it.
-struct Found {
-    float least{1e6F};
-    std::size_t number{};
-};
-Found find_words(const render::Overlay& overlay, std::string_view part) {
-    Found found;
-    for (const auto& item : overlay.items) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        if (words == nullptr || words->text.find(part) == std::string::npos) continue;
-        found.least = std::min(found.least, words->size);
-        ++found.number;
-    }
-    return found;
-}
 
 TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
     const std::array<std::pair<RecipeStep, std::vector<std::string_view>>, 4> needed{

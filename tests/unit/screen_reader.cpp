@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/hud/layout.h"
-#include "game/hud/rim_card.h"
+#include "game/hud/station_card.h"
 
 namespace thaum::app::screen {
 namespace {
@@ -68,10 +68,10 @@ void read_hud(const Shown& shown, Screen& out) {
     hud.prompt_uses = shown.prompt_uses;
     render::Overlay overlay;
     game::make_overlay(shown.picture, hud, shown.size, overlay);
-    const auto layout = game::lay_out(hud, shown.size, shown.picture.shown->wands.size(),
-                                      {.lesson = !shown.picture.practice.lesson.empty(),
-                                       .brews = {game::at_cauldron(shown.picture.wizards[0]),
-                                                 game::at_cauldron(shown.picture.wizards[1])}});
+    const auto layout = game::lay_out(
+        hud, shown.size, shown.picture.shown->wands.size(),
+        {.lesson = !shown.picture.practice.lesson.empty(),
+         .cards = {game::has_card(shown.picture.wizards[0]), game::has_card(shown.picture.wizards[1])}});
     const bool ended = shown.picture.phase != game::Phase::playing;
     std::size_t veil = overlay.items.size();
     for (std::size_t i = 0; ended && i < overlay.items.size(); ++i)

@@ -1,0 +1,139 @@
+#include "game/hud/station_card.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/hud/event_words.h"
+#include "game/hud/figures.h"
+#include "game/hud/overlay.h"
+
+namespace thaum::game {
+namespace {
+
+std::string bracketed(const std::string& control, std::string_view otherwise) {
+    return control.empty() ? std::string(otherwise) : text("[", control, "]");
+}
+
+std::string share_in_percent(double share) {
+    return text(static_cast<int>(std::floor(100 * share + 1e-9)), " %");
+}
+
+float focus_share(const PlayerPicture& p) {
+    return static_cast<float>(std::clamp(p.casting.focus / std::max(p.casting.focus_cap, 1.0), 0.0, 1.0));
+}
+
+/// "Hold", or "press" for a control that toggles.
+std::string_view hold_or_press(bool toggles) { return toggles ? "press " : "hold "; }
+
+// Orb --------------------------------------------------------------------------------------------------------
+
+/// The player's own order: "Azoth: moss, salt, mist".
+std::string words_of_order(const ScryingPicture& orb) {
+    std::string words = text(capitalised(orb.potion), ": ");
+    for (std::size_t i = 0; i < orb.order.size() && !orb.order.at(i).empty(); ++i)
+        words += text(i == 0 ? "" : ", ", orb.order.at(i));
+    return words;
+}
+
+std::string words_of_search(const ScryingPicture& orb, const ControlNames& controls) {
+    const auto time = text(fixed(orb.wanted_s, 1), " s");
+    if (orb.told) return words_of_order(orb);
+    if (!orb.scries)
+        return text("Orb: ", hold_or_press(controls.stir_toggles), bracketed(controls.stir, "Stir"),
+                    " and find its core");
+    if (orb.core_near) return text("At the core: stay ", fixed(orb.held_s, 1), " of ", time);
+    return text("Find the core, stay there for ", time);
+}
+
+/// The keys of modes: "[1] to [6]", or the control that goes on to the next one.
+std::string keys_of(const ControlNames& controls, std::size_t last) {
+    const auto& keys = controls.wands;
+    if (last > keys.size() || keys[0].empty() || keys[last - 1].empty())
+        return bracketed(controls.next_wand, "next wand");
+    return text("[", keys[0], "] to [", keys[last - 1], "]");
+}
+
+std::string words_of_modes(const ScryingPicture& orb, const ControlNames& controls) {
+    std::string worn;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < orb.modes.size(); ++i) {
+        if (orb.modes.at(i).empty()) continue;
+        last = i + 1;
+        if (!orb.worn.at(i)) continue;
+        worn += text(worn.empty() ? "" : " and ", orb.modes.at(i));
+    }
+    const auto keys = keys_of(controls, std::min(last, controls.wands.size()));
+    if (worn.empty()) return text("No mode: ", keys, " put one on");
+    return text(capitalised(worn), ", ", keys, " change");
+}
+
+RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
+    const auto& p = picture.wizards[player];
+    const auto& orb = p.scrying;
+    RimCard card;
+    card.gauge = {
+        .mixed = static_cast<float>(std::clamp(orb.held_s / std::max(orb.wanted_s, 1e-3), 0.0, 1.0)),
+        .fresh = focus_share(p),
+        .paint = opaque(team_colours(player).glow)};
+    if (orb.told) card.gauge.mixed = 1;
+    if (orb.scries && orb.newest < most_orb_modes) card.curve = orb.curve;
+    if (!settings.captions[player]) return card;
+    const auto& controls = settings.controls[player];
+    card.step = words_of_search(orb, controls);
+    card.potions = words_of_potions(p);
+    if (!orb.order[0].empty() && !orb.told)
+        card.potions = text(words_of_order(orb), card.potions.empty() ? "" : "   ", card.potions);
+    if (!orb.scries) return card;
+    card.brew = orb.draws && orb.newest < most_orb_modes
+                    ? text("Drawing the strength of ", orb.modes.at(orb.newest))
+                    : words_of_modes(orb, controls);
+    return card;
+}
+
+// Crystal ----------------------------------------------------------------------------------------------------
+
+/// What the tool in hand is for.
+std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& controls) {
+    const auto fire = text(hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
+    if (crystal.tool_name == "melt") return text("Melt what is amber: ", fire);
+    if (crystal.tool_name == "construct") return text("Build where the key is pale: ", fire);
+    return text(capitalised(crystal.tool_name), ": ", fire);
+}
+
+RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
+    const auto& p = picture.wizards[player];
+    const auto& crystal = p.carving;
+    RimCard card;
+    card.gauge = {.mixed = static_cast<float>(std::clamp(crystal.overlap, 0.0, 1.0)),
+                  .fresh = focus_share(p),
+                  .goal = static_cast<float>(std::clamp(crystal.wanted, 0.0, 1.0)),
+                  .paint = opaque(team_colours(player).glow)};
+    if (!settings.captions[player]) return card;
+    const auto& controls = settings.controls[player];
+    card.step = crystal.carves ? words_of_tool(crystal, controls)
+                               : text("Crystal: ", hold_or_press(controls.stir_toggles),
+                                      bracketed(controls.stir, "Stir"), " and carve the key");
+    card.brew =
+        crystal.overlap > 0
+            ? text("Key ", share_in_percent(crystal.overlap), " of ", share_in_percent(crystal.wanted))
+            : text("Nobody has touched it; wanted is ", share_in_percent(crystal.wanted), " of the key");
+    if (crystal.carves) card.brew += text("   tools ", keys_of(controls, crystal.tools));
+    card.potions = words_of_potions(p);
+    return card;
+}
+
+}  // namespace
+
+bool has_card(const PlayerPicture& p) {
+    return at_cauldron(p) || p.scrying.scries || p.scrying.near || p.carving.carves || p.carving.near;
+}
+
+RimCard card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
+    const auto& p = picture.wizards[player];
+    if (p.scrying.scries || p.scrying.near) return orb_card_of(picture, settings, player);
+    if (p.carving.carves || p.carving.near) return crystal_card_of(picture, settings, player);
+    return rim_card_of(picture, settings, player);
+}
+
+}  // namespace thaum::game

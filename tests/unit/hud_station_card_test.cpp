@@ -1,0 +1,156 @@
+// Tests of the cards at the orb and at a crystal: all words are readable, and none overlap.
+#include "game/hud/station_card.h"
+
+#include <vector>
+
+#include "render/font.h"
+#include "unit/hud_busy.h"
+#include "unit/hud_words.h"
+
+namespace thaum::game::hud_tests {
+namespace {
+
+HudSettings with_keys(HudSettings settings) {
+    for (auto& one : settings.controls) one.wands = {"1", "2", "3", "4", "5", "6"};
+    return settings;
+}
+
+/// Much to say beside the card: a potion, both halves of the Great Work, a feed, sounds in words.
+Picture busy() {
+    auto picture = picture_of(*new_match());
+    for (auto& p : picture.wizards) {
+        p.potion_names[0] = "haste";
+        p.potion_left_s[0] = 12.4;
+        p.potions = 1;
+        p.casting.there = true;
+        p.casting.focus = 72.3;
+        p.casting.focus_cap = 100;
+        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
+        p.heard.fill({.words = "orb hums", .from = HeardFrom::ahead, .important = true, .verb = "pulls"});
+    }
+    picture.wizards[0].work.left_s = 22.4;
+    picture.feed_lines = static_cast<std::uint32_t>(picture.feed.size());
+    for (auto& line : picture.feed) line.event = {.kind = EventKind::work_half, .subject = 0, .by = 0};
+    return picture;
+}
+
+enum class At { orb, orb_core, orb_told, orb_near, crystal, crystal_near };
+constexpr std::array all_places{At::orb,      At::orb_core, At::orb_told,
+                                At::orb_near, At::crystal,  At::crystal_near};
+
+ScryingPicture scrying_at(At place) {
+    ScryingPicture orb;
+    orb.near = true;
+    orb.scries = place != At::orb_near;
+    orb.modes = {"viscosity", "gradient", "force", "follow", "vortex tube", "surface"};
+    orb.worn[3] = orb.worn[4] = true;
+    orb.newest = 4;
+    orb.curve.fill(0.5F);
+    orb.wanted_s = 1.5;
+    orb.core_near = place == At::orb_core;
+    orb.held_s = orb.core_near ? 0.8 : 0;
+    orb.told = place == At::orb_told;
+    orb.potion = "azoth";
+    if (orb.told) orb.order = {"moss", "salt", "mist"};
+    return orb;
+}
+
+CarvingPicture carving_at(At place) {
+    CarvingPicture crystal;
+    crystal.near = true;
+    crystal.carves = place == At::crystal;
+    crystal.tool_name = "construct";
+    crystal.tools = 4;
+    crystal.overlap = 0.574;
+    crystal.wanted = 0.8;
+    return crystal;
+}
+
+Picture busy_at(At place) {
+    auto picture = busy();
+    for (auto& p : picture.wizards) {
+        if (place == At::crystal || place == At::crystal_near)
+            p.carving = carving_at(place);
+        else
+            p.scrying = scrying_at(place);
+    }
+    return picture;
+}
+
+TEST(StationCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
+    const std::array<std::vector<std::string_view>, all_places.size()> needed{
+        {{"Find the core", "1.5 s", "Follow and vortex tube", "Haste 13 s"},
+         {"At the core: stay", "0.8 of", "Haste 13 s"},
+         {"Azoth: ", "mist", "Haste 13 s"},
+         {"Orb: hold [E]", "Haste 13 s"},
+         {"Build where the key is pale", "Left mouse", "57 % of 80 %", "Haste 13 s"},
+         {"Crystal: hold [E]", "57 % of 80 %", "Haste 13 s"}}};
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+        const auto picture = busy_at(all_places.at(i));
+        each_view([&](const HudSettings& settings, const std::string& name) {
+            const auto overlay = busy_overlay_of(picture, with_keys(settings));
+            const std::size_t views = settings.watch == Watch::both ? 2 : 1;
+            for (const auto part : needed.at(i)) {
+                const auto found = find_words(overlay, part);
+                EXPECT_GE(found.number, 2 * views) << name << ": " << part << " (each with its shadow)";
+                EXPECT_GE(found.least, readable) << name << ": " << part;
+            }
+        });
+    }
+}
+
+TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
+    auto font = render::Font::load();
+    if (!font) GTEST_SKIP() << font.error().message;
+    for (const auto place : all_places) {
+        auto picture = busy_at(place);
+        for (auto& p : picture.wizards) {
+            p.work_half = p.work.lens = true;
+            p.force.source = "vortex tube";
+            p.force.cap = 1;
+            p.force.now = vec3(0.5);
+        }
+        each_view([&](const HudSettings& settings, const std::string& name) {
+            for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
+                const auto words = words_of(busy_overlay_of(picture, with_keys(settings), window), *font);
+                EXPECT_GT(words.size(), 8U);
+                expect_apart(words, text(name, ", ", window.width, ", place ", static_cast<int>(place)));
+            }
+        });
+    }
+}
+
+TEST(StationCard, BothPlayersReadTheSecondsOfTheGreatWork) {
+    auto picture = busy();
+    each_view([&](const HudSettings& settings, const std::string& name) {
+        const auto overlay = busy_overlay_of(picture, settings);
+        for (const std::string_view part : {"23 s"}) {
+            const auto found = find_words(overlay, part);
+            EXPECT_EQ(found.number, 2U) << name << ": " << part << " (with its shadow)";
+            EXPECT_GE(found.least, readable) << name << ": " << part;
+        }
+    });
+    picture.wizards[0].work.left_s = 0;
+    EXPECT_FALSE(has_text(busy_overlay_of(picture, {}), "Great Work of")) << "nobody holds it";
+}
+
+TEST(StationCard, TellsAPadHowItGoesOn) {
+    const auto picture = busy_at(At::orb);
+    HudSettings settings;
+    settings.controls[0].next_wand = "RB";
+    EXPECT_NE(card_of(picture, settings, 0).brew.find("[RB] change"), std::string::npos);
+    EXPECT_NE(card_of(picture, with_keys(settings), 0).brew.find("[1] to [6]"), std::string::npos);
+}
+
+TEST(StationCard, OffersToScryAndToCarve) {
+    const ControlNames controls{.fire = "Left mouse", .stir = "E", .trace = "Right mouse"};
+    const auto at = [&](At place) { return prompt_of(busy_at(place).wizards[0], controls); };
+    EXPECT_EQ(at(At::orb_near)->words, "[E] Scry");
+    EXPECT_EQ(at(At::orb)->words, "[Right mouse] Draw the strength of vortex tube");
+    EXPECT_EQ(at(At::crystal_near)->words, "[E] Carve");
+    EXPECT_FALSE(at(At::orb_told)) << "nothing more to find out";
+    EXPECT_FALSE(at(At::crystal));
+}
+
+}  // namespace
+}  // namespace thaum::game::hud_tests
