@@ -116,7 +116,7 @@ void take_held(const Simulation& match, ecs::Entity wizard, const LoadedWand* wa
 /// Fills in the target: the thing that the wand would take hold of or, for a wand that shoots, the foe.
 void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
-    if (wand == nullptr || out.stirs) return;
+    if (wand == nullptr || out.works()) return;
     out.target = wand->rules->target(match.context(), wizard);
     if (out.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
     const auto [eye, ahead] = sight_of(match.context(), wizard);

@@ -210,8 +210,10 @@ std::string_view words_below(const Picture& picture, const PlayerPicture& p, con
 void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, const ViewLayout& l) {
     const auto& p = picture.wizards[player];
     const Pen pen{out, l.centre, std::min(l.unit, l.ring / 24)};
-    for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)})
-        pen.edged(5.0F * way, 11.0F * way, paints.white);
+    // The eyes of a wizard at work turn to what the hand works at, and no wand aims.
+    if (!p.scrying.scries && !p.carving.carves)
+        for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)})
+            pen.edged(5.0F * way, 11.0F * way, paints.white);
     add_target(pen, p, 1 - player);
     if (p.readiness > 0) {
         pen.ring(14, 17.5F, 0, whole_turn, paints.track);

@@ -1,8 +1,13 @@
 // Tests of the cards at the orb and at a crystal: all words are readable, and none overlap.
 #include "game/hud/station_card.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "game/components/crystal.h"
+#include "game/components/orb.h"
+#include "game/components/station.h"
+#include "game/hud/layout.h"
 #include "render/font.h"
 #include "unit/hud_busy.h"
 #include "unit/hud_words.h"
@@ -150,6 +155,112 @@ TEST(StationCard, OffersToScryAndToCarve) {
     EXPECT_EQ(at(At::crystal_near)->words, "[E] Carve");
     EXPECT_FALSE(at(At::orb_told)) << "nothing more to find out";
     EXPECT_FALSE(at(At::crystal));
+}
+
+/// Number of gold arcs in a box.
+std::size_t gold_in(const render::Overlay& overlay, const Panel& box) {
+    return static_cast<std::size_t>(
+        std::count_if(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
+            const auto* arc = std::get_if<render::ArcItem>(&item);
+            return arc != nullptr && arc->colour == render::colour(0xFFD060, 1.0F) &&
+                   glm::all(glm::greaterThanEqual(arc->centre - arc->outer, box.low)) &&
+                   glm::all(glm::lessThanEqual(arc->centre + arc->outer, box.high));
+        }));
+}
+
+TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
+    auto picture = picture_of(*new_match());
+    const HudSettings settings;
+    const auto box = lay_out(settings, {1280, 720}, picture.shown->wands.size()).views[0]->health;
+    const auto gold = [&] { return gold_in(busy_overlay_of(picture, settings), box); };
+    EXPECT_EQ(gold(), 0U);
+    picture.wizards[0].work_half = true;
+    EXPECT_EQ(gold(), 2U) << "half a disc and its rim";
+    picture.wizards[0].work.lens = true;
+    EXPECT_EQ(gold(), 4U);
+}
+
+// ---- taken from a match -------------------------------------------------------------------------------------
+
+TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
+    auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    const Orb orb = world.single<Orb>();
+    EXPECT_FALSE(picture_of(*match).wizards[0].scrying.near);
+    world.get<Motion>(wizard).position = orb.middle + vec3(1.4, 0, 0);
+    world.get<WornModes>(wizard).worn = {2, 4};
+    auto picture = picture_of(*match);
+    EXPECT_EQ(picture.orb.seed, orb.seed);
+    const auto& scrying = picture.wizards[0].scrying;
+    EXPECT_TRUE(scrying.near && !scrying.scries && !scrying.told);
+    EXPECT_EQ(scrying.modes[4], "vortex tube");
+    EXPECT_TRUE(scrying.worn[2] && scrying.worn[4] && !scrying.worn[0]);
+    EXPECT_EQ(scrying.newest, 4U);
+    EXPECT_GT(scrying.curve.back(), scrying.curve.front()) << "it holds harder where the flow turns";
+    EXPECT_TRUE(scrying.order[0].empty()) << "not told yet";
+
+    world.add(wizard, AtStation{.kind = StationKind::orb});
+    world.add(wizard, Scrying{.place = orb.middle + vec3(0, 0.1, 0), .force = {0, 0.5, 0}, .near_since = 1});
+    world.get<WornModes>(wizard).order_told = 1;
+    picture = picture_of(*match);
+    EXPECT_TRUE(picture.wizards[0].scrying.scries && picture.wizards[0].scrying.core_near);
+    EXPECT_EQ(picture.wizards[0].scrying.potion, "azoth");
+    EXPECT_FALSE(picture.wizards[0].scrying.order[2].empty());
+    ASSERT_TRUE(picture.orb.probes[0]);
+    EXPECT_EQ(picture.orb.probes[0]->place, orb.middle + vec3(0, 0.1, 0));
+    EXPECT_GT(picture.orb.probes[0]->force_share, 0);
+    EXPECT_FALSE(picture.orb.probes[1]);
+    EXPECT_FALSE(picture.orb.found[0]);
+    world.get<WornModes>(wizard).told = 1;
+    EXPECT_TRUE(picture_of(*match).orb.found[0]);
+}
+
+TEST(StationPicture, SharesTheVoxelsOfACrystalUntilTheyChange) {
+    auto match = new_match();
+    auto& world = match->world_to_change();
+    auto picture = picture_of(*match);
+    ASSERT_EQ(picture.crystals.size(), 2U);
+    EXPECT_EQ(picture.crystals[1].voxels, nullptr) << "nobody has touched it";
+    world.resize<CrystalDensity>(2 * crystal_voxels);
+    world.resize<CrystalColour>(2 * crystal_voxels * sizeof(field::Rgb8));
+    world.view<Crystal>().each([](Crystal& crystal) { crystal.touched = crystal.number; });
+    world.blob<CrystalDensity>()[crystal_voxels + 7] = 0.75F;
+    take_picture(*match, picture);
+    EXPECT_EQ(picture.crystals[0].voxels, nullptr);
+    const auto first = picture.crystals[1].voxels;
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(first->density[7], 0.75F);
+    take_picture(*match, picture);
+    EXPECT_EQ(picture.crystals[1].voxels, first) << "nothing was copied";
+    world.blob<CrystalColour>()[(crystal_voxels + 7) * sizeof(field::Rgb8) + 1] = 9;
+    take_picture(*match, picture);
+    EXPECT_EQ(picture.crystals[1].voxels->colour[7].g, 9);
+    EXPECT_EQ(first->colour[7].g, 0) << "an older picture stays as it was";
+}
+
+TEST(StationPicture, TellsWhatAWizardDoesAtACrystal) {
+    auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 1);
+    vec3 middle(0);
+    world.view<Crystal>().each([&](Crystal& crystal) {
+        crystal.overlap = 0.61;
+        middle = crystal.middle;
+    });
+    world.get<Motion>(wizard).position = middle + vec3(1.2, 0, 0);
+    EXPECT_TRUE(picture_of(*match).wizards[1].carving.near);
+    EXPECT_FALSE(picture_of(*match).wizards[1].carving.carves);
+    world.get<Lens>(wizard) = {.held = 1, .tool = 1};
+    world.add(wizard, Chisel{.place = middle, .cutting = 1});
+    world.single<GreatWork>().since[1] = 1;
+    const auto p = picture_of(*match).wizards[1];
+    EXPECT_TRUE(p.carving.carves && p.carving.tip.works && p.work.lens);
+    EXPECT_EQ(p.carving.tool_name, "construct");
+    EXPECT_EQ(p.carving.tools, 4U);
+    EXPECT_DOUBLE_EQ(p.carving.overlap, 0.61);
+    EXPECT_DOUBLE_EQ(p.carving.wanted, 0.8);
+    EXPECT_DOUBLE_EQ(p.work.left_s, 30);
 }
 
 }  // namespace
