@@ -96,11 +96,13 @@ void draw_curve(const OrbRules& rules, const OrbMode& mode, vec2 from, vec2 to,
 }
 
 void refit_modes(const OrbRules& before, const OrbRules& now, WornModes& modes) {
+    const auto worn = modes.worn;
+    const auto strength = modes.strength;
     const bool same = std::ranges::equal(before.modes, now.modes, {}, &OrbMode::name, &OrbMode::name);
     if (!same) modes.worn.fill(no_mode);
     for (std::size_t i = 0; i < now.modes.size(); ++i)
         if (!same || modes.strength[i] == before.modes[i].strength) modes.strength[i] = now.modes[i].strength;
-    ++modes.version;
+    if (modes.worn != worn || modes.strength != strength) ++modes.version;
 }
 
 void feel_orb(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,

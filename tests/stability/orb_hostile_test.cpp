@@ -53,6 +53,33 @@ struct Outcome {
     bool finite{true};
 };
 
+/// A player whose hand darts about while the curves of the modes change.
+struct Darting {
+    std::uint32_t player{};
+    Random& random;
+    vec3 aim{};
+
+    void act(Seance& seance, std::array<std::uint32_t, 2> worn, Tick t) {
+        auto& modes = seance.change().get<WornModes>(seance.wizard(player));
+        seance.change().get<Focus>(seance.wizard(player)).points = 100;
+        if (t % 500 == 0) {
+            modes.worn = worn;
+            for (std::size_t i = 0; i < seance.rules().modes.size(); ++i)
+                modes.strength[i] = hostile_curve(random, seance.rules().modes[i].most_property);
+            ++modes.version;
+        }
+        if (t % 300 == 0)
+            aim = {random.uniform(-0.07, 0.07), random.uniform(-0.05, 0.05), random.uniform(-0.03, 0.03)};
+        // Forces beyond all bounds shut a device off; a press of the panic key arms it again.
+        auto& hand = seance.change().get<HandState>(seance.wizard(player));
+        hand.home += (t % 300 < 10 ? 0.1 : 0.01) * (aim - hand.home);
+        if (hand.servo.safety.latched != 0 && t % 40 < 20)
+            seance.hold(input::Button::panic, player);
+        else
+            seance.release(input::Button::panic, player);
+    }
+};
+
 /// Both players wear two modes while their hands dart about and their curves change.
 Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t seed) {
     Seance seance(seed);
@@ -61,29 +88,12 @@ Outcome dart_about(std::array<std::uint32_t, 2> worn, Tick length, std::uint64_t
     Random random = random_stream(seed, 4);
     Outcome outcome;
     std::array<GivenEnergy, players> energies;
-    std::array<vec3, players> aims{};
+    std::array<Darting, players> hands{Darting{0, random}, Darting{1, random}};
     for (Tick t = 0; t < length; ++t) {
         std::array<HandState, players> before;
-        for (std::uint32_t player = 0; player < players; ++player) {
-            auto& modes = seance.change().get<WornModes>(seance.wizard(player));
-            seance.change().get<Focus>(seance.wizard(player)).points = 100;
-            if (t % 500 == 0) {
-                modes.worn = worn;
-                for (std::size_t i = 0; i < seance.rules().modes.size(); ++i)
-                    modes.strength[i] = hostile_curve(random, seance.rules().modes[i].most_property);
-                ++modes.version;
-            }
-            if (t % 300 == 0)
-                aims[player] = {random.uniform(-0.07, 0.07), random.uniform(-0.05, 0.05),
-                                random.uniform(-0.03, 0.03)};
-            before[player] = seance.part<HandState>(player);
-            // Forces beyond all bounds shut a device off; a press of the panic key arms it again.
-            auto& hand = seance.change().get<HandState>(seance.wizard(player));
-            hand.home += (t % 300 < 10 ? 0.1 : 0.01) * (aims[player] - hand.home);
-            if (before[player].servo.safety.latched != 0 && t % 40 < 20)
-                seance.hold(input::Button::panic, player);
-            else
-                seance.release(input::Button::panic, player);
+        for (auto& hand : hands) {
+            before[hand.player] = seance.part<HandState>(hand.player);
+            hand.act(seance, worn, t);
         }
         seance.run(1);
         for (std::uint32_t player = 0; player < players; ++player) {

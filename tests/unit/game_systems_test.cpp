@@ -5,6 +5,7 @@
 #include "game/cauldron/cauldron.h"
 #include "game/components/fog.h"
 #include "tools/bench/carving_hands.h"
+#include "tools/bench/searching_hands.h"
 #include "tools/bench/stirring_hands.h"
 #include "unit/game_duel.h"
 
@@ -128,6 +129,12 @@ TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     bench::place_at_the_crystal(at_the_crystal);
     for (Tick t = 0; t < 500; ++t) at_the_crystal.tick(bench::carving(t));
     strike_out(at_the_crystal, idle);
+
+    Simulation at_the_orb(duel_data(),
+                          {.devices = {{.player = 0, .name = "one"}, {.player = 1, .name = "two"}}});
+    bench::place_at_the_orb(at_the_orb);
+    for (Tick t = 0; t < 500; ++t) at_the_orb.tick(bench::searching(t));
+    strike_out(at_the_orb, idle);
 
     auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1);
     ASSERT_TRUE(duel.has_value());

@@ -346,7 +346,7 @@ protected:
              {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures", "spells", "carving"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
         for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml", "casting.toml",
-                                 "crystal.toml", "events.toml", "materials.toml"})
+                                 "crystal.toml", "events.toml", "materials.toml", "orb.toml"})
             fs::copy(assets() / file, folder_);
         auto files = RangeFiles::open(folder_, {});
         EXPECT_TRUE(files) << (files ? "" : files.error().message);

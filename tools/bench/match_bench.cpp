@@ -13,6 +13,7 @@
 #include "tools/bench/carving_hands.h"
 #include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
+#include "tools/bench/searching_hands.h"
 #include "tools/bench/stirring_hands.h"
 
 namespace thaum::bench {
@@ -314,20 +315,11 @@ void carve_crystal(SceneMatch& scene, Tick tick) {
     scene.frame = carving(tick);
 }
 
-/// Both wizards search the orb with two modes each.
+/// Focus is endless meanwhile.
 void search_orb(SceneMatch& scene, Tick tick) {
-    if (tick == 0) {
-        place(*scene.match, 0, {-16.5, 0.9, 0}, pi / 2, 0);
-        place(*scene.match, 1, {-18, 0.9, 1.4}, 0, 0);
-    }
-    auto& world = scene.match->world_to_change();
-    world.view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });
-    for (std::size_t d = 0; d < game::players; ++d) {
-        auto& hand = scene.frame.devices[d];
-        hand.press(input::Button::stir);
-        hand.counts[input::hand::look_right] = tick % 1000 < 500 ? 1 : -1;
-        hand.wand = tick == 40 ? 4 : tick == 80 ? 6 : 0;
-    }
+    if (tick == 0) place_at_the_orb(*scene.match);
+    scene.match->world_to_change().view<game::Focus>().each([](game::Focus& focus) { focus.points = 100; });
+    scene.frame = searching(tick);
 }
 
 void skip_features(const Options& options, Report& report) {

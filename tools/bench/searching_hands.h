@@ -1,0 +1,33 @@
+// bench/searching_hands.h: two players who search the orb, for benchmarks and tests of a match.
+#pragma once
+#include "game/match/simulation.h"
+#include "game/orb/orb.h"
+
+namespace thaum::bench {
+
+/// Places the players on two sides of the orb.
+inline void place_at_the_orb(game::Simulation& match) {
+    auto& world = match.world_to_change();
+    const vec3 middle = match.world().single<game::Orb>().middle;
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto wizard = game::wizard_of(world, player);
+        auto& motion = world.get<game::Motion>(wizard);
+        const vec3 off = player == 0 ? vec3(1.5, 0, 0) : vec3(0, 0, 1.4);
+        motion.position = {middle.x + off.x, match.data().wizard.height / 2, middle.z + off.z};
+        match.physics().set_state(wizard.index, motion);
+    }
+}
+
+/// Input with which both players hold Stir, put two modes on and move their hands to and fro.
+inline input::InputFrame searching(Tick tick) {
+    input::InputFrame frame;
+    for (std::size_t player = 0; player < game::players; ++player) {
+        auto& sample = frame.devices[player];
+        sample.press(input::Button::stir);
+        sample.counts[input::hand::look_right] = tick % 1000 < 500 ? 1 : -1;
+        sample.wand = tick == 40 ? 4 : tick == 80 ? 6 : 0;
+    }
+    return frame;
+}
+
+}  // namespace thaum::bench
