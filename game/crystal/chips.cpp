@@ -33,7 +33,7 @@ void chip(MatchContext& context, CrystalBodies& bodies, const CrystalStrike& str
     const auto at = strike.way == vec3(0) ? nearest_solid(voxels_of(world, bodies, crystal), from)
                                           : surface_along(world, crystal, from, strike.way * placement.turn);
     if (!at) return;
-    const auto edit = cut_crystal(context, bodies, crystal, chip_tool(*context.data.crystal), {.place = *at});
+    const auto edit = cut_crystal(context, bodies, crystal, context.data.crystal->chip, {.place = *at});
     if (edit.voxels == 0) return;
     crystal.chipped = std::max<Tick>(tick, 1);
     const double spacing = spacing_of(crystal);

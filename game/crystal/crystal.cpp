@@ -15,6 +15,9 @@ constexpr field::Rgb8 clear_colour{150, 200, 230};
 /// Stream of the match's random numbers from which seeds of crystals come.
 constexpr std::uint64_t seed_stream = 4;
 
+/// Room for the hits of one tick, so that the first one need not allocate.
+constexpr std::uint32_t usual_strikes = 8;
+
 std::uint64_t next_seed(std::uint64_t seed) { return hash_combine(seed, 0x6b6579); }
 
 std::uint32_t crystals_in(const ecs::World& world) { return world.count<Crystal>(); }
@@ -110,6 +113,7 @@ void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalS
             });
     }
     for (const auto& [e, crystal] : found) world.add(e, crystal);
+    if (!found.empty()) world.reserve<CrystalStrike>(usual_strikes);
     fit_bodies(world, bodies);
 }
 

@@ -27,6 +27,15 @@ std::vector<std::string> read_tool_names(const ConfigTable& root) {
     return names;
 }
 
+/// Tool that melts a ball of this radius (voxels).
+field::Tool melt_of_hit(double radius) {
+    return {
+        .name = "chip",
+        .operations = {{.method = field::Method::constant,
+                        .extent = {.shape = field::ExtentShape::sphere, .half = vec3(radius), .stamp = {}},
+                        .changes = {.density = true}}}};
+}
+
 }  // namespace
 
 CrystalRules read_crystal_rules(const Config& file) {
@@ -41,7 +50,7 @@ CrystalRules read_crystal_rules(const Config& file) {
             .surface = {.strength = surface.number("strength_n", {0, 100}),
                         .depth = surface.number("depth_voxels", {0.1, 20}),
                         .friction = surface.number("friction", {0, 2})},
-            .chip_radius = chip.number("radius_voxels", {0.5, 20}),
+            .chip = melt_of_hit(chip.number("radius_voxels", {0.5, 20})),
             .chip_burst_reach = chip.number("burst_reach_m", {0, 10}),
             .chip_least_impulse = chip.number("least_n_s", {0, 1e6}),
             .chip_again = ticks(chip.number("again_s", {0, 60})),
@@ -58,15 +67,6 @@ void check_crystal_tools(const ConfigTable& root, const CrystalRules& rules) {
             tables[i].report("name", text("carving/", rules.tool_names[i],
                                           ".toml changes the material; crystals of a match have only one"));
     }
-}
-
-field::Tool chip_tool(const CrystalRules& rules) {
-    return {
-        .name = "chip",
-        .operations = {
-            {.method = field::Method::constant,
-             .extent = {.shape = field::ExtentShape::sphere, .half = vec3(rules.chip_radius), .stamp = {}},
-             .changes = {.density = true}}}};
 }
 
 }  // namespace thaum::game

@@ -32,7 +32,7 @@ struct CrystalRules {
     double overlap{};                     ///< overlap with the key that gives the Lens, 0 to 1
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
-    double chip_radius{};         ///< radius of the ball that a hit melts away (voxels)
+    field::Tool chip{};           ///< melts a ball away where a hit strikes
     double chip_burst_reach{};    ///< distance from the crystal's surface within which a burst chips it (m)
     double chip_least_impulse{};  ///< impulse of a thing from which its blow chips the crystal (N s)
     Tick chip_again{};            ///< time between two chips by the same thing
@@ -45,8 +45,5 @@ CrystalRules read_crystal_rules(const Config& file);
 
 /// Reports a tool that changes what the crystals of a match do not have. `root` is that of crystal.toml.
 void check_crystal_tools(const ConfigTable& root, const CrystalRules& rules);
-
-/// The melt of a hit.
-field::Tool chip_tool(const CrystalRules& rules);
 
 }  // namespace thaum::game

@@ -62,6 +62,12 @@ void tick_alloc(const Options& options, Report& report) {
     const Tick counted = options.quick ? 20'000 : 60'000;
     // The first death in a match creates the tables for the dead, so it happens before measuring.
     scene->match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
+    // So does the first hit on a crystal, which makes its voxels.
+    scene->match->world_to_change().view<game::Crystal>().each([&](game::Crystal& crystal) {
+        game::touch_crystal(scene->match->context_to_change(), scene->match->crystals_to_change(), crystal);
+    });
+    // So does the first stroke, which makes the recogniser.
+    if (const auto& gestures = scene->match->data().gestures) (void)gestures->recogniser();
     scene->run(warm_up);
     const auto before = allocation_count();
     scene->run(counted);
