@@ -308,6 +308,7 @@ function Wizard:steer(place, speed)
     raw.draw(self.player, steps[1], steps[2])
     raw.move(self.player, 0, -steps[3])
     raw.wait(1)
+    raw.move(self.player, 0, 0)
     return way * (1 - share)
 end
 

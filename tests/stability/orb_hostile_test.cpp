@@ -1,4 +1,6 @@
 // Hostile curves at the orb: strengths up to 10^6 N of either sign that jump, all pairs of modes, both players at once.
+#include <cmath>
+
 #include "core/random.h"
 #include "unit/orb_rig.h"
 
@@ -10,7 +12,7 @@ field::TransferFunction hostile_curve(Random& random, double most_property) {
     constexpr std::array<double, 6> strengths{1e6, -1e6, 0, 1, 5, 0.3};
     std::array<vec2, 8> points{};
     for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {most_property * static_cast<double>(i / 2) / 3,
+        points[i] = {most_property * std::floor(static_cast<double>(i) / 2) / 3,
                      strengths[random.below(strengths.size())]};
     return field::transfer_function(points).value_or(field::constant(1e6));
 }
