@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "game/components/orb.h"
 #include "game/context/arms.h"
 #include "game/hand/arm_system.h"
 #include "game/wands/belt.h"
@@ -250,6 +251,43 @@ TEST(Arm, MouseMovesTheHandWhileTheArmIsGone) {
     EXPECT_GT(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, fired);
     m.run(40);
     EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "the recoil does not move the hand";
+}
+
+TEST(Arm, ScriesAndWhenItIsLostTheSimulatedHandDoes) {
+    ArmMatch m{.data = duel_data({"haptics.share=1"})};
+    const auto wizard = wizard_of(m.match.world(), 0);
+    auto& motion = m.match.world_to_change().get<Motion>(wizard);
+    motion.position = {-16.5, m.match.data().wizard.height / 2, 0};
+    m.match.physics().set_state(wizard.index, motion);
+    m.hand_buttons = bit(Button::stir);
+    m.run(50);
+    m.wand_key = 3;
+    m.run(50);
+    m.wand_key = 0;
+    const auto scrying = [&] { return m.match.world().find<Scrying>(wizard); };
+    const auto is_felt = [&] { return m.hand_state().servo.primitives != 0; };
+    m.run(500);
+    ASSERT_NE(scrying(), nullptr);
+    EXPECT_TRUE(is_felt()) << "the arm feels the flow";
+    m.expect_same_forces();
+    EXPECT_EQ(m.servo.faults().differing, 0U);
+    const vec3 before = scrying()->place;
+    m.still = true;
+    m.run(600);
+    ASSERT_NE(scrying(), nullptr) << "the wizard goes on";
+    EXPECT_TRUE(is_felt()) << "by the simulated hand";
+    EXPECT_TRUE(is_finite(scrying()->place));
+    EXPECT_LT(glm::distance(scrying()->place, before), 0.5) << "it begins where the arm was";
+    m.still = false;
+    m.run(300);
+    m.resting = true;
+    m.run(900);
+    EXPECT_TRUE(is_felt()) << "the arm is back";
+    m.expect_same_forces();
+    m.hand_buttons = 0;
+    m.run(50);
+    EXPECT_EQ(scrying(), nullptr);
+    EXPECT_FALSE(is_felt());
 }
 
 TEST(Arm, IsFeltAgainAfterItWasHeldStill) {
