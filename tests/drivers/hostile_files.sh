@@ -66,7 +66,7 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
     status=$?
     [[ ($status == 1 || $status == 2) && $(grep -c . <<<"$said") == 1 && ${#said} -lt 600 ]] ||
         fail "$kind scenario: gave $status: ${said:0:300}"
-    for file in arenas/boiling_court.toml rules/quick.toml wizards/wizard.toml wands/bolt.toml wands/blast.toml wands/lob.toml bots/level_1.toml haptics.toml cauldron.toml crystal.toml carving/melt.toml devices/touch.toml; do
+    for file in arenas/boiling_court.toml rules/quick.toml wizards/wizard.toml wands/bolt.toml wands/blast.toml wands/lob.toml bots/level_1.toml haptics.toml cauldron.toml orb.toml crystal.toml carving/melt.toml devices/touch.toml; do
         mv "$folder/assets/$file" "$folder/kept"
         put "$kind" "$folder/assets/$file"
         THAUM_ASSETS=$folder/assets refused "$kind $file" --headless --seconds 1 --out "$folder/out"
