@@ -14,6 +14,13 @@ using ivec3 = glm::ivec3;
 
 constexpr float level = 0.5F;
 
+/// Place in an array of a cube with `side` elements along each axis, x contiguous.
+std::size_t place_in(int side, ivec3 at) {
+    const auto n = static_cast<std::size_t>(side), x = static_cast<std::size_t>(at.x),
+               y = static_cast<std::size_t>(at.y), z = static_cast<std::size_t>(at.z);
+    return x + n * (y + n * z);
+}
+
 struct Sample {
     float density{};
     fvec3 colour{};
@@ -29,7 +36,7 @@ public:
         for (int z = 0; z < side; ++z)
             for (int y = 0; y < side; ++y)
                 for (int x = 0; x < side; ++x) {
-                    const auto from = static_cast<std::size_t>(x + side * (y + side * z));
+                    const auto from = place_in(side, {x, y, z});
                     auto& to = all_[index(x / 2 + 1, y / 2 + 1, z / 2 + 1)];
                     const fvec3 root = fvec3(colours[from].r, colours[from].g, colours[from].b) / 255.0F;
                     to.density += density[from] / 8;
@@ -38,9 +45,7 @@ public:
     }
     int count() const { return count_; }
     const Sample& operator()(int x, int y, int z) const { return all_[index(x, y, z)]; }
-    std::size_t index(int x, int y, int z) const {
-        return static_cast<std::size_t>(x + count_ * (y + count_ * z));
-    }
+    std::size_t index(int x, int y, int z) const { return place_in(count_, {x, y, z}); }
 
 private:
     int count_;
@@ -68,7 +73,8 @@ render::Vertex vertex_of(const Samples& samples, ivec3 cell) {
         for (int axis = 0; axis < 3; ++axis) {
             if (corner_of_cell(i)[axis] != 0) continue;
             const float a = density.at(static_cast<std::size_t>(i)),
-                        b = density.at(static_cast<std::size_t>(i + (1 << axis)));
+                        b = density.at(static_cast<std::size_t>(i) +
+                                       (std::size_t{1} << static_cast<unsigned>(axis)));
             if ((a < level) == (b < level)) continue;
             fvec3 at(corner_of_cell(i));
             at[axis] = (level - a) / (b - a);

@@ -140,9 +140,8 @@ TEST_F(Stations, AHoleShowsInTheSamePictureAndSendsOnlyItsBricks) {
     const auto& look = *arena_scene.crystals[0];
     auto carved = std::make_shared<CrystalVoxels>(*look.rough);
     for (std::size_t i = 0; i < carved->density.size(); ++i) {
-        const auto at = vec3(static_cast<double>(i % 48), static_cast<double>(i / 48 % 48),
-                             static_cast<double>(i / 48 / 48)) -
-                        23.5;
+        const auto x = i % 48, y = i / 48 % 48;
+        const auto at = vec2(x, y) - 23.5;
         if (std::hypot(at.x, at.y) < 7) carved->density[i] = 0;
     }
     picture.crystals[0].voxels = carved;
