@@ -6,6 +6,7 @@
 #include "game/casting/reading.h"
 #include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
+#include "game/components/crystal.h"
 #include "game/components/hand_state.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
@@ -167,19 +168,23 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     world.commands().remove<DrawnStroke>(caster.wizard);
 }
 
+/// Focus comes back over time, but not to a wizard who scries or carves: it would cost nothing.
 void add_focus_system(MatchContext& context, ecs::Schedule& schedule) {
-    schedule.add({.name = "focus",
-                  .period = gameplay_period,
-                  .reads = context.world.mask<Dead, Scrying>(),
-                  .writes = context.world.mask<Focus>(),
-                  .needs = context.world.mask<Focus>(),
-                  .run = [&context](ecs::World& w, Tick) {
-                      const auto& rules = *context.data.casting;
-                      w.view<Focus, ecs::Without<Dead>, ecs::Without<Scrying>>().each([&](Focus& focus) {
-                          focus.points =
-                              std::min(rules.focus_cap, focus.points + rules.focus_regain * gameplay_dt);
-                      });
-                  }});
+    schedule.add(
+        {.name = "focus",
+         .period = gameplay_period,
+         .reads = context.world.mask<Dead, Scrying, Chisel>(),
+         .writes = context.world.mask<Focus>(),
+         .needs = context.world.mask<Focus>(),
+         .run = [&context](ecs::World& w, Tick) {
+             const auto& rules = *context.data.casting;
+             w.view<Focus, ecs::Maybe<const Chisel>, ecs::Without<Dead>, ecs::Without<Scrying>>().each(
+                 [&](Focus& focus, const Chisel* chisel) {
+                     if (chisel != nullptr && chisel->cutting != 0) return;
+                     focus.points =
+                         std::min(rules.focus_cap, focus.points + rules.focus_regain * gameplay_dt);
+                 });
+         }});
 }
 
 }  // namespace

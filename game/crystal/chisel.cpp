@@ -19,19 +19,13 @@ constexpr std::uint32_t crystal_set = 0x4000'0000;
 
 bool is_down(std::uint32_t buttons, Button button) { return (buttons & bit(button)) != 0; }
 
-bool within_reach(const MatchData& data, const Crystal& crystal, vec3 body) {
-    const vec3 off = body - crystal.middle;
-    return off.x * off.x + off.z * off.z < data.crystal->reach * data.crystal->reach &&
-           std::abs(off.y) < data.wizard.height;
-}
-
 // ---- begin and end ----------------------------------------------------------------------------------------
 
 /// The crystal at which a wizard can work; no entity if there is none.
 ecs::Entity crystal_near(const MatchContext& context, vec3 body) {
     ecs::Entity near;
     context.world.view<const Crystal>().each([&](ecs::Entity e, const Crystal& crystal) {
-        if (within_reach(context.data, crystal, body)) near = e;
+        if (within_reach_of_crystal(context.data, crystal, body)) near = e;
     });
     return near;
 }
@@ -58,7 +52,8 @@ void note_carvers(MatchContext& context, CrystalBodies& bodies) {
             if (wants && station == nullptr) begin(context, bodies, e, motion.position);
             if (chisel == nullptr || station == nullptr) return;
             const auto at = crystal_entity(std::as_const(world), station->number);
-            if (wants && within_reach(context.data, std::as_const(world).get<Crystal>(at), motion.position))
+            if (wants &&
+                within_reach_of_crystal(context.data, std::as_const(world).get<Crystal>(at), motion.position))
                 return;
             world.commands().remove<Chisel>(e);
             world.commands().remove<AtStation>(e);
@@ -173,6 +168,12 @@ field::Placement in_hand(const HandFrame& frame, const Crystal& crystal) {
 }
 
 }  // namespace
+
+bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3 body) {
+    const vec3 off = body - crystal.middle;
+    return off.x * off.x + off.z * off.z < data.crystal->reach * data.crystal->reach &&
+           std::abs(off.y) < data.wizard.height;
+}
 
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station) {
     const quat turn = look_rotation(station.yaw, 0);

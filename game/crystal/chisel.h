@@ -12,6 +12,9 @@
 
 namespace thaum::game {
 
+/// Whether a wizard with the body's middle at this place can work at the crystal.
+bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3 body);
+
 /// Pose of a carving hand's device frame (world).
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 

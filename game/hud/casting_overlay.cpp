@@ -125,7 +125,7 @@ void add_free_trail(Overlay& out, const CastingPicture& casting, std::uint32_t p
 
 void add_force_band(Overlay& out, const CastingPicture& casting, const ViewLayout& l) {
     const auto& stroke = casting.stroke;
-    if (!stroke.drawing) return;
+    if (!stroke.drawing || stroke.curve) return;
     const auto& rules = *casting.rules;
     const float half = 0.72F * l.ring, high = 0.12F * l.ring;
     const fvec2 low(l.centre.x - half, l.centre.y - 0.58F * l.ring);

@@ -5,6 +5,7 @@
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/cauldron/ladle.h"
+#include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/data/presentation.h"
 #include "game/hud/event_words.h"
@@ -61,7 +62,8 @@ void take_stroke(const Simulation& match, ecs::Entity wizard, std::uint32_t play
         out.read = ended.read;
         out.since_end_s = seconds(played - ended.at);
     }
-    if (drawn == nullptr) return;
+    out.curve = match.world().has<Scrying>(wizard);
+    if (drawn == nullptr || out.curve) return;
     out.on_brew = drawn->on_brew != 0;
     choose_points(*drawn, out);
     take_chord(match, wizard, *drawn, out);

@@ -34,6 +34,7 @@ struct StrokePicture {
     std::uint32_t count{};
     bool drawing{};        ///< Trace is held
     bool on_brew{};        ///< the ladle draws
+    bool curve{};          ///< the hand draws a curve at the orb, which is no stroke of a spell
     bool read{};           ///< the finished stroke was a gesture
     double since_end_s{};  ///< time since the end of a finished stroke
     double force_now{};    ///< force at the newest point (N)

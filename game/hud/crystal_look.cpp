@@ -14,7 +14,7 @@ namespace {
 constexpr int side = crystal_side;
 constexpr std::array<int, 3> count{side, side, side};
 constexpr double voxels_shown_m = 7;  ///< distance from which on the mesh is shown (m)
-constexpr float mesh_glow = 0.15F;
+constexpr float mesh_glow = 0.5F;
 /// Light of the crystal. It is above 1, since a crystal shines a little by itself.
 const fvec3 crystal_light(1.35F);
 /// Colours of matter inside and outside the key, as the square root of the share of light.

@@ -8,6 +8,7 @@
 #include "game/components/casting.h"
 #include "game/components/crystal.h"
 #include "game/components/station.h"
+#include "game/crystal/chisel.h"
 #include "game/match/great_work.h"
 #include "game/match/simulation.h"
 #include "game/orb/scrying.h"
@@ -92,11 +93,6 @@ void take_voxels(const ecs::World& world, const Crystal& crystal, CrystalPicture
     out.voxels = std::move(copy);
 }
 
-bool within_reach(const MatchData& data, const Crystal& crystal, vec3 body) {
-    return off_axis(body - crystal.middle) < data.crystal->reach &&
-           std::abs(body.y - crystal.middle.y) < data.wizard.height;
-}
-
 }  // namespace
 
 void take_orb(const Simulation& match, OrbPicture& out) {
@@ -162,7 +158,7 @@ void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     const vec3 body = world.get<Motion>(wizard).position;
     const auto* chisel = world.find<Chisel>(wizard);
     world.view<const Crystal>().each([&](const Crystal& crystal) {
-        if (!within_reach(match.data(), crystal, body)) return;
+        if (!within_reach_of_crystal(match.data(), crystal, body)) return;
         out.near = true;
         out.overlap = crystal.overlap;
         out.tip.radius = tool_radius * crystal.size / crystal_side;
