@@ -64,8 +64,8 @@ std::string words_of_modes(const ScryingPicture& orb, const ControlNames& contro
         worn += text(worn.empty() ? "" : " and ", orb.modes.at(i));
     }
     const auto keys = keys_of(controls, std::min(last, controls.wands.size()));
-    if (worn.empty()) return text("No mode: ", keys, " put one on");
-    return text(capitalised(worn), ", ", keys, " change");
+    if (worn.empty()) return text("No mode: choose with ", keys);
+    return text(capitalised(worn), "; others: ", keys);
 }
 
 RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
@@ -118,7 +118,7 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
         crystal.overlap > 0
             ? text("Key ", share_in_percent(crystal.overlap), " of ", share_in_percent(crystal.wanted))
             : text("Nobody has touched it; wanted is ", share_in_percent(crystal.wanted), " of the key");
-    if (crystal.carves) card.brew += text("   tools ", keys_of(controls, crystal.tools));
+    if (crystal.carves) card.brew += text("   tools: ", keys_of(controls, crystal.tools));
     card.potions = words_of_potions(p);
     return card;
 }
