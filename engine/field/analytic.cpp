@@ -18,7 +18,9 @@ Waves waves_of(vec3 x) {
 
 vec3 random_unit(Random& random) {
     for (;;) {
-        const vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        vec3 v;
+        // One after the other: compilers evaluate the arguments of a call in different orders.
+        for (int axis = 2; axis >= 0; --axis) v[axis] = random.uniform(-1, 1);
         const double square = glm::dot(v, v);
         if (square > 0.01 && square <= 1) return v / std::sqrt(square);
     }
@@ -94,7 +96,8 @@ VortexFlow make_vortex_flow(double extent, std::uint64_t seed) {
     double speed = 1;
     for (RankineVortex& vortex : flow.vortices) {
         vortex.axis = random_unit(random);
-        vortex.middle = 0.3 * extent * random.uniform() * random_unit(random);
+        const vec3 way = random_unit(random);
+        vortex.middle = 0.3 * extent * random.uniform() * way;
         vortex.radius = extent * random.uniform(0.08, 0.14);
         vortex.speed = speed * (random.below(2) == 0 ? 1 : -1);
         speed *= random.uniform(0.5, 0.8);

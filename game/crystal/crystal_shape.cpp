@@ -109,7 +109,6 @@ struct Ball {
 
 /// A ball at a random place of the key's middle lines, its middle off by up to `off` voxels on each axis.
 Ball ball_at(const KeyShape& key, Random& random, double off) {
-    const auto shift = [&] { return random.uniform(-off, off); };
     vec3 on;
     const double which = random.uniform();
     if (which < 0.45) {  // on the ring: a random direction without angles
@@ -124,7 +123,8 @@ Ball ball_at(const KeyShape& key, Random& random, double off) {
         const auto& bit = key.bits[static_cast<std::size_t>(random.below(key.bit_count))];
         on = {bit.along, key.side * random.uniform(0.3, 1) * bit.deep, 0};
     }
-    const vec3 away(shift(), shift(), shift());
+    vec3 away;
+    for (int axis = 2; axis >= 0; --axis) away[axis] = random.uniform(-off, off);
     return {on + away, random.uniform(3.0, 4.4)};
 }
 

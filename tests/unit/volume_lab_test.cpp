@@ -280,7 +280,7 @@ TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
     auto lab = made("sphere");
     ASSERT_TRUE(add_volume_beside(lab, *field::make_volume("sphere", 48, 1)));
     VolumeLabSettings settings;
-    for (const std::size_t volume : {0, 1}) {
+    for (const std::size_t volume : {0U, 1U}) {
         auto mode = lab_mode(lab, "isosurface", {}, volume);
         ASSERT_TRUE(mode) << mode.error().message;
         mode->settings.strength = field::constant(2.5);
