@@ -367,6 +367,23 @@ function Wizard:aim(target)
     fail("cannot aim at it within 3 s")
 end
 
+-- Walks straight to a place on the ground.
+function Wizard:walk_to(x, z)
+    local function left()
+        local at = self:position()
+        return length {at.x - x, 0, at.z - z}, at
+    end
+    raw.move(self.player, 0, 1)
+    for _ = 1, 600 do
+        self:aim {x, self:eye().y, z}
+        raw.wait(20)
+        if left() < 0.5 then break end
+    end
+    raw.move(self.player, 0, 0)
+    local missed, at = left()
+    expect(missed < 1, string.format("the way to %g, %g leads to %.1f, %.1f", x, z, at.x, at.z))
+end
+
 -- The arm in the hand: it goes there at so many m/s, or is there at once.
 function Wizard:reach(place, speed) raw.reach(self.player, place, speed) end
 
@@ -379,6 +396,107 @@ function Wizard:place(feet) raw.place(self.player, feet) end
 function Wizard:face(yaw, pitch) raw.face(self.player, yaw, pitch or 0) end
 
 function pause(n) wizard(n):press("pause") end
+
+-- searching the orb --------------------------------------------------------------------------------------------------
+
+-- A wizard who searches the orb for its core with the mode of one key, by what the hand feels alone.
+local Seeker = {}
+Seeker.__index = Seeker
+
+function seeker(n, key)
+    local me = wizard(n)
+    me:place {-16.5, 0, 0}
+    me:face(90, 0)
+    wait(0.3)
+    me:scry(key)
+    return setmetatable({wizard = me}, Seeker)
+end
+
+function Seeker:told() return self.wizard:health() > 100 end
+
+-- Goes to a place, until the orb has told.
+function Seeker:go(place) self.wizard:hand_to(place, 0.1, function() return self:told() end) end
+
+-- Holds the hand at a place for 1.6 s, or until the orb has told.
+function Seeker:wait_at(place)
+    self:go(place)
+    for _ = 1, 1600 do
+        if self:told() then return end
+        self.wizard:steer(place, 0.1)
+    end
+end
+
+function Seeker:beyond(place) return length(place) > 0.058 or abs(place.z) > 0.033 end
+
+-- The mean force while the hand moves about a place, so many metres away from it.
+function Seeker:feel(at, away)
+    local sum = {0, 0, 0}
+    for i = 1, 240 do
+        local a, b = pi * i / 60, pi * i / 40
+        self.wizard:steer(plus(at, {away * cos(a), away * sin(a), away * sin(b)}), 0.5)
+        if i > 40 then sum = plus(sum, self.wizard:force()) end
+    end
+    return plus({0, 0, 0}, sum, 1 / 200)
+end
+
+-- Lets the flow lead the hand from a place for one round: step(way, home) gives the next way and the next place of the hand.
+-- Returns the middle of the round, or nil if it leads out of the reach of the hand.
+function Seeker:round(from, step)
+    self:go(from)
+    local way, home, turned, sum, count = {x = 0.6, y = 0.64, z = 0.48}, self.wizard:hand(), 0, {0, 0, 0}, 0
+    for i = 1, 3000 do
+        local new
+        new, home = step(way, home)
+        if i > 250 then
+            turned = turned + math.acos(max(-1, min(1, dot(way, new))))
+            sum, count = plus(sum, self.wizard:hand()), count + 1
+        end
+        way = new
+        if self:beyond(home) or self:told() then return nil end
+        self.wizard:steer(home, 0.3)
+        if turned > 2 * pi then return plus({0, 0, 0}, sum, 1 / count) end
+    end
+end
+
+-- Searches by rounds: the middle of a round beside the last middle is nearer to the core.
+function Seeker:by_rounds(from, step)
+    local middle = self:round(from, step)
+    for _ = 1, 3 do
+        local better = middle and self:round(plus(middle, {0.006, 0.006, 0.003}), step)
+        if not better or self:told() then break end
+        local moved = distance(better, middle)
+        middle = better
+        if moved < 0.004 then break end
+    end
+    if middle then self:wait_at(middle) end
+end
+
+-- Searches on both sides of a ring round the core: until_it_turns(from, sign, most) goes with the force (sign 1) or against
+-- it (-1) for at most so many steps, and gives the place at which the force turns round and the way there, or nil.
+function Seeker:behind_ring(from, until_it_turns, most_out, most_back)
+    local ring, way = until_it_turns(from, 1, most_out)
+    for side = 1, ring and -1 or 2, -2 do
+        local middle = not self:told() and until_it_turns(plus(ring, way, side * 0.006), -1, most_back)
+        if middle then self:wait_at(middle) end
+    end
+end
+
+-- Calls search(from) for places all over the orb until the orb has told.
+function Seeker:from_everywhere(search)
+    local far = 0.022
+    for _, from in ipairs {
+        {0, 0, 0}, {far, 0, 0}, {-far, 0, 0}, {0, far, 0}, {0, -far, 0}, {0, 0, far}, {0, 0, -far},
+        {0.015, 0.015, 0.015}, {-0.015, 0.015, 0.015}, {0.015, -0.015, 0.015}, {0.015, 0.015, -0.015},
+    } do
+        if not self:told() then search(from) end
+    end
+end
+
+function Seeker:expect_found(message)
+    expect(self:told(), message)
+    expect_event {kind = "scried", subject = self.wizard.player}
+    expect_event {kind = "recipe_told", subject = self.wizard.player}
+end
 
 -- things -------------------------------------------------------------------------------------------------------------
 

@@ -1,18 +1,8 @@
 -- A wizard with a real arm scries: the arm's own thread feels the modes, and a seek leads to the same state and forces.
 match {players = {"script", "bot 1"}, arms = {true, false}, seed = 4, set = {"quick.kills=9"}}
 local me = wizard(1)
-local function walk_to(x, z)
-    me:move(0, 1)
-    for _ = 1, 600 do
-        me:aim {x, me:eye().y, z}
-        wait(0.02)
-        local at = me:position()
-        if length {at.x - x, 0, at.z - z} < 0.5 then break end
-    end
-    me:stop()
-end
-walk_to(-15, 0)
-walk_to(-16.7, 0)
+me:walk_to(-15, 0)
+me:walk_to(-16.7, 0)
 wait(0.3)
 me:scry(3)
 expect(me:scrying(), "the wizard scries")

@@ -1,31 +1,16 @@
 -- The viscosity mode is thick where the flow turns fast. The core is the middle of the thick place along every way.
 match {players = {"script", "script"}, seed = 3}
-local me = wizard(1)
-me:place {-16.5, 0, 0}
-me:face(90, 0)
-wait(0.3)
-me:scry(1)
-local function told() return me:health() > 100 end
-
-local function wait_at(place)
-    me:hand_to(place, 0.1, told)
-    for _ = 1, 1600 do
-        if told() then return end
-        me:steer(place, 0.1)
-    end
-end
-
-local function beyond(place) return length(place) > 0.058 or math.abs(place.z) > 0.033 end
+local s = seeker(1, 1)
 
 -- How thick it is on the way from one place to another: a list of {at = , thick = in N}.
 local function sweep(from, to)
-    me:hand_to(from, 0.1, told)
+    s:go(from)
     local list, mean = {}, 0
     for i = 1, 3000 do
-        local left = me:steer(to, 0.06)
-        mean = mean + 0.05 * (length(me:force()) - mean)
-        if i > 30 then list[#list + 1] = {at = me:hand(), thick = mean} end
-        if left < 1e-6 or told() then break end
+        local left = s.wizard:steer(to, 0.06)
+        mean = mean + 0.05 * (length(s.wizard:force()) - mean)
+        if i > 30 then list[#list + 1] = {at = s.wizard:hand(), thick = mean} end
+        if left < 1e-6 or s:told() then break end
     end
     return list
 end
@@ -58,7 +43,7 @@ local function refined(at)
         local here = dot(at, axis)
         local low, high = math.max(-reach[number], here - 0.022), math.min(reach[number], here + 0.022)
         local middle = middle_of_thick(sweep(plus(at, axis, low - here), plus(at, axis, high - here)))
-        if told() then return at end
+        if s:told() then return at end
         if middle then at = plus(at, axis, dot(middle, axis) - here) end
     end
     return at
@@ -66,10 +51,8 @@ end
 
 for _, y in ipairs {0, 0.015, -0.015, 0.03, -0.03} do
     for _, z in ipairs {0, 0.015, -0.015} do
-        local middle = not told() and middle_of_thick(sweep({-0.04, y, z}, {0.04, y, z}))
-        if middle and not told() then wait_at(refined(middle)) end
+        local middle = not s:told() and middle_of_thick(sweep({-0.04, y, z}, {0.04, y, z}))
+        if middle and not s:told() then s:wait_at(refined(middle)) end
     end
 end
-expect(told(), "thick places led the hand to the core")
-expect_event {kind = "scried", subject = 1}
-expect_event {kind = "recipe_told", subject = 1}
+s:expect_found("thick places led the hand to the core")

@@ -2,22 +2,10 @@
 -- so far. The wizard walks to the orb.
 match {seed = 4, players = {"script", "script"}}
 local me = wizard(1)
-local function walk_to(x, z)
-    me:move(0, 1)
-    for _ = 1, 600 do
-        me:aim {x, me:eye().y, z}
-        wait(0.02)
-        local at = me:position()
-        if length {at.x - x, 0, at.z - z} < 0.5 then break end
-    end
-    me:stop()
-    local at = me:position()
-    expect(length {at.x - x, 0, at.z - z} < 1, string.format("the way to %g, %g leads to %.1f, %.1f", x, z, at.x, at.z))
-end
 local here = me:position()
-if math.abs(here.x + 15) > 0.5 then walk_to(-15, here.z) end
-walk_to(-15, 0)
-walk_to(-16.7, 0)
+if math.abs(here.x + 15) > 0.5 then me:walk_to(-15, here.z) end
+me:walk_to(-15, 0)
+me:walk_to(-16.7, 0)
 wait(0.3)
 local before = now()
 me:scry(4, 1)
