@@ -228,6 +228,16 @@ std::string fault_of(const Filter& filter, bool takes_vector) {
 
 std::span<const std::string_view> filter_names() { return names_of_filters; }
 
+void place(PlacedField& out, const AnyField& own, const Placement& placement) {
+    out.scalar = {own.scalar, placement};
+    out.vector = {own.vector, placement};
+    out.field = {};
+    if (own.is_vector())
+        out.field.vector = field_of<Vector>(out.vector);
+    else
+        out.field.scalar = field_of<Scalar>(out.scalar);
+}
+
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector) {
     if (filters.size() > most_filters)
         return fail(text(filters.size(), " filters, more than ", most_filters));

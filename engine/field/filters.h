@@ -32,6 +32,7 @@
 
 #include "core/error.h"
 #include "field/field.h"
+#include "field/placement.h"
 #include "field/volume.h"
 
 namespace thaum::field {
@@ -67,6 +68,20 @@ struct FilterSource {
     std::uint64_t version{};             ///< changes whenever the data change
     Kernel kernel{Kernel::catmull_rom};  ///< between smoothed samples
 };
+
+/// A field of either kind, read in the parent's frame. `field` refers to the other members, so it must not be moved.
+struct PlacedField {
+    Placed<Scalar> scalar{};
+    Placed<Vector> vector{};
+    AnyField field{};
+
+    PlacedField() = default;
+    PlacedField(const PlacedField&) = delete;
+    PlacedField& operator=(const PlacedField&) = delete;
+};
+
+/// Places a field that is given in its own frame.
+void place(PlacedField& out, const AnyField& own, const Placement& placement);
 
 /// One filter that is ready to be read.
 struct FilterStage {

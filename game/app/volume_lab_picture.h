@@ -47,7 +47,7 @@ private:
         render::ScanId scan{};
         render::Ribbons ribbons{};
         render::ScanTable table{};
-        std::vector<float> lengths{};  ///< of a flow's vectors
+        std::vector<float> lengths{};  ///< lengths of the vectors, for a flow
     };
 
     void add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count);

@@ -98,6 +98,13 @@ render::WindowEvents lab_events(Session& session) {
     return events;
 }
 
+/// Lets the panels show what is set.
+void show_what_is_set(const game::VolumeLab& lab, VolumePanelState& panels) {
+    panels.modes = lab.settings.modes;
+    panels.feel = lab.settings.feel;
+    panels.places = lab.settings.places;
+}
+
 void step(Session& session) {
     auto input = planned_input(session.plan);
     if (session.by_mouse) input.target = session.target;
@@ -110,9 +117,7 @@ void step(Session& session) {
     session.figures = game::step_volume_lab(session.plan.lab, input);
     if (!session.figures.refused.empty()) {
         session.panels.note = session.figures.refused;
-        session.panels.modes = session.plan.lab.settings.modes;
-        session.panels.feel = session.plan.lab.settings.feel;
-        session.panels.places = session.plan.lab.settings.places;
+        show_what_is_set(session.plan.lab, session.panels);
     }
     session.trace.add(
         [&](std::string& rows) { game::append_volume_row(session.plan.lab, session.figures, rows); });
@@ -157,9 +162,7 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     session.plan.view = plan->view;
     session.plan.first = next.first;
     session.plan.device = next.device;
-    session.panels.places = session.plan.lab.settings.places;
-    session.panels.modes = session.plan.lab.settings.modes;
-    session.panels.feel = session.plan.lab.settings.feel;
+    show_what_is_set(session.plan.lab, session.panels);
     session.panels.tool = usual_tool(session.plan.lab);
     picture.emplace(renderer, session.plan.lab);
     return {};
@@ -223,9 +226,7 @@ int run_volume_window(VolumeLabPlan plan) {
     if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return refuse(made.error());
     window->make_current();
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
-    session.panels.modes = session.plan.lab.settings.modes;
-    session.panels.feel = session.plan.lab.settings.feel;
-    session.panels.places = session.plan.lab.settings.places;
+    show_what_is_set(session.plan.lab, session.panels);
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
     Expected<void> went;

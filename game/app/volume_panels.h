@@ -14,7 +14,7 @@ namespace thaum::app {
 struct VolumePanelState {
     std::vector<game::LabMode> modes{};               ///< chosen modes
     std::vector<game::FeelPart> feel{};               ///< chosen parts of the body's feel
-    std::vector<game::LabPlace> places{};             ///< of all volumes
+    std::vector<game::LabPlace> places{};             ///< places of all volumes
     std::optional<game::VolumeLabSettings> change{};  ///< both, for the next step
     std::size_t tool{};                               ///< index into VolumeLab::data.tools
     std::string device{};                             ///< model for the next volume

@@ -174,8 +174,7 @@ void feel_brew(const MatchContext& context, const BrewWork& work, ecs::Entity wi
 
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {
     const double rim = data.arena.bowl->size.radius;
-    return off_axis(body - cauldron.middle) < rim + data.cauldron->ladle.reach &&
-           std::abs(body.y - cauldron.middle.y) < data.wizard.height;
+    return is_near_station(data.wizard, body, cauldron.middle, rim + data.cauldron->ladle.reach);
 }
 
 void add_stir_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule) {

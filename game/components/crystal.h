@@ -18,7 +18,7 @@ struct Crystal {
     vec3 middle{};         ///< (m, world)
     double yaw{};          ///< (rad)
     double size{};         ///< edge length (m)
-    std::uint64_t seed{};  ///< of the rough body and its ghost key
+    std::uint64_t seed{};  ///< decides the rough body and its ghost key
     /// Overlap of the body and the key, 0 to 1 (intersection over union); 0 while untouched.
     double overlap{};
     std::uint32_t number{};           ///< place of its voxels in the blobs
@@ -83,7 +83,7 @@ struct CrystalStrike {
     }
 };
 
-/// What a wizard has of crystals.
+/// A wizard's tool for crystals, and the Lens that a carved key gives.
 struct Lens {
     std::uint32_t held{};  ///< 1: the wizard holds the Lens, until death
     std::uint32_t tool{};  ///< number of the tool that the wizard carves with

@@ -62,7 +62,7 @@ struct WornModes {
 struct Scrying {
     vec3 place{};              ///< position of the probe (m, world)
     vec3 force{};              ///< force of the modes on the probe (N, device frame turned to the world)
-    double distance{};         ///< of the probe from the hidden core (m, world)
+    double distance{};         ///< distance of the probe from the hidden core (m, world)
     Tick near_since{};         ///< when the probe came within reach of the core (ticks of play); 0: it is not
     vec3 pen{};                ///< position of the hand when it last drew a curve (m, device frame)
     std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is known

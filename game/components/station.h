@@ -12,7 +12,7 @@ enum class StationKind : std::uint32_t { cauldron, orb, crystal };
 /// A wizard who holds Stir at a station. The wizard stands still, the hand moves a ladle, a probe or a tool, and the
 /// eyes turn to the station. The component Ladle, Scrying or Chisel says what the hand does there.
 struct AtStation {
-    vec3 middle{};  ///< what the eyes turn to (m, world)
+    vec3 middle{};  ///< place to which the eyes turn (m, world)
     /// Direction of the -z axis of the hand's frame, from the wizard to the middle when the work began (rad).
     double yaw{};
     StationKind kind{};

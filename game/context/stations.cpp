@@ -27,6 +27,10 @@ void turn_eyes(const WizardRules& rules, vec3 body, const AtStation& station, Ga
 
 bool at_station(const ecs::World& world, ecs::Entity wizard) { return world.has<AtStation>(wizard); }
 
+bool is_near_station(const WizardRules& rules, vec3 body, vec3 middle, double reach) {
+    return off_axis(body - middle) < reach && std::abs(body.y - middle.y) < rules.height;
+}
+
 AtStation station_at(vec3 body, vec3 middle, StationKind kind, std::uint32_t number) {
     const vec3 in = middle - body;
     return {.middle = middle, .yaw = det::atan2(-in.x, -in.z), .kind = kind, .number = number};

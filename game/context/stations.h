@@ -8,6 +8,10 @@ namespace thaum::game {
 /// Whether a wizard works at a station. Reads AtStation.
 bool at_station(const ecs::World& world, ecs::Entity wizard);
 
+/// Whether a wizard with the body's middle at this place is within `reach` of a station's middle on the ground (m), and
+/// about as high.
+bool is_near_station(const WizardRules& rules, vec3 body, vec3 middle, double reach);
+
 /// The component of a wizard who begins to work at a place (m, world).
 AtStation station_at(vec3 body, vec3 middle, StationKind kind, std::uint32_t number = 0);
 

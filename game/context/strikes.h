@@ -5,8 +5,8 @@
 
 namespace thaum::game {
 
-/// Notes that a player's shot has struck a body, if it is a crystal. `place` is on the body's surface, `way` the direction
-/// of flight (world). Reads Crystal.
+/// Notes that a player's shot has struck a body, if it is a crystal. `place` is on the body's surface. The shot flew in the
+/// direction `way` (world). Reads Crystal.
 void strike(MatchContext& context, physics::Key struck, vec3 place, vec3 way, std::uint32_t player);
 
 /// Notes the crystals that a burst reaches. `size` is the radius of the missile (m). Reads Crystal.

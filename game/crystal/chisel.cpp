@@ -170,9 +170,7 @@ field::Placement in_hand(const HandFrame& frame, const Crystal& crystal) {
 }  // namespace
 
 bool within_reach_of_crystal(const MatchData& data, const Crystal& crystal, vec3 body) {
-    const vec3 off = body - crystal.middle;
-    return off.x * off.x + off.z * off.z < data.crystal->reach * data.crystal->reach &&
-           std::abs(off.y) < data.wizard.height;
+    return is_near_station(data.wizard, body, crystal.middle, data.crystal->reach);
 }
 
 HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station) {

@@ -21,7 +21,7 @@ namespace thaum::game {
 /// Density from which a voxel is solid: the surface that is felt and drawn.
 inline constexpr float crystal_surface = 0.5F;
 
-/// What is known of a crystal beside its state.
+/// Facts about a crystal that follow from its state and are kept to save time.
 struct CrystalBody {
     field::Bricks bricks = field::make_bricks({crystal_side, crystal_side, crystal_side});
     field::VoxelOverlap overlap{};
@@ -65,7 +65,7 @@ void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crysta
 field::Edit cut_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal,
                         const field::Tool& tool, const field::Dab& dab);
 
-/// From the crystal's frame to the world.
+/// Placement that takes the crystal's frame to the world.
 field::Placement placement_of(const Crystal& crystal);
 /// Distance between voxels (m).
 inline double spacing_of(const Crystal& crystal) { return crystal.size / crystal_side; }

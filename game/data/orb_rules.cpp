@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "field/field_config.h"
 #include "game/components/orb.h"
 #include "haptics/modes.h"
 
@@ -11,30 +12,12 @@ namespace {
 
 constexpr Range any{-1e6, 1e6};
 
-/// Reads a transfer function, a list x0, y0, x1, y1 and so on.
-field::TransferFunction read_curve(const ConfigTable& table, std::string_view key,
-                                   const std::vector<double>& fallback) {
-    const auto numbers = table.numbers(key, any, 2 * field::most_transfer_points, fallback);
-    if (numbers.size() % 2 != 0) {
-        table.report(key, text("'", key, "' must be pairs of a property and a value"));
-        return {};
-    }
-    std::vector<vec2> points;
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(numbers[i], numbers[i + 1]);
-    const auto curve = field::transfer_function(points);
-    if (curve) return *curve;
-    table.report(key, text("'", key, "': ", curve.error().message));
-    return {};
-}
-
 std::vector<field::Filter> read_filters(const ConfigTable& table) {
-    const auto names = field::filter_names();
     std::vector<field::Filter> filters;
     for (const auto& one : table.tables("filter")) {
-        const auto kind = static_cast<field::FilterKind>(one.choice("kind", {names.begin(), names.end()}));
-        if (kind == field::FilterKind::smooth)
+        filters.push_back(field::read_filter(one, any));
+        if (filters.back().kind == field::FilterKind::smooth)
             one.report("kind", "the orb's flow has no samples that could be smoothed");
-        filters.push_back({kind, one.number("a", any, 0), one.number("b", any, 0)});
     }
     return filters;
 }
@@ -57,8 +40,8 @@ void check_mode(const ConfigTable& table, const OrbMode& mode) {
 OrbMode read_mode(const ConfigTable& table) {
     OrbMode mode{.name = table.string("name"),
                  .filters = read_filters(table),
-                 .strength = read_curve(table, "strength", {}),
-                 .friction = read_curve(table, "friction", {0, 0}),
+                 .strength = field::read_transfer(table, "strength", any, {}),
+                 .friction = field::read_transfer(table, "friction", any, {0, 0}),
                  .most_property = table.number("most_property", {1e-3, 1e6}),
                  .least = table.number("least_n", {-1000, 0}, 0)};
     check_mode(table, mode);

@@ -70,8 +70,8 @@ struct ArenaScene {
     std::optional<render::MeshId> painted_brew;  ///< self-lit mesh for a bowl without a simulated brew
     /// Brew of the drawing thread, refreshed as the brew moves; null: no simulated brew.
     std::shared_ptr<BrewLook> brew;
-    std::shared_ptr<OrbLook> orb;  ///< as `brew`; null: no orb with a flow
-    /// As `brew`, one for each crystal that can be carved, in the order of Picture::crystals.
+    std::shared_ptr<OrbLook> orb;  ///< look of the orb, refreshed like `brew`; null: no orb with a flow
+    /// Looks of the crystals that can be carved, refreshed like `brew`, in the order of Picture::crystals.
     std::vector<std::shared_ptr<CrystalLook>> crystals;
     render::Environment environment;
     MenuCameraLook menu_camera;

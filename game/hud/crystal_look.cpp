@@ -20,7 +20,7 @@ const fvec3 crystal_light(1.35F);
 /// Colours of matter inside and outside the key, as the square root of the share of light.
 constexpr field::Rgb8 right{96, 224, 246}, surplus{255, 150, 56};
 constexpr float at_key = 0.1F;         ///< density of the key up to which matter is no surplus
-constexpr float shell_opacity = 0.3F;  ///< of one layer of the key's shell
+constexpr float shell_opacity = 0.3F;  ///< opacity of one layer of the key's shell
 /// Densities of the shell. It lies within the key's surface, so that finished parts of the crystal hide it.
 constexpr float shell_from = 0.55F, shell_to = 0.95F;
 

@@ -29,7 +29,7 @@ struct CrystalLook {
     std::vector<float> wanted{};                   ///< densities of the key
     std::vector<field::Rgb8> paint{};              ///< colour of each voxel
     std::vector<std::uint32_t> bricks{};           ///< version of each brick
-    render::ScanTable table{};                     ///< of the key
+    render::ScanTable table{};                     ///< colour and opacity of the key
 
     CrystalLook() = default;
     CrystalLook(CrystalLook&&) = default;

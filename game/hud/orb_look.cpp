@@ -7,6 +7,7 @@
 #include "game/hud/brew_look.h"
 #include "game/hud/figures.h"
 #include "game/hud/furniture.h"
+#include "game/orb/orb.h"
 #include "render/colour.h"
 #include "render/ribbons.h"
 
@@ -71,7 +72,7 @@ void add_line(OrbLook& look, vec3 from, double radius, const render::RibbonLook&
 
 void trace_flow(const OrbPicture& orb, OrbLook& look) {
     look.seed = orb.seed;
-    look.vortices = field::make_vortex_flow(2 * orb.radius, orb.seed);
+    look.vortices = flow_of(Orb{.middle = orb.middle, .radius = orb.radius, .seed = orb.seed});
     look.flow.triangles = {};
     ++look.flow.version;
     for (int i = 0; i < lines; ++i)
@@ -101,15 +102,13 @@ fmat4 stretched(vec3 from, vec3 way, double thick) {
 
 /// Adds the axis of the strongest vortex inside the ball.
 void add_core(const OrbLook& look, const OrbPicture& orb, std::vector<Instance>& out) {
-    const auto& core = look.vortices.vortices[0];
-    const vec3 middle = core.middle - glm::dot(core.middle, core.axis) * core.axis;
-    const double within = filled * filled * orb.radius * orb.radius - glm::dot(middle, middle);
-    if (!(within > 0)) return;
-    const vec3 half = std::sqrt(within) * core.axis;
+    const auto core = core_within(look.vortices, orb.middle, filled * orb.radius);
+    if (!(core.half > 0)) return;
+    const vec3 half = core.half * core.axis;
     const double thick = static_cast<double>(core_thick) * orb.radius;
     for (const double side : {-1.0, 1.0})
         out.push_back({.mesh = look.arrow,
-                       .model = stretched(orb.middle + middle, side * half, thick),
+                       .model = stretched(core.middle, side * half, thick),
                        .tint = colour(0xFFE090),
                        .glow = 1});
 }
@@ -199,7 +198,8 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 }
 
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player, std::vector<Instance>& out) {
-    constexpr double bead = 0.022, longest = 0.3, thick = 0.02;  // m
+    // Radius of the bead, length of the arrow at full force, radius of its base (m).
+    constexpr double bead = 0.022, longest = 0.3, thick = 0.02;
     out.push_back(ball_at(look.bead, tip.place, bead, team_colours(player).light, 0.95F));
     const double force = glm::length(tip.force), share = std::min(tip.force_share, 1.0);
     if (!(force > 0) || share < least_force_share) return;

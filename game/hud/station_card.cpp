@@ -93,7 +93,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
 
 // Crystal ----------------------------------------------------------------------------------------------------
 
-/// What the tool in hand is for.
+/// Words that say what to do with the tool in hand.
 std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& controls) {
     const auto fire = text(hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
     if (crystal.tool_name == "melt") return text("Melt what is amber: ", fire);

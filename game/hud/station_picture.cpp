@@ -17,8 +17,15 @@
 namespace thaum::game {
 namespace {
 
-/// Reach of the carving tools (voxels).
-constexpr double tool_radius = 3;
+/// Greatest half edge of what a tool reaches (m), in voxels of this edge (m).
+double reach_of(const field::Tool& tool, double voxel) {
+    double reach = 0;
+    for (const auto& operation : tool.operations) {
+        const vec3 half = operation.extent.half * (operation.extent.in_metres ? 1 : voxel);
+        reach = std::max({reach, half.x, half.y, half.z});
+    }
+    return reach;
+}
 
 /// Words for the names of modes, which are those of files.
 std::string_view shown_mode(std::string_view name) { return name == "vortex_tube" ? "vortex tube" : name; }
@@ -157,17 +164,21 @@ void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     if (!rules || lens == nullptr) return;
     const vec3 body = world.get<Motion>(wizard).position;
     const auto* chisel = world.find<Chisel>(wizard);
+    double voxel = 0;  // edge of a voxel of the crystal within reach (m)
     world.view<const Crystal>().each([&](const Crystal& crystal) {
         if (!within_reach_of_crystal(match.data(), crystal, body)) return;
         out.near = true;
         out.overlap = crystal.overlap;
-        out.tip.radius = tool_radius * crystal.size / crystal_side;
+        voxel = spacing_of(crystal);
     });
     out.wanted = rules->overlap;
     if (chisel == nullptr) return;
     out.carves = true;
     out.tools = static_cast<std::uint32_t>(rules->tool_names.size());
-    if (lens->tool < rules->tool_names.size()) out.tool_name = rules->tool_names[lens->tool];
+    if (lens->tool < rules->tools.size()) {
+        out.tool_name = rules->tool_names[lens->tool];
+        out.tip.radius = reach_of(rules->tools[lens->tool], voxel);
+    }
     out.tip.place = chisel->place;
     out.tip.force = chisel->force;
     out.tip.force_share = force_share(match, player, chisel->force);

@@ -40,7 +40,7 @@ struct OrbPicture {
 /// Points at which a strength is plotted.
 inline constexpr std::size_t curve_points = 33;
 
-/// What a wizard at the orb does, for the card.
+/// Search of a wizard at the orb, for the card.
 struct ScryingPicture {
     bool near{};                                           ///< the wizard can begin
     bool scries{};                                         ///< the wizard holds the probe
@@ -73,7 +73,7 @@ struct CrystalPicture {
     std::shared_ptr<const CrystalVoxels> voxels{};
 };
 
-/// What a wizard at a crystal does, for the card.
+/// Work of a wizard at a crystal, for the card.
 struct CarvingPicture {
     bool near{};                 ///< the wizard can begin
     bool carves{};               ///< the wizard holds a tool

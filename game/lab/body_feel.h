@@ -34,7 +34,7 @@ struct FeelPart {
     bool operator==(const FeelPart&) const = default;
 };
 
-/// What a kind of part is called and how many numbers it has.
+/// Name of a kind of part, and the numbers that it has.
 struct FeelForm {
     std::string_view name{};
     std::size_t least{}, count{};  ///< numbers that must be given, and all

@@ -20,13 +20,14 @@ constexpr double filled = 0.9;
 constexpr double usual_strength = 0.8;
 /// Depth at which a wall lets the hand through (samples).
 constexpr double reach_samples = 2;
-constexpr double farthest_place = 1;  // m
+/// Largest distance of a volume's middle from that of the workspace, along each axis (m).
+constexpr double farthest_place = 1;
 /// Way of a volume in one change from which on its feel jumps (m).
 constexpr double jump = 0.001;
 constexpr std::int64_t device_file_version = 1;
 constexpr std::size_t most_file_bytes = std::size_t{1} << 20U;
 
-/// What filters read of a volume, as it is now. `version` differs for each volume and each of its changes.
+/// A volume as the source of filters, as it is now. `version` differs for each volume and each of its changes.
 field::FilterSource source_of(const field::Volume& volume, const LabSource& views, std::uint64_t version) {
     field::FilterSource source{.count = volume.count, .spacing = volume.spacing};
     if (volume.components == 1)
@@ -66,16 +67,9 @@ void refresh(VolumeLab& lab) {
         const auto source = source_of(
             volume.source, first ? *lab.views : lab.beside[mode.volume - 1]->views,
             (std::uint64_t{mode.volume} << 32U) + (first && lab.carvable() ? lab.body.bricks.newest : 1));
-        f.scalar.placement = f.vector.placement = volume.placement;
         if (!field::set_filters(f.filtered, source, mode.filters)) continue;
-        const auto& read = haptics::field_for(*haptics::find_mode(mode.name), f.filtered);
-        f.scalar.field = read.scalar;
-        f.vector.field = read.vector;
-        f.placed = {};
-        if (read.is_vector())
-            f.placed.vector = field::field_of<field::Vector>(f.vector);
-        else
-            f.placed.scalar = field::field_of<field::Scalar>(f.scalar);
+        field::place(f.placed, haptics::field_for(*haptics::find_mode(mode.name), f.filtered),
+                     volume.placement);
     }
 }
 
@@ -150,7 +144,7 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
     };
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
         const LabMode& mode = lab.settings.modes[i];
-        const haptics::ModeUse use{haptics::find_mode(mode.name), lab.fields[i]->placed, mode.settings};
+        const haptics::ModeUse use{haptics::find_mode(mode.name), lab.fields[i]->placed.field, mode.settings};
         haptics::add_modes(std::span(&use, 1), input, lab.model.primitives);
     }
     lab.model.viscosity = 0;

@@ -40,16 +40,16 @@ inline constexpr int most_steps_per_tick = 5;
 inline constexpr Tick ticks_of_a_dab = 8;
 
 struct LabMode {
-    std::string name{};                    ///< of haptics::modes()
-    std::size_t volume{};                  ///< that it reads: 0 is the first one, then those beside it
+    std::string name{};                    ///< name of one of haptics::modes()
+    std::size_t volume{};                  ///< volume that it reads: 0 is the first one, then those beside it
     std::vector<field::Filter> filters{};  ///< between the data and this mode
     haptics::ModeSettings settings{};
     bool operator==(const LabMode&) const = default;
 };
 
-/// Where a volume lies: relative to one that fills the workspace about its middle.
+/// Place of a volume, relative to one that fills the workspace about its middle.
 struct LabPlace {
-    vec3 origin{};    ///< of the volume's middle (m)
+    vec3 origin{};    ///< place of the volume's middle (m)
     double yaw{};     ///< turn about the upright axis (rad)
     double scale{1};  ///< 0.05 to 20
     bool operator==(const LabPlace&) const = default;
@@ -59,9 +59,9 @@ struct LabPlace {
 struct VolumeLabSettings {
     std::vector<LabMode> modes{};       ///< modes that act together
     std::vector<FeelPart> feel{};       ///< feel of the body as a whole; none: it is not felt so
-    field::TransferFunction opacity{};  ///< of the picture, by the density: what the feel goes by
+    field::TransferFunction opacity{};  ///< opacity of the picture by the density, by which the feel goes
     std::vector<LabPlace>
-        places{};  ///< of the first volume and of those beside it; missing ones lie in the middle
+        places{};  ///< places of the first volume and of those beside it; missing ones lie in the middle
 };
 
 /// Data files that the lab uses.
@@ -83,12 +83,10 @@ struct LabSource {
     BodyMaterials materials{};
 };
 
-/// What one mode reads. Refers to LabSource and to itself.
+/// What one mode reads: filters behind a volume's samples, placed in the lab. It refers to LabSource and to itself.
 struct LabField {
     field::FilteredField filtered{};
-    field::Placed<field::Scalar> scalar{};  ///< in the lab's frame, as the next
-    field::Placed<field::Vector> vector{};
-    field::AnyField placed{};
+    field::PlacedField placed{};
 };
 
 /// A volume beside the first one.
@@ -104,9 +102,9 @@ struct VolumeLab {
         source{};  ///< what is explored; a scalar one has no samples here, they are the body's densities
     field::Voxels body{};  ///< empty for a vector volume
     field::CarvingHistory history{};
-    field::SampleRange range{};    ///< of the samples as read; for vectors: of their lengths
+    field::SampleRange range{};    ///< range of the samples as read; for vectors: of their lengths
     field::Placement fitted{};     ///< fills the workspace
-    field::Placement placement{};  ///< where it lies
+    field::Placement placement{};  ///< present place
     std::vector<std::unique_ptr<VolumeBeside>> beside{};
     VolumeLabData data{};
     VolumeLabSettings settings{};
@@ -144,7 +142,7 @@ struct VolumeLabInput {
 struct VolumeLabFigures {
     vec3 tip{}, proxy{}, force{};  ///< m, m, N
     double value{};         ///< at the proxy, behind the filters: the scalar, or the length of the vector
-    field::Edit edit{};     ///< of this step's use of the tool
+    field::Edit edit{};     ///< changes by this step's use of the tool
     std::string refused{};  ///< reason why a change of settings was rejected; empty: none
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "field/field_config.h"
 
 namespace thaum::game {
 namespace {
@@ -18,17 +19,7 @@ std::string points_text(const field::TransferFunction& f) {
 }
 
 field::TransferFunction read_points(const ConfigTable& table, std::string_view key) {
-    const auto numbers = table.numbers(key, any, 2 * field::most_transfer_points, {0, 0});
-    if (numbers.size() % 2 != 0) {
-        table.report(key, "must be pairs of x and y");
-        return {};
-    }
-    std::vector<vec2> points;
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) points.emplace_back(numbers[i], numbers[i + 1]);
-    auto function = field::transfer_function(points);
-    if (function) return *function;
-    table.report(key, function.error().message);
-    return {};
+    return field::read_transfer(table, key, any, {0, 0});
 }
 
 LabMode read_lab_mode(const ConfigTable& table) {
@@ -42,12 +33,7 @@ LabMode read_lab_mode(const ConfigTable& table) {
     mode.settings.magnet = table.number("magnet", {0, 1e6}, 0);
     mode.settings.reach = table.number("reach_m", {1e-6, 1}, mode.settings.reach);
     mode.settings.pitch = table.number("pitch_m", {1e-6, 1}, mode.settings.pitch);
-    const auto kinds = field::filter_names();
-    for (const auto& filter : table.tables("filter")) {
-        const auto kind = filter.choice("kind", {kinds.begin(), kinds.end()});
-        mode.filters.push_back(
-            {static_cast<field::FilterKind>(kind), filter.number("a", any, 0), filter.number("b", any, 0)});
-    }
+    for (const auto& filter : table.tables("filter")) mode.filters.push_back(field::read_filter(filter, any));
     return mode;
 }
 

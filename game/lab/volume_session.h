@@ -40,7 +40,7 @@ namespace thaum::game {
 struct SessionVolume {
     std::string volume{};     ///< path or name
     std::int64_t count = 64;  ///< samples along each axis of one that is made
-    std::int64_t seed = 1;    ///< of one that is made
+    std::int64_t seed = 1;    ///< seed of one that is made
     LabPlace place{};
 };
 

@@ -58,11 +58,13 @@ const Thing* orb_place(const Arena& arena) {
 
 field::VortexFlow flow_of(const Orb& orb) { return field::make_vortex_flow(2 * orb.radius, orb.seed); }
 
-HiddenCore core_of(const Orb& orb) {
-    const auto vortex = flow_of(orb).vortices[0];
+HiddenCore core_of(const Orb& orb) { return core_within(flow_of(orb), orb.middle, orb.radius); }
+
+HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius) {
+    const auto& vortex = flow.vortices[0];
     const vec3 nearest = across(vortex.middle, vortex.axis);
-    const double square = orb.radius * orb.radius - glm::dot(nearest, nearest);
-    return {.middle = orb.middle + nearest, .axis = vortex.axis, .half = std::sqrt(std::max(0.0, square))};
+    const double square = radius * radius - glm::dot(nearest, nearest);
+    return {.middle = middle + nearest, .axis = vortex.axis, .half = std::sqrt(std::max(0.0, square))};
 }
 
 double distance_from(const HiddenCore& core, vec3 place) {

@@ -24,6 +24,8 @@ struct HiddenCore {
     double half{};  ///< half of the core's length
 };
 HiddenCore core_of(const Orb& orb);
+/// The part of the first vortex's axis that lies in a ball about `middle`, where the flow has its origin.
+HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius);
 
 /// Distance of a place from the core (m, world).
 double distance_from(const HiddenCore& core, vec3 place);
@@ -36,7 +38,7 @@ bool can_be_found(const field::VortexFlow& flow, double extent);
 /// the match has no orb.
 void spawn_orb(MatchContext& context, std::uint64_t seed);
 
-/// What the orb of the next round takes over from the round before.
+/// The part of an orb that the next round takes over.
 struct OrbMemory {
     std::uint64_t seed{};
     std::array<WornModes, players> modes{};

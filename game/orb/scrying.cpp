@@ -183,8 +183,7 @@ void move_probe(MatchContext& context, const Scryer& scryer, const AtStation& st
 }  // namespace
 
 bool within_reach_of_orb(const MatchData& data, const Orb& orb, vec3 body) {
-    return off_axis(body - orb.middle) < orb.radius + data.orb->reach &&
-           std::abs(body.y - orb.middle.y) < data.wizard.height;
+    return is_near_station(data.wizard, body, orb.middle, orb.radius + data.orb->reach);
 }
 
 void add_scrying_system(MatchContext& context, ecs::Schedule& schedule) {

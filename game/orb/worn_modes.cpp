@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-/// What the filters of a mode read: the flow about the orb's middle. The spacing is that of the differences that some
+/// Source of the filters of a mode: the flow about the orb's middle. The spacing is that of the differences that some
 /// filters take.
 field::FilterSource source_of(const field::VortexFlow& flow, double radius) {
     constexpr int samples = 64;
@@ -35,13 +35,10 @@ void add_mode(const OrbMode& mode, const field::TransferFunction& strength, cons
     field::FilteredField filtered;
     const auto set_up = field::set_filters(filtered, source, mode.filters);
     THAUM_ASSERT(set_up && kind != nullptr, "the filters and the mode were checked when the file was read");
-    const auto& read = haptics::field_for(*kind, filtered);
-    const field::Placed<field::Scalar> scalar{read.scalar, placement};
-    const field::Placed<field::Vector> vector{read.vector, placement};
-    haptics::ModeUse use{
-        .mode = kind, .field = {}, .settings = {.strength = strength, .friction = mode.friction}};
-    use.field = read.is_vector() ? haptics::any_field(field::field_of<field::Vector>(vector))
-                                 : haptics::any_field(field::field_of<field::Scalar>(scalar));
+    field::PlacedField placed;
+    field::place(placed, haptics::field_for(*kind, filtered), placement);
+    const haptics::ModeUse use{
+        .mode = kind, .field = placed.field, .settings = {.strength = strength, .friction = mode.friction}};
     haptics::add_modes(std::span(&use, 1), input, set);
 }
 

@@ -4,19 +4,16 @@
 
 #include "core/maths.h"
 #include "game/match/simulation.h"
+#include "tools/bench/standing.h"
 
 namespace thaum::bench {
 
 /// Places the first player before a crystal and the second behind it, or far away.
 inline void place_at_the_crystal(game::Simulation& match, bool both = true, std::uint32_t number = 0) {
-    auto& world = match.world_to_change();
     const vec3 middle = match.world().get<game::Crystal>(game::crystal_entity(match.world(), number)).middle;
     for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto wizard = game::wizard_of(world, player);
-        auto& motion = world.get<game::Motion>(wizard);
         const double off = player == 0 ? -1.5 : both ? 1.5 : -20;
-        motion.position = {middle.x, match.data().wizard.height / 2, middle.z + off};
-        match.physics().set_state(wizard.index, motion);
+        stand(match, player, {middle.x, match.data().wizard.height / 2, middle.z + off});
     }
 }
 

@@ -2,20 +2,15 @@
 #pragma once
 #include "game/match/simulation.h"
 #include "game/orb/orb.h"
+#include "tools/bench/standing.h"
 
 namespace thaum::bench {
 
 /// Places the players on two sides of the orb.
 inline void place_at_the_orb(game::Simulation& match) {
-    auto& world = match.world_to_change();
     const vec3 middle = match.world().single<game::Orb>().middle;
-    for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto wizard = game::wizard_of(world, player);
-        auto& motion = world.get<game::Motion>(wizard);
-        const vec3 off = player == 0 ? vec3(1.5, 0, 0) : vec3(0, 0, 1.4);
-        motion.position = {middle.x + off.x, match.data().wizard.height / 2, middle.z + off.z};
-        match.physics().set_state(wizard.index, motion);
-    }
+    stand(match, 0, {middle.x + 1.5, match.data().wizard.height / 2, middle.z});
+    stand(match, 1, {middle.x, match.data().wizard.height / 2, middle.z + 1.4});
 }
 
 /// Input with which both players hold Stir, put two modes on and move their hands to and fro.

@@ -4,18 +4,14 @@
 
 #include "core/maths.h"
 #include "game/match/simulation.h"
+#include "tools/bench/standing.h"
 
 namespace thaum::bench {
 
 /// Places the players on opposite sides of the rim.
 inline void place_at_the_rim(game::Simulation& match) {
-    auto& world = match.world_to_change();
-    for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto wizard = game::wizard_of(world, player);
-        auto& motion = world.get<game::Motion>(wizard);
-        motion.position = {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0};
-        match.physics().set_state(wizard.index, motion);
-    }
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        stand(match, player, {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0});
 }
 
 /// Input with which both players hold Stir and move in circles, one faster than the other.

@@ -1,0 +1,16 @@
+// bench/standing.h: puts a wizard somewhere, for benchmarks and tests of a match.
+#pragma once
+#include "game/match/simulation.h"
+
+namespace thaum::bench {
+
+/// Puts a wizard with the body's middle at a place (m, world).
+inline void stand(game::Simulation& match, std::uint32_t player, vec3 place) {
+    auto& world = match.world_to_change();
+    const auto wizard = game::wizard_of(world, player);
+    auto& motion = world.get<game::Motion>(wizard);
+    motion.position = place;
+    match.physics().set_state(wizard.index, motion);
+}
+
+}  // namespace thaum::bench
