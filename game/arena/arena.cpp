@@ -240,6 +240,17 @@ std::string read_name(const ConfigTable& root) {
 
 }  // namespace
 
+const Thing* orb_of(const Arena& arena) {
+    const auto found = std::find_if(arena.things.begin(), arena.things.end(), [](const Thing& thing) {
+        return thing.surface == Surface::orb && thing.body.shape == physics::Shape::sphere;
+    });
+    return found == arena.things.end() ? nullptr : &*found;
+}
+
+bool is_crystal(Surface surface, physics::Shape shape) {
+    return surface == Surface::crystal && shape == physics::Shape::box;
+}
+
 GroundBounds ground_bounds(const Arena& arena) {
     constexpr double huge = std::numeric_limits<double>::max();
     GroundBounds bounds{vec3(huge), vec3(-huge)};

@@ -64,6 +64,12 @@ struct GroundBounds {
 /// Bounds of the arena's ground. All zero for an arena without ground, which read_arena refuses.
 GroundBounds ground_bounds(const Arena& arena);
 
+/// The scrying orb: the first sphere with the surface orb; null if the arena has none.
+const Thing* orb_of(const Arena& arena);
+
+/// Whether a body is a crystal that can be carved: a box with the surface crystal.
+bool is_crystal(Surface surface, physics::Shape shape);
+
 /// Reads all tables of an arena's file but `[look]` (look.h). Errors are kept in the Config (core/config.h).
 Arena read_arena(const Config& file);
 

@@ -5,6 +5,7 @@
 
 #include "core/assert.h"
 #include "core/hash.h"
+#include "game/arena/arena.h"
 #include "game/crystal/crystal_shape.h"
 
 namespace thaum::game {
@@ -102,7 +103,7 @@ void spawn_crystals(MatchContext& context, CrystalBodies& bodies, const CrystalS
     if (context.data.crystal) {
         std::as_const(world).view<const Look, const Motion, const Body>().each(
             [&](ecs::Entity e, const Look& look, const Motion& motion, const Body& body) {
-                if (look.surface != Surface::crystal || body.shape != physics::Shape::box) return;
+                if (!is_crystal(look.surface, body.shape)) return;
                 const auto number = static_cast<std::uint32_t>(found.size());
                 const double size = 2 * std::min({body.size.x, body.size.y, body.size.z});
                 found.emplace_back(e, Crystal{.middle = motion.position,

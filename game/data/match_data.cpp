@@ -147,12 +147,6 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     }
 }
 
-bool has_orb(const Arena& arena) {
-    return std::any_of(arena.things.begin(), arena.things.end(), [](const Thing& thing) {
-        return thing.surface == Surface::orb && thing.body.shape == physics::Shape::sphere;
-    });
-}
-
 /// Reports a bowl in which the solver makes no brew, for instance because it would need too many cells.
 void check_bowl(const ConfigTable& arena, const MatchData& data) {
     const auto brew = check_brew(*data.cauldron, basin_of(data.arena.bowl->size, data.cauldron->filled));
@@ -347,7 +341,7 @@ void load_recipes(MatchData& data, Loader& loader) {
 
 /// Loads the rules of the orb, if arena and rule set have one.
 void load_orb(MatchData& data, Loader& loader) {
-    if (!data.rules.cauldron || !data.rules.spells || !has_orb(data.arena)) return;
+    if (!data.rules.cauldron || !data.rules.spells || orb_of(data.arena) == nullptr) return;
     data.orb =
         loader.load("orb.toml", [](const Config& file) { return std::optional(read_orb_rules(file)); });
 }
@@ -361,7 +355,7 @@ void name_brew(MatchData& data) {
 
 bool has_crystal(const Arena& arena) {
     return std::any_of(arena.things.begin(), arena.things.end(),
-                       [](const Thing& thing) { return thing.surface == Surface::crystal; });
+                       [](const Thing& thing) { return is_crystal(thing.surface, thing.body.shape); });
 }
 
 /// Loads the rules of crystals and the tools that they name.

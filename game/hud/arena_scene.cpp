@@ -133,7 +133,7 @@ void add_station(render::Renderer& renderer, const MatchData& data, const Thing&
         arena_scene.orb = std::make_shared<OrbLook>(make_orb_look(renderer, thing.body.size.x));
         meshes.glowing.reset();
     }
-    if (thing.surface == Surface::crystal && data.crystal) {
+    if (is_crystal(thing.surface, thing.body.shape) && data.crystal) {
         arena_scene.crystals.push_back(std::make_shared<CrystalLook>(make_crystal_look(renderer)));
         meshes.glowing.reset();
     }

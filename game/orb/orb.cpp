@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "game/arena/arena.h"
 
 namespace thaum::game {
 namespace {
@@ -49,13 +50,6 @@ WornModes modes_at_first(const OrbRules& rules) {
 
 }  // namespace
 
-const Thing* orb_place(const Arena& arena) {
-    const auto found = std::ranges::find_if(arena.things, [](const Thing& thing) {
-        return thing.surface == Surface::orb && thing.body.shape == physics::Shape::sphere;
-    });
-    return found == arena.things.end() ? nullptr : &*found;
-}
-
 field::VortexFlow flow_of(const Orb& orb) { return field::make_vortex_flow(2 * orb.radius, orb.seed); }
 
 HiddenCore core_of(const Orb& orb) { return core_within(flow_of(orb), orb.middle, orb.radius); }
@@ -89,7 +83,7 @@ bool can_be_found(const field::VortexFlow& flow, double extent) {
 
 void spawn_orb(MatchContext& context, std::uint64_t seed) {
     if (!context.data.orb) return;
-    const auto* place = orb_place(context.data.arena);
+    const auto* place = orb_of(context.data.arena);
     const double radius = place->body.size.x;
     auto& world = context.world;
     world.create(Orb{.middle = place->position, .radius = radius, .seed = seed_of_flow(2 * radius, seed)});

@@ -11,9 +11,6 @@
 
 namespace thaum::game {
 
-/// The first sphere of an arena with the surface orb; null if it has none.
-const Thing* orb_place(const Arena& arena);
-
 /// The orb's flow about its middle, with the axes of the world.
 field::VortexFlow flow_of(const Orb& orb);
 
