@@ -8,14 +8,30 @@
 namespace thaum::game {
 namespace {
 
-render::Camera camera_of(const PlayerPicture& player, const HudSettings& settings, const render::Rect& view) {
-    const double aspect = view.height > 0 ? static_cast<double>(view.width) / view.height : 1;
+/// Moves a view nearer while its player carves, and back afterwards, within some tenths of a second. A picture that does
+/// not follow the one before, as after a jump in a replay, shows the end of the way.
+void come_nearer(NearView& view, const Picture& picture, bool carves) {
+    constexpr double whole_way_s = 0.35, largest_gap_s = 1;
+    const double gone_s = picture.tick >= view.tick ? seconds(picture.tick - view.tick) : largest_gap_s;
+    view.tick = picture.tick;
+    const double step = gone_s < largest_gap_s ? gone_s / whole_way_s : 1;
+    view.share = std::clamp(view.share + (carves ? step : -step), 0.0, 1.0);
+}
+
+/// Field of view in which a crystal fills most of the shorter edge of the view (rad).
+double field_of_crystal(const CrystalPicture& crystal, vec3 eye, double aspect) {
+    constexpr double shown = 0.5;  // half of the shorter edge, relative to the crystal's edge
+    const double distance = std::max(glm::length(crystal.middle - eye), crystal.edge / 2);
+    return 2 * std::atan(shown * crystal.edge / distance / std::min(aspect, 1.0));
+}
+
+render::Camera camera_of(const PlayerPicture& player, double fov) {
     render::Camera camera;
     // A dead player looks from slightly above the place of death.
     const vec3 eye = player.dead ? player.eye + vec3(0, 0.6, 0) : player.eye;
     camera.position = fvec3(eye);
     camera.orientation = fquat(look_rotation(player.yaw, player.pitch));
-    camera.fov_y = static_cast<float>(field_of_view(settings.fov, aspect));
+    camera.fov_y = static_cast<float>(fov);
     camera.far_plane = 160;
     return camera;
 }
@@ -36,7 +52,10 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
     mists.clear();
     add_spell_mists(arena_scene, picture, player, mists);
     if (!mists.empty()) mists.insert(mists.end(), memory.mists.begin(), memory.mists.end());
-    memory.frame.views.push_back({.camera = camera_of(picture.wizards[player], settings, view),
+    const double aspect = view.height > 0 ? static_cast<double>(view.width) / view.height : 1;
+    const double fov = field_of_player(picture, player, field_of_view(settings.fov, aspect), aspect,
+                                       memory.near_views[player]);
+    memory.frame.views.push_back({.camera = camera_of(picture.wizards[player], fov),
                                   .viewport = view,
                                   .instances = instances,
                                   .lights = lights,
@@ -59,6 +78,17 @@ void add_shared(const ArenaScene& arena_scene, const Picture& picture, FrameMemo
 }
 
 }  // namespace
+
+double field_of_player(const Picture& picture, std::uint32_t player, double usual, double aspect,
+                       NearView& near_view) {
+    const auto& p = picture.wizards[player];
+    const bool carves = !p.dead && p.carving.carves && p.carving.crystal < picture.crystals.size();
+    come_nearer(near_view, picture, carves);
+    if (carves)
+        near_view.nearest =
+            std::min(usual, field_of_crystal(picture.crystals[p.carving.crystal], p.eye, aspect));
+    return glm::mix(usual, std::min(usual, near_view.nearest), glm::smoothstep(0.0, 1.0, near_view.share));
+}
 
 double field_of_view(double fov_degrees, double aspect) {
     // Views of all shapes show the same area: tan(width / 2) tan(height / 2) is constant.

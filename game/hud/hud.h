@@ -1,6 +1,8 @@
 // game/hud/hud.h: turns a Picture into a render::Frame: each player's view with the HUD over it. Nothing in a
 // view shakes, bobs or flashes.
 #pragma once
+#include <limits>
+
 #include "game/hud/arena_scene.h"
 #include "game/hud/figures.h"
 #include "game/hud/prompts.h"
@@ -40,12 +42,20 @@ struct HudSettings {
 };
 
 /// Memory for building frames. The spans of a Frame point into it.
+/// How far a view has come nearer to the body that its player carves.
+struct NearView {
+    Tick tick = std::numeric_limits<Tick>::max();  ///< tick of the picture before; at first after all ticks
+    double share{};                                ///< 0: the usual view, 1: the nearest one
+    double nearest{};                              ///< field of view of the nearest one (rad)
+};
+
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
     std::array<std::vector<render::Instance>, players> spell_mists;  ///< with `mists`; empty without spells
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
     std::array<std::vector<render::Scan>, players> scans;
+    std::array<NearView, players> near_views{};
     std::vector<render::MeshChange> changes;
     render::Frame frame;
 };
@@ -74,5 +84,10 @@ std::array<render::Rect, players> views_of(const HudSettings& settings, render::
 
 /// Vertical field of view for a view of this aspect ratio (rad).
 double field_of_view(double fov_degrees, double aspect);
+
+/// Vertical field of view of a player (rad): `usual`, or narrower while the player carves, so that the crystal fills
+/// most of the shorter edge of a view of this aspect ratio. `near_view` is moved on to the picture's tick.
+double field_of_player(const Picture& picture, std::uint32_t player, double usual, double aspect,
+                       NearView& near_view);
 
 }  // namespace thaum::game

@@ -96,9 +96,10 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
 /// Words that say what to do with the tool in hand.
 std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& controls) {
     const auto fire = text(hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
-    if (crystal.tool_name == "melt") return text("Melt what is amber: ", fire);
-    if (crystal.tool_name == "construct") return text("Build where the key is pale: ", fire);
-    return text(capitalised(crystal.tool_name), ": ", fire);
+    const auto tool = crystal.tools.at(crystal.tool);
+    if (tool == "melt") return text("Melt what is amber: ", fire);
+    if (tool == "construct") return text("Build where the key is pale: ", fire);
+    return text(capitalised(tool), ": ", fire);
 }
 
 RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
@@ -118,7 +119,8 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
         crystal.overlap > 0
             ? text("Key ", share_in_percent(crystal.overlap), " of ", share_in_percent(crystal.wanted))
             : text("Nobody has touched it; wanted is ", share_in_percent(crystal.wanted), " of the key");
-    if (crystal.carves) card.brew += text("   tools: ", keys_of(controls, crystal.tools));
+    const auto tools = std::ranges::find_if(crystal.tools, &std::string_view::empty) - crystal.tools.begin();
+    if (crystal.carves) card.brew += text("   tools: ", keys_of(controls, static_cast<std::size_t>(tools)));
     card.potions = words_of_potions(p);
     return card;
 }

@@ -174,9 +174,11 @@ void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     out.wanted = rules->overlap;
     if (chisel == nullptr) return;
     out.carves = true;
-    out.tools = static_cast<std::uint32_t>(rules->tool_names.size());
+    out.crystal = world.get<AtStation>(wizard).number;
+    std::copy_n(rules->tool_names.begin(), std::min(rules->tool_names.size(), out.tools.size()),
+                out.tools.begin());
     if (lens->tool < rules->tools.size()) {
-        out.tool_name = rules->tool_names[lens->tool];
+        out.tool = lens->tool;
         out.tip.radius = reach_of(rules->tools[lens->tool], voxel);
     }
     out.tip.place = chisel->place;

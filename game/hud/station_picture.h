@@ -75,13 +75,15 @@ struct CrystalPicture {
 
 /// Work of a wizard at a crystal, for the card.
 struct CarvingPicture {
-    bool near{};                 ///< the wizard can begin
-    bool carves{};               ///< the wizard holds a tool
-    TipPicture tip{};            ///< that tool
-    std::string_view tool_name;  ///< name of that tool
-    std::uint32_t tools{};       ///< number of tools
-    double overlap{};            ///< overlap of crystal and key, 0 to 1; 0: nobody has touched the crystal
-    double wanted{};             ///< overlap that gives the Lens
+    bool near{};              ///< the wizard can begin
+    bool carves{};            ///< the wizard holds a tool
+    std::uint32_t crystal{};  ///< index in Picture::crystals of the crystal at which the wizard carves
+    TipPicture tip{};         ///< that tool
+    /// Names of all tools, by key; empty: none.
+    std::array<std::string_view, wand_slots> tools{};
+    std::uint32_t tool{};  ///< index of the tool in hand
+    double overlap{};      ///< overlap of crystal and key, 0 to 1; 0: nobody has touched the crystal
+    double wanted{};       ///< overlap that gives the Lens
 };
 
 /// The Lens and the Great Work of a wizard.

@@ -11,6 +11,7 @@
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
 #include "game/hud/station_card.h"
+#include "game/hud/station_strip.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 
@@ -502,7 +503,7 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
                       opaque(team_colours(player).light), Align::left);
     if (plays && !p.dead && p.casting.stroke.drawing)
         add_spell_strip(out, picture, settings.controls[player], player, l);
-    else
+    else if (!plays || !add_station_strip(out, picture, settings.controls[player], player, l))
         add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, player, l);
     if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);

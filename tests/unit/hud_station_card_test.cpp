@@ -64,8 +64,8 @@ CarvingPicture carving_at(At place) {
     CarvingPicture crystal;
     crystal.near = true;
     crystal.carves = place == At::crystal;
-    crystal.tool_name = "construct";
-    crystal.tools = 4;
+    crystal.tools = {"melt", "construct", "paint", "stamp"};
+    crystal.tool = 1;
     crystal.overlap = 0.574;
     crystal.wanted = 0.8;
     return crystal;
@@ -84,11 +84,11 @@ Picture busy_at(At place) {
 
 TEST(StationCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
     const std::array<std::vector<std::string_view>, all_places.size()> needed{
-        {{"Find the core", "1.5 s", "Follow and vortex tube", "Haste 13 s"},
+        {{"Find the core", "1.5 s", "Follow and vortex tube", "Haste 13 s", "viscosity", "surface"},
          {"At the core: stay", "0.8 of", "Haste 13 s"},
          {"Azoth: ", "mist", "Haste 13 s"},
          {"Orb: hold [E]", "Haste 13 s"},
-         {"Build where the key is pale", "Left mouse", "57 % of 80 %", "Haste 13 s"},
+         {"Build where the key is pale", "Left mouse", "57 % of 80 %", "Haste 13 s", "construct"},
          {"Crystal: hold [E]", "57 % of 80 %", "Haste 13 s"}}};
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const auto picture = busy_at(all_places.at(i));
@@ -155,6 +155,51 @@ TEST(StationCard, OffersToScryAndToCarve) {
     EXPECT_EQ(at(At::crystal_near)->words, "[E] Carve");
     EXPECT_FALSE(at(At::orb_told)) << "nothing more to find out";
     EXPECT_FALSE(at(At::crystal));
+}
+
+TEST(StationStrip, MarksWhatIsWornAndWhatIsInHandInPlaceOfTheWands) {
+    const auto plates = [](const render::Overlay& overlay) {
+        return std::count_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
+            const auto* plate = std::get_if<render::RectItem>(&item);
+            return plate != nullptr && plate->colour == render::colour(0x6A4A9A, 0.7F);
+        });
+    };
+    HudSettings one_view;
+    one_view.watch = Watch::first;
+    EXPECT_EQ(plates(busy_overlay_of(busy_at(At::orb), one_view)), 2) << "two modes are worn";
+    EXPECT_EQ(plates(busy_overlay_of(busy_at(At::crystal), one_view)), 1);
+    const auto wands = busy_overlay_of(busy_at(At::crystal_near), one_view);
+    EXPECT_EQ(plates(wands), 1);
+    EXPECT_FALSE(has_text(wands, "construct")) << "nobody works there yet";
+}
+
+TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
+    auto picture = busy_at(At::crystal);
+    auto& p = picture.wizards[0];
+    picture.crystals.assign(1, {.middle = p.eye + vec3(0, -0.4, -1.2), .edge = 0.5});
+    constexpr double usual = 1.2, aspect = 2;
+    NearView view;
+    const double nearest = field_of_player(picture, 0, usual, aspect, view);
+    EXPECT_NEAR(std::tan(nearest / 2) * std::hypot(0.4, 1.2) / 0.5, 0.5, 1e-9)
+        << "a first picture does not wait";
+    NearView tall;
+    EXPECT_NEAR(std::tan(field_of_player(picture, 0, 2.4, 0.5, tall) / 2), 2 * std::tan(nearest / 2), 1e-9)
+        << "in a tall view the crystal fills the width";
+    p.carving = {};
+    double last = nearest;
+    for (int i = 0; i < 35; ++i) {
+        picture.tick += 10;
+        const double now = field_of_player(picture, 0, usual, aspect, view);
+        EXPECT_GE(now, last);
+        EXPECT_LT(now - last, 0.05);
+        last = now;
+    }
+    EXPECT_DOUBLE_EQ(last, usual);
+    picture.crystals[0].edge = 5;
+    p.carving = carving_at(At::crystal);
+    picture.tick += 5000;
+    EXPECT_DOUBLE_EQ(field_of_player(picture, 0, usual, aspect, view), usual)
+        << "a large crystal is not made smaller";
 }
 
 /// Number of gold arcs in a box.
@@ -252,12 +297,15 @@ TEST(StationPicture, TellsWhatAWizardDoesAtACrystal) {
     EXPECT_TRUE(picture_of(*match).wizards[1].carving.near);
     EXPECT_FALSE(picture_of(*match).wizards[1].carving.carves);
     world.get<Lens>(wizard) = {.held = 1, .tool = 1};
+    world.add(wizard, AtStation{.kind = StationKind::crystal, .number = 1});
     world.add(wizard, Chisel{.place = middle, .cutting = 1});
     world.single<GreatWork>().since[1] = 1;
     const auto p = picture_of(*match).wizards[1];
     EXPECT_TRUE(p.carving.carves && p.carving.tip.works && p.work.lens);
-    EXPECT_EQ(p.carving.tool_name, "construct");
-    EXPECT_EQ(p.carving.tools, 4U);
+    EXPECT_EQ(p.carving.tools[p.carving.tool], "construct");
+    EXPECT_EQ(p.carving.tools[3], "stamp");
+    EXPECT_EQ(p.carving.tools[4], "");
+    EXPECT_EQ(p.carving.crystal, 1U);
     EXPECT_DOUBLE_EQ(p.carving.overlap, 0.61);
     EXPECT_DOUBLE_EQ(p.carving.wanted, 0.8);
     EXPECT_DOUBLE_EQ(p.work.left_s, 30);

@@ -1,0 +1,82 @@
+#include "game/hud/station_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/hud/overlay.h"
+#include "game/hud/wand_icon.h"
+
+namespace thaum::game {
+namespace {
+
+using render::Align;
+using render::colour;
+using render::Overlay;
+using render::RectItem;
+
+constexpr float least_high = 17;  // height of a line of words (units)
+
+/// A mode or a tool.
+struct Choice {
+    std::string_view name;
+    bool chosen{};
+};
+
+/// Modes at the orb or tools at a crystal, in the order of the wand keys.
+std::vector<Choice> choices_of(const PlayerPicture& p) {
+    std::vector<Choice> result;
+    const auto& modes = p.scrying.modes;
+    for (std::size_t i = 0; p.scrying.scries && i < modes.size() && !modes.at(i).empty(); ++i)
+        result.push_back({modes.at(i), p.scrying.worn.at(i)});
+    const auto& tools = p.carving.tools;
+    for (std::size_t i = 0; p.carving.carves && i < tools.size() && !tools.at(i).empty(); ++i)
+        result.push_back({tools.at(i), i == p.carving.tool});
+    return result;
+}
+
+/// Cells from left to right and then down, in as few columns as have room for lines of words.
+std::vector<Panel> cells_of(const Panel& box, float u, std::size_t count) {
+    const fvec2 room = box.high - box.low;
+    const auto most_rows = static_cast<std::size_t>(std::max(1.0F, std::floor(room.y / (u * least_high))));
+    const std::size_t columns = (count + most_rows - 1) / most_rows, rows = (count + columns - 1) / columns;
+    const fvec2 size = room / fvec2(static_cast<float>(columns), static_cast<float>(rows));
+    std::vector<Panel> cells;
+    for (std::size_t i = 0; i < count; ++i) {
+        const fvec2 at =
+            box.low + size * fvec2(static_cast<float>(i % columns), static_cast<float>(i / columns));
+        cells.push_back({at, at + size});
+    }
+    return cells;
+}
+
+}  // namespace
+
+bool add_station_strip(Overlay& out, const Picture& picture, const ControlNames& controls,
+                       std::uint32_t player, const ViewLayout& l) {
+    const auto choices = choices_of(picture.wizards[player]);
+    if (choices.empty()) return false;
+    const auto& strip = l.strip;
+    const float u = (strip.high.x - strip.low.x) / (l.strip_columns * strip_cell_width + 2 * strip_margin);
+    const float em = 13 * u;
+    out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
+    const auto cells =
+        cells_of({strip.low + strip_margin * u, strip.high - strip_margin * u}, u, choices.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (choices[i].chosen)
+            out.items.emplace_back(RectItem{cells[i].low, cells[i].high, colour(0x6A4A9A, 0.7F), 6 * u});
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto& [name, chosen] = choices[i];
+        const auto key = i < controls.wands.size() ? brief_label(controls.wands[i]) : std::string();
+        const auto paint = chosen ? colour(0xFFF4D0, 1.0F) : paints.soft;
+        const float left = cells[i].low.x + 4 * u,
+                    name_left = left + (key.empty() ? 0 : width_of(key, em) + 4 * u);
+        const float top =
+            std::max((cells[i].low.y + cells[i].high.y - FittedWords::line_spacing * em) / 2, cells[i].low.y);
+        add_text_in(out, {{left, top}, {name_left, cells[i].high.y}}, key, em, paint, Align::left);
+        add_text_in(out, {{name_left, top}, cells[i].high}, name, em, paint, Align::left);
+    }
+    return true;
+}
+
+}  // namespace thaum::game
