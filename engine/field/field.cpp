@@ -88,11 +88,20 @@ double trilinear(const Grid& grid, vec3 at) {
     const float* low =
         grid.first + (z.low * grid.stride[2] + y.low * grid.stride[1] + x.low * grid.stride[0]);
     const float* high = low + grid.stride[2];
-    const auto along = [&](const float* row) { return (1 - x.t) * row[0] + x.t * row[grid.stride[0]]; };
+    const double base = *low;
+    const auto along = [&](const float* row) {
+        return (1 - x.t) * (row[0] - base) + x.t * (row[grid.stride[0]] - base);
+    };
     const auto across = [&](const float* plane) {
         return (1 - y.t) * along(plane) + y.t * along(plane + grid.stride[1]);
     };
-    return (1 - z.t) * across(low) + z.t * across(high);
+    return base + ((1 - z.t) * across(low) + z.t * across(high));
+}
+
+/// A sample of the cell at these taps. Kernels act on differences from it. So where all samples are equal, the value is
+/// theirs and the gradient is zero, both exactly: rounding noise would give modes a direction that jumps.
+double base_of(const float* first, const Taps& x, const Taps& y, const Taps& z) {
+    return first[x.offset[x.count / 4] + y.offset[y.count / 4] + z.offset[z.count / 4]];
 }
 
 bool can_read(const Grid& grid, vec3 place) {
@@ -108,19 +117,19 @@ double Grid::value(vec3 place) const {
     const Taps x = taps_at(at.x, count[0], stride[0], 1, kernel);
     const Taps y = taps_at(at.y, count[1], stride[1], 1, kernel);
     const Taps z = taps_at(at.z, count[2], stride[2], 1, kernel);
+    const double base = base_of(first, x, y, z);
     double result = 0;
     for (std::size_t k = 0; k < z.count; ++k) {
         double across = 0;
         for (std::size_t j = 0; j < y.count; ++j) {
             const float* row = first + (z.offset[k] + y.offset[j]);
             double along = 0;
-            for (std::size_t i = 0; i < x.count; ++i)
-                along += x.value[i] * static_cast<double>(row[x.offset[i]]);
+            for (std::size_t i = 0; i < x.count; ++i) along += x.value[i] * (row[x.offset[i]] - base);
             across += y.value[j] * along;
         }
         result += z.value[k] * across;
     }
-    return result;
+    return base + result;
 }
 
 Scalar Grid::operator()(vec3 place) const {
@@ -130,6 +139,7 @@ Scalar Grid::operator()(vec3 place) const {
     const Taps x = taps_at(at.x, count[0], stride[0], per_metre.x, kernel);
     const Taps y = taps_at(at.y, count[1], stride[1], per_metre.y, kernel);
     const Taps z = taps_at(at.z, count[2], stride[2], per_metre.z, kernel);
+    const double base = base_of(first, x, y, z);
     Scalar result;
     for (std::size_t k = 0; k < z.count; ++k) {
         double value = 0, across_x = 0, across_y = 0;
@@ -137,7 +147,7 @@ Scalar Grid::operator()(vec3 place) const {
             const float* row = first + (z.offset[k] + y.offset[j]);
             double along = 0, slope = 0;
             for (std::size_t i = 0; i < x.count; ++i) {
-                const double sample = row[x.offset[i]];
+                const double sample = row[x.offset[i]] - base;
                 along += x.value[i] * sample;
                 slope += x.slope[i] * sample;
             }
@@ -148,6 +158,7 @@ Scalar Grid::operator()(vec3 place) const {
         result.value += z.value[k] * value;
         result.gradient += vec3(z.value[k] * across_x, z.value[k] * across_y, z.slope[k] * value);
     }
+    result.value += base;
     return result;
 }
 

@@ -79,13 +79,17 @@ struct SmoothSums {
     SmoothLanes value{}, along_y{}, along_z{};
 };
 
-SmoothSums sums_of(const float* first, const SmoothTaps& x, const SmoothTaps& y, const SmoothTaps& z) {
+/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid).
+SmoothSums sums_of(const float* first, double base, const SmoothTaps& x, const SmoothTaps& y,
+                   const SmoothTaps& z) {
     SmoothSums sums;
     for (std::size_t k = 0; k < smooth_taps; ++k) {
         SmoothLanes value, along_y;
         for (std::size_t j = 0; j < smooth_taps; ++j) {
             const float* row = first + (z.offset[k] + y.offset[j]);
-            const SmoothLanes samples = x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
+            SmoothLanes samples = x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
+            samples.low -= base;
+            samples.high -= base;
             value.add(y.value[j], samples);
             along_y.add(y.slope[j], samples);
         }
@@ -104,13 +108,15 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
     const SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
     const SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
     const SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
-    const SmoothSums sums = sums_of(grid.first, x, y, z);
+    const double base = grid.first[x.offset[3] + y.offset[3] + z.offset[3]];
+    const SmoothSums sums = sums_of(grid.first, base, x, y, z);
     const SmoothRow value = sums.value.row(), along_y = sums.along_y.row(), along_z = sums.along_z.row();
     field::Scalar result;
     for (std::size_t i = 0; i < smooth_taps; ++i) {
         result.value += x.value[i] * value[i];
         result.gradient += vec3(x.slope[i] * value[i], x.value[i] * along_y[i], x.value[i] * along_z[i]);
     }
+    result.value += base;
     return result;
 }
 

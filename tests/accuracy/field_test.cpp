@@ -212,6 +212,21 @@ TEST(Field, TheValueAloneHasTheSameBits) {
     EXPECT_EQ(Grid{}.value({1, 1, 1}), 0);
 }
 
+TEST(Field, EqualSamplesHaveTheirValueAndNoGradient) {
+    Random random = random_stream(6, 6);
+    for (const Kernel kernel : kernels) {
+        for (const float all : {0.1F, 255.0F, -1000.0F, 1e30F}) {
+            const Stored s =
+                stored({6, 7, 5}, {}, {0.5, 0.3, 0.7}, kernel, [&](vec3) { return double{all}; });
+            for (int i = 0; i < 100; ++i) {
+                const vec3 place = random_place(random, vec3(-1), vec3(4));
+                EXPECT_EQ(s.grid(place).value, double{all});
+                EXPECT_EQ(s.grid(place).gradient, vec3(0));
+            }
+        }
+    }
+}
+
 TEST(Field, OneSampleIsAConstantAndTwoALine) {
     for (const Kernel kernel : kernels) {
         const Stored s = stored({1, 2, 4}, {}, vec3(1), kernel, [](vec3 p) { return 2 + 3 * p.y - p.z; });

@@ -211,6 +211,25 @@ TEST(SmoothGrid, ReadsALinearFieldExactlyAndOthersWithSecondOrder) {
     EXPECT_NEAR(std::log2(errors[1] / errors[2]), 2, 0.2);
 }
 
+TEST(SmoothGrid, EqualSamplesPushNobody) {
+    for (const float all : {0.1F, 255.0F, -1000.0F}) {
+        ScannedVolume even{16, 0.005, {}};
+        even.samples.assign(16 * 16 * 16, all);
+        const SmoothGrid smooth = even.smooth();
+        ModeUse use{find_mode("gradient"), any_field(field::field_of<Scalar>(smooth)), {}};
+        use.settings.strength = field::constant(5);
+        TouchedModes hand{{use}};
+        hand.start(vec3(0));
+        Random random{7};
+        for (int i = 0; i < 300; ++i) {
+            const double x = random.uniform(-0.05, 0.05), y = random.uniform(-0.05, 0.05);
+            EXPECT_EQ(smooth({x, y, 0.3 * x}).value, static_cast<double>(all));
+            EXPECT_EQ(smooth({x, y, 0.3 * x}).gradient, vec3(0));
+            EXPECT_LE(glm::length(hand.move(0.0001 * vec3(i, -i, 1))), 1e-12);
+        }
+    }
+}
+
 TEST(SmoothGrid, StaysFlatOutsideAndReadsAnyStride) {
     const ScannedVolume ball = scanned(Ball{{}, 0.02}, 24, 0.0025);
     SmoothGrid across = ball.smooth();
