@@ -132,7 +132,7 @@ ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
 
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
     const auto planes = std::span(contact.planes).first(std::min<std::size_t>(contact.count, 3));
-    constexpr double slack = 1e-12;
+    constexpr double slack = 1e-10;  // m
     const auto free = [&](vec3 x) {
         return std::ranges::none_of(planes, [&](const ContactPlane& p) { return behind(p, x, slack); });
     };
@@ -150,7 +150,20 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
         for (std::size_t j = i + 1; j < planes.size(); ++j) offer(onto_both(planes[i], planes[j], target));
     }
     if (planes.size() == 3) offer(onto_three(planes, target));
+    if (nearest == HUGE_VAL) offer(planes[0].place);  // no plane is in front of it (in_front)
     return best;
+}
+
+ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept {
+    constexpr double shortest = 1e-10;  // push from which on its direction is not noise (m)
+    ContactPlane held = contact.planes[0];
+    if (contact.count < 2 || !is_finite(target)) return held;
+    const vec3 landing = landing_of(contact, target), push = landing - target;
+    const double length = glm::length(push);
+    if (!(length > shortest)) return held;
+    held.place = landing;
+    held.normal = push / length;
+    return held;
 }
 
 LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept {

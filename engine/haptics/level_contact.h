@@ -1,12 +1,16 @@
 // haptics/level_contact.h: contact of a proxy with the surface on which a field has a given value.
 //
 //     proxy of the last tick, place it heads for --> find_contact --> up to three planes on the surface
+//                                                                 --> holding_plane --> the plane that holds the proxy
 //
 // A proxy that was held by the tangent plane of the last tick lies next to the surface. One Newton step along the
 // gradient finds the surface from there. The force of a plane at that place does not depend on how deep the tip is
 // in samples, or on how the density rises behind the surface. If the proxy would land inside the solid on the far
-// side of a groove or in a corner, a second and a third plane hold it there. One plane alone would throw it from
-// wall to wall.
+// side of a groove or in a corner, a second and a third plane bound its way there.
+//
+// What holds the proxy is one plane: through the place where it lands, across the push. The tangent plane of the first
+// wall alone would throw it from wall to wall. All three at once would hold up to three times the strength, since in a
+// hollow they are nearly parallel.
 //
 // The surface is found if the proxy is within reach of it, or if it lies between the proxy and the place that the
 // proxy heads for. So a flat field in front of the surface needs no gradient. A proxy that is deeper than the reach
@@ -47,5 +51,9 @@ LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) 
 
 /// The nearest place to `target` that is behind none of the planes (m).
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept;
+
+/// The plane that holds a proxy on its way to `target`: through its landing place, and across the way from there to the
+/// target. The first plane if the way is free. The contact must have a plane.
+ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept;
 
 }  // namespace thaum::haptics

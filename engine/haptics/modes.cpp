@@ -87,6 +87,13 @@ double strength_at(const field::TransferFunction& strength, double x) noexcept {
     return std::isfinite(found) ? std::clamp(found, -primitive_limit, primitive_limit) : 0;
 }
 
+vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept {
+    const vec3 pull = input.pull(), along = pull - glm::dot(pull, normal) * normal;
+    const double length = glm::length(along);
+    if (!(length > 0) || !(friction > 0)) return input.next_tip();
+    return input.next_tip() + std::min(1.0, friction / length) / input.stiffness * along;
+}
+
 void add_or_rest(PrimitiveSet& set, const Primitive& primitive) noexcept {
     if (set.add(primitive) != PrimitiveFault::none) set.add({.kind = PrimitiveKind::point});
 }

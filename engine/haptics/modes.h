@@ -42,6 +42,8 @@ struct ModeInput {
 
     /// Force of the spring on the hand (N).
     vec3 pull() const { return stiffness * (proxy - tip); }
+    /// Place of the tip when the primitives act, as far as it can be foreseen (m).
+    vec3 next_tip() const { return tip + step; }
 };
 
 /// Settings of a mode. A mode ignores those that it has no use for.
@@ -140,6 +142,10 @@ double strength_at(const field::TransferFunction& strength, double x) noexcept;
 /// renders. Such a primitive moves the proxy. Two that contradict each other, nearly parallel and without bounds, would
 /// throw it to where their planes meet, metres away.
 inline constexpr double most_pull = 10;
+
+/// Place that a proxy heads for along a plane with this normal (m): the next tip, held back by the friction of the last
+/// tick, which is at most `friction` (N).
+vec3 held_back(const ModeInput& input, vec3 normal, double friction) noexcept;
 
 /// Adds a primitive. One with a fault, such as a negative strength or a place that is not finite, is added without
 /// strength, so that the number of primitives stays the same.

@@ -9,7 +9,7 @@ namespace thaum::haptics {
 namespace {
 
 constexpr std::size_t primitives_of_guide = 2;
-constexpr std::size_t primitives_of_wall = 4;
+constexpr std::size_t primitives_of_wall = 2;
 constexpr std::size_t primitives_of_feel = 2;  // gravity and S
 
 double finite_or_zero(double x) { return std::isfinite(x) ? x : 0; }
@@ -63,28 +63,26 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
 
 /// Adds the planes and the friction of a wall. Returns whether it is near.
 bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& input, PrimitiveSet& set) {
-    const LevelContact contact =
-        find_contact({.field = feel.density, .level = wall.density, .reach = wall.reach}, input.proxy,
-                     input.tip + input.step);
+    const LevelContact contact = find_contact(
+        {.field = feel.density, .level = wall.density, .reach = wall.reach}, input.proxy, input.next_tip());
+    if (contact.count == 0) {
+        for (int i = 0; i < 2; ++i) add_or_rest(set, {.kind = PrimitiveKind::point});
+        return false;
+    }
     std::uint32_t index = 0;
     const ContactPlane& first = contact.planes[0];
     // The material of the solid just behind the surface.
-    const double factor =
-        contact.count == 0
-            ? 0
-            : material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
+    const double factor = material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
     const double strength =
         std::clamp(finite_or_zero(wall.strength * factor), 0.0, contact.behind ? most_pull : primitive_limit);
-    for (std::size_t i = 0; i < contact.planes.size(); ++i) {
-        const bool used = i < contact.count;
-        add_or_rest(set, {PrimitiveKind::plane, used ? contact.planes[i].place : vec3(0),
-                          used ? contact.planes[i].normal : vec3(1, 0, 0), used ? strength : 0});
-    }
-    const double pressed =
-        contact.count == 0 ? 0 : std::clamp(glm::dot(first.normal, input.pull()), 0.0, strength);
-    add_or_rest(set, {PrimitiveKind::line, input.proxy, contact.count == 0 ? vec3(1, 0, 0) : first.normal,
-                      std::clamp(finite_or_zero(wall.friction * pressed), 0.0, primitive_limit)});
-    return contact.count != 0;
+    const auto friction = [&](vec3 normal) {
+        const double pressed = std::clamp(glm::dot(normal, input.pull()), 0.0, strength);
+        return std::clamp(finite_or_zero(wall.friction * pressed), 0.0, primitive_limit);
+    };
+    const ContactPlane held = holding_plane(contact, held_back(input, first.normal, friction(first.normal)));
+    add_or_rest(set, {PrimitiveKind::plane, held.place, held.normal, strength});
+    add_or_rest(set, {PrimitiveKind::line, input.proxy, held.normal, friction(held.normal)});
+    return true;
 }
 
 }  // namespace

@@ -164,6 +164,58 @@ TEST(LevelContact, AGrooveAndACornerHoldTheProxyStill) {
     }
 }
 
+TEST(LevelContact, AHollowHoldsAHandThatSlidesUpToTheStatedForceWithItsFriction) {
+    constexpr double radius = 0.03, strength = 1;
+    const auto hollow = [](vec3 p) { return Scalar{radius - glm::length(p), -glm::normalize(p)}; };
+    for (const vec3 across : {vec3(0, 0, 1), glm::normalize(vec3(1, 1, 1))}) {
+        const vec3 first = perpendicular_to(across), second = glm::cross(across, first);
+        for (const double mu : {0.0, 0.3}) {
+            auto use = wall_of(field_of<Scalar>(hollow), strength);
+            use.settings.friction = field::constant(mu);
+            TouchedModes hand{{use}};
+            hand.start(0.025 * first);
+            double largest = 0, least = HUGE_VAL, most = 0;
+            int held = 0;
+            for (int tick = 0; tick <= 3000; ++tick) {
+                const double turn = 0.002 * tick, deep = radius + 0.0000015 * tick;  // 0.06 m/s
+                const vec3 out = std::cos(turn) * first + std::sin(turn) * second;
+                const vec3 force = hand.move((tick == 0 ? 0.028 : deep) * out);
+                largest = std::max(largest, glm::length(force));
+                const vec3 normal = glm::normalize(hand.proxy);
+                const double pressed = -glm::dot(force, normal);
+                if (tick < 1500 || pressed < 0.3) continue;
+                const double share = glm::length(force + pressed * normal) / pressed;
+                least = std::min(least, share);
+                most = std::max(most, share);
+                ++held;
+            }
+            EXPECT_LE(largest, std::hypot(1, mu) * strength * 1.001) << "mu " << mu;
+            EXPECT_GT(held, 500);
+            EXPECT_GE(least, 0.93 * mu);
+            EXPECT_LE(most, 1.07 * mu + 0.01);
+        }
+    }
+}
+
+TEST(LevelContact, ASurfaceThatCurvesEverywhereNeverHoldsMoreThanItsStrength) {
+    const field::Gyroid gyroid{.period = 0.03};
+    Random random{8};
+    auto use = wall_of(field_of<Scalar>(gyroid), 1);
+    TouchedModes hand{{use}};
+    hand.start(vec3(0.0075, 0, 0));
+    vec3 at(0.0075, 0, 0), goal = at;
+    double largest = 0;
+    for (int tick = 0; tick < 20'000; ++tick) {
+        if (tick % 400 == 0)
+            goal = {random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04), random.uniform(-0.04, 0.04)};
+        const vec3 way = goal - at;
+        at += std::min(1.0, 1e-4 / std::max(glm::length(way), 1e-9)) * way;  // at most 0.1 m/s
+        largest = std::max(largest, glm::length(hand.move(at)));
+    }
+    EXPECT_GE(largest, 0.9);
+    EXPECT_LE(largest, 1.05);
+}
+
 TEST(LevelContact, AStrongPushPokesThroughAtTheStatedForce) {
     for (const double strength : {0.5, 1.0, 2.0}) {
         TouchedModes hand{{wall_of(field_of<Scalar>(ground), strength)}};

@@ -185,7 +185,7 @@ TEST(VolumeLab, AModeThatReadsScalarsGetsTheSpeedOfAFlow) {
 TEST(VolumeLab, MoreModesThanThereIsRoomForAreRefused) {
     auto lab = made("sphere", 16);
     VolumeLabSettings settings;
-    for (int i = 0; i < 4; ++i) settings.modes.push_back(*lab_mode(lab, "isosurface"));
+    for (int i = 0; i < 6; ++i) settings.modes.push_back(*lab_mode(lab, "isosurface"));
     const auto changed = change_volume_lab(lab, settings);
     ASSERT_FALSE(changed);
     EXPECT_NE(changed.error().message.find("room for 16"), std::string::npos) << changed.error().message;

@@ -1,7 +1,7 @@
 // A wall on the surface where the field has one value: a bone in a scan, or an implicit object (haptics/implicit.h).
 //
-// Up to three planes hold the proxy at the true surface (haptics/level_contact.h). They give way at their strength,
-// and a proxy that was pressed in deeper than the reach is through. Friction grows with the depth of the tip (paper
+// A plane holds the proxy at the true surface (haptics/level_contact.h). It gives way at its strength, and a proxy that
+// was pressed in deeper than the reach is through. Friction grows with the depth of the tip (paper
 // 004, 3.1): its coefficient is a function of the depth, and it acts on the normal force of the last tick. A magnetic
 // surface also holds a proxy that lies in front of it, by a plane that faces inward.
 #include <algorithm>
@@ -12,42 +12,39 @@
 namespace thaum::haptics {
 namespace {
 
-void add_friction(const ContactPlane& plane, double strength, const ModeSettings& settings,
-                  const ModeInput& input, PrimitiveSet& set) {
+/// Largest friction on a plane (N).
+double friction_on(const ContactPlane& plane, double strength, const ModeSettings& settings,
+                   const ModeInput& input) {
     const double pressed = std::clamp(glm::dot(plane.normal, input.pull()), 0.0, strength);
     const double depth = std::max(0.0, glm::dot(plane.place - input.tip, plane.normal));
-    const double friction = strength_at(settings.friction, depth) * pressed;
-    add_or_rest(set, {PrimitiveKind::line, input.proxy, plane.normal, std::min(friction, primitive_limit)});
+    return std::clamp(strength_at(settings.friction, depth) * pressed, 0.0, primitive_limit);
 }
 
-/// Strength of a plane (N).
-double strength_of(const LevelContact& contact, const ContactPlane& plane, const ModeSettings& settings) {
-    const double strength = std::max(0.0, strength_at(settings.strength, plane.gradient));
+/// Strength of the plane that holds the proxy (N).
+double strength_of(const LevelContact& contact, const ModeSettings& settings) {
+    const double strength = std::max(0.0, strength_at(settings.strength, contact.planes[0].gradient));
     return contact.behind ? std::min(strength, most_pull) : strength;
 }
 
 void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
-    const LevelContact contact =
-        find_contact({field.scalar, settings.level, settings.solid_below, settings.reach}, input.proxy,
-                     input.tip + input.step);
-    for (std::size_t i = 0; i < contact.planes.size(); ++i) {
-        const ContactPlane& plane = contact.planes[i];
-        const bool used = i < contact.count;
-        add_or_rest(set, {PrimitiveKind::plane, plane.place, used ? plane.normal : vec3(1, 0, 0),
-                          used ? strength_of(contact, plane, settings) : 0});
-    }
+    const LevelContact contact = find_contact(
+        {field.scalar, settings.level, settings.solid_below, settings.reach}, input.proxy, input.next_tip());
     if (contact.count == 0) {
-        add_or_rest(set, {.kind = PrimitiveKind::point});
-        add_or_rest(set, {.kind = PrimitiveKind::point});
+        for (int i = 0; i < 3; ++i) add_or_rest(set, {.kind = PrimitiveKind::point});
         return;
     }
     const ContactPlane& first = contact.planes[0];
+    const double strength = strength_of(contact, settings);
+    const ContactPlane held =
+        holding_plane(contact, held_back(input, first.normal, friction_on(first, strength, settings, input)));
+    add_or_rest(set, {PrimitiveKind::plane, held.place, held.normal, strength});
     const double height = glm::dot(input.proxy - first.place, first.normal);
     const double magnet =
         !contact.behind && height <= settings.reach ? std::min(settings.magnet, most_pull) : 0;
     add_or_rest(set, {PrimitiveKind::plane, first.place, -first.normal, magnet});
-    add_friction(first, strength_of(contact, first, settings), settings, input, set);
+    add_or_rest(
+        set, {PrimitiveKind::line, input.proxy, held.normal, friction_on(held, strength, settings, input)});
 }
 
 const ModeRegistration registration({
@@ -57,7 +54,7 @@ const ModeRegistration registration({
     .reads = FieldKind::scalar,
     .slope = true,
     .derivatives = true,
-    .primitives = 5,
+    .primitives = 3,
     .passive = true,
     .add = add_isosurface,
 });
