@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 
 #include "core/file_writer.h"
 #include "core/text.h"
@@ -28,6 +30,32 @@ tl::unexpected<Error> system_error(const std::filesystem::path& path, std::strin
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
 }
 
+/// Reads the file or, of a longer one, its first `most` bytes. A file of more than `limit` bytes is refused.
+Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit, std::size_t most) {
+    // O_NONBLOCK: opening a fifo without a writer must not hang.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.fd < 0) return system_error(path, "open");
+    struct stat info {};
+    if (::fstat(file.fd, &info) != 0) return system_error(path, "read");
+    if (!S_ISREG(info.st_mode)) return fail(text(path.string(), ": not an ordinary file"));
+    const auto whole = static_cast<std::size_t>(info.st_size);
+    if (whole > limit) {
+        return fail(text(path.string(), ": ", whole, " bytes, more than the limit of ", limit));
+    }
+    const std::size_t size = std::min(whole, most);
+    Bytes bytes(size);
+    std::size_t at = 0;
+    while (at < size) {
+        const auto n = ::read(file.fd, bytes.data() + at, size - at);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return system_error(path, "read");
+        if (n == 0) break;
+        at += static_cast<std::size_t>(n);
+    }
+    bytes.resize(at);
+    return bytes;
+}
+
 }  // namespace
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
@@ -41,27 +69,11 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
 }
 
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit) {
-    // O_NONBLOCK: opening a fifo without a writer must not hang.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (file.fd < 0) return system_error(path, "open");
-    struct stat info {};
-    if (::fstat(file.fd, &info) != 0) return system_error(path, "read");
-    if (!S_ISREG(info.st_mode)) return fail(text(path.string(), ": not an ordinary file"));
-    const auto size = static_cast<std::size_t>(info.st_size);
-    if (size > limit) {
-        return fail(text(path.string(), ": ", size, " bytes, more than the limit of ", limit));
-    }
-    Bytes bytes(size);
-    std::size_t at = 0;
-    while (at < size) {
-        const auto n = ::read(file.fd, bytes.data() + at, size - at);
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return system_error(path, "read");
-        if (n == 0) break;
-        at += static_cast<std::size_t>(n);
-    }
-    bytes.resize(at);
-    return bytes;
+    return read_bytes(path, limit, limit);
+}
+
+Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most) {
+    return read_bytes(path, std::numeric_limits<std::size_t>::max(), most);
 }
 
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit) {

@@ -14,6 +14,9 @@ namespace thaum {
 /// fifo, device), larger than `limit` bytes, or not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
+/// Reads the first bytes of a file, at most `most`. The error is that of `read_file`, but a file may be of any length.
+Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most);
+
 /// Reads a whole file, as `read_file` does, and returns it as text.
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit);
 

@@ -52,16 +52,15 @@ FileWriter::FileWriter(std::filesystem::path name, std::filesystem::path target,
 FileWriter::FileWriter(FileWriter&& other) noexcept
     : name_(std::move(other.name_)),
       target_(std::move(other.target_)),
-      part_(std::move(other.part_)),
+      part_(std::exchange(other.part_, {})),
       fd_(std::exchange(other.fd_, -1)),
       fault_(other.fault_),
       written_(other.written_),
       buffer_(std::move(other.buffer_)) {}
 
 FileWriter::~FileWriter() {
-    if (fd_ < 0) return;
-    ::close(fd_);
-    ::unlink(part_.c_str());
+    if (fd_ >= 0) ::close(fd_);
+    if (!part_.empty()) ::unlink(part_.c_str());
 }
 
 Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
@@ -101,23 +100,30 @@ void FileWriter::flush() {
 
 tl::unexpected<Error> FileWriter::give_up(std::string_view doing, int why) {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-    ::unlink(part_.c_str());
+    ::unlink(std::exchange(part_, {}).c_str());
     return fault(name_, doing, why);
 }
 
-Expected<void> FileWriter::close() {
+Expected<void> FileWriter::finish() {
+    if (fd_ < 0) return {};
     flush();
     if (fault_ != 0) return give_up("write", fault_);
     // Some disks report only here that they are full. EINVAL means a file system without a disk.
     if (::fdatasync(fd_) != 0 && errno != EINVAL) return give_up("write", errno);
     if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
+    return {};
+}
+
+Expected<void> FileWriter::close() {
+    if (auto finished = finish(); !finished) return finished;
     // The target may have become an input or a recording since the file was started.
     const auto still = writable_target(target_);
     if (!still) {
-        ::unlink(part_.c_str());
+        ::unlink(std::exchange(part_, {}).c_str());
         return tl::unexpected(still.error());
     }
     if (::rename(part_.c_str(), target_.c_str()) != 0) return give_up("replace", errno);
+    part_.clear();
     return {};
 }
 

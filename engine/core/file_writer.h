@@ -32,7 +32,10 @@ public:
     void flush();
     /// False after a failure. Bytes that wait for a `flush` may still fail.
     bool is_whole() const { return fault_ == 0; }
-    /// Flushes the bytes to the disk and renames the file to its target. The error names the path.
+    /// Flushes the bytes to the disk, still under the temporary name. Several files that belong together are all
+    /// finished first and then closed, so that a full disk replaces none of them. The error names the path.
+    Expected<void> finish();
+    /// Finishes the file and renames it to its target. The error names the path.
     Expected<void> close();
 
 private:
@@ -41,8 +44,8 @@ private:
 
     std::filesystem::path name_;    ///< path as given by the caller, for messages
     std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved
-    std::string part_;              ///< path of the temporary file, in the target's folder
-    int fd_;
+    std::string part_;           ///< path of the temporary file, in the target's folder; empty: there is none
+    int fd_;                     ///< -1 from `finish` on
     int fault_ = 0;              ///< errno of the first write that failed
     std::uint64_t written_ = 0;  ///< bytes that `write` was given
     Bytes buffer_;

@@ -180,6 +180,33 @@ TEST_F(CoreFile, TheStartOfAFileCanBeReplacedAtTheEnd) {
     }
 }
 
+TEST_F(CoreFile, AFinishedFileWaitsForItsPlace) {
+    const auto path = in_folder("a");
+    ASSERT_TRUE(write_text_file(path, "old"));
+    {
+        auto file = FileWriter::create(path).value();
+        file.write("new");
+        ASSERT_TRUE(file.finish());
+        EXPECT_EQ(read_text_file(path, 100), "old");
+    }
+    EXPECT_EQ(files(), 1) << "one that is never closed leaves nothing";
+    auto file = FileWriter::create(path).value();
+    file.write("new");
+    ASSERT_TRUE(file.finish());
+    auto moved = std::move(file);
+    ASSERT_TRUE(moved.close());
+    EXPECT_EQ(read_text_file(path, 100), "new");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(CoreFile, TheStartOfALongFileIsReadAlone) {
+    const auto path = in_folder("a");
+    ASSERT_TRUE(write_text_file(path, "0123456789"));
+    EXPECT_EQ(read_start(path, 4).value().size(), 4U);
+    EXPECT_EQ(read_start(path, 40).value().size(), 10U);
+    EXPECT_FALSE(read_start(in_folder("none"), 4));
+}
+
 TEST_F(CoreFile, ALinkStaysALinkAndRightsStay) {
     const auto goal = in_folder("goal"), link = in_folder("link");
     ASSERT_TRUE(write_text_file(goal, "old"));
