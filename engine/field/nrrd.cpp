@@ -119,6 +119,19 @@ void turn_values(const mat3& to_own, Volume& volume) {
     }
 }
 
+/// The file's vectors for the axes of the volume.
+FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& volume) {
+    FileAxes axes{.first = header.first, .spacing = volume.spacing, .placement = volume.placement};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t from = a.from[axis];
+        const vec3 direction = header.direction[from];
+        axes.direction[axis] = a.is_reversed[axis] ? -direction : direction;
+        if (a.is_reversed[axis] && axes.first)
+            *axes.first += static_cast<double>(header.sizes[from] - 1) * direction;
+    }
+    return axes;
+}
+
 Volume volume_of(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples) {
     Volume volume{.spacing = a.spacing,
                   .components = header.components,
@@ -138,6 +151,9 @@ Volume volume_of(const NrrdHeader& header, const Arrangement& a, std::span<const
     }
     volume.placement.turn = a.turn;
     if (header.first) volume.placement.origin = *header.first + half;
+    volume.has_place = header.first.has_value();
+    volume.file_axes = axes_of(header, a, volume);
+    volume.save_name = header.save_name;
     decode(samples, order, header.big_endian, volume);
     if (header.of_values != mat3(0.0)) turn_values(glm::transpose(a.turn) * header.of_values, volume);
     return volume;
@@ -148,16 +164,30 @@ Volume volume_of(const NrrdHeader& header, const Arrangement& a, std::span<const
 /// Vectors of a header, in m.
 struct WrittenSpace {
     std::array<vec3, 3> direction{};
-    vec3 first{};
+    std::optional<vec3> first{};
 };
 
+bool still_lies_there(const FileAxes& axes, const Volume& volume) {
+    const Placement &was = axes.placement, &now = volume.placement;
+    return axes.spacing == volume.spacing && was.origin == now.origin && was.turn == now.turn &&
+           was.scale == now.scale;
+}
+
 WrittenSpace space_of(const Volume& volume) {
+    if (volume.file_axes && still_lies_there(*volume.file_axes, volume))
+        return {volume.file_axes->direction, volume.file_axes->first};
     const Placement& p = volume.placement;
     WrittenSpace space;
     for (int i = 0; i < 3; ++i)
         space.direction[static_cast<std::size_t>(i)] = p.turn[i] * (volume.spacing[i] * p.scale);
-    space.first = p.origin - p.turn * (p.scale * (0.5 * volume.extent()));
+    if (volume.has_place || p.origin != vec3(0))
+        space.first = p.origin - p.turn * (p.scale * (0.5 * volume.extent()));
     return space;
+}
+
+/// True if spacings alone tell where the samples lie.
+bool needs_no_space(const Volume& volume, const WrittenSpace& space) {
+    return !space.first && !volume.is_of_patient && volume.placement.turn == mat3(1.0);
 }
 
 /// The number of mm that reads as exactly this length; std::nullopt: there is none.
@@ -176,37 +206,54 @@ void append_vector(std::string& out, vec3 v, bool mm) {
     append_text(out, text('(', number(v.x), ',', number(v.y), ',', number(v.z), ')'));
 }
 
-std::string header_of(const Volume& volume, Packing packing) {
+/// Fields for the frame and the axes of space.
+void append_space(std::string& out, const Volume& volume) {
     const WrittenSpace space = space_of(volume);
-    const bool mm = is_exact_in_mm(space.first) && std::ranges::all_of(space.direction, is_exact_in_mm);
+    const bool mm = (!space.first || is_exact_in_mm(*space.first)) &&
+                    std::ranges::all_of(space.direction, is_exact_in_mm);
+    const bool vectors = volume.components == 3;
+    const std::string_view unit = mm ? " \"mm\"" : " \"m\"";
+    if (needs_no_space(volume, space)) {
+        append_text(out, vectors ? "\nspacings: nan" : "\nspacings:");
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double length = space.direction[i][static_cast<int>(i)];
+            append_text(out, text(' ', mm ? mm_of(length).value_or(length) : length));
+        }
+        append_text(out, text("\nunits:", vectors ? " \"\"" : "", unit, unit, unit));
+        return;
+    }
+    append_text(out, volume.is_of_patient ? "\nspace: left-posterior-superior" : "\nspace: 3D-right-handed");
+    append_text(out, vectors ? "\nspace directions: none" : "\nspace directions:");
+    for (const vec3 d : space.direction) append_vector(out += ' ', d, mm);
+    if (space.first) append_vector(out += "\nspace origin: ", *space.first, mm);
+    append_text(out, text("\nspace units:", unit, unit, unit));
+    if (!vectors) return;
+    append_text(out, "\nmeasurement frame:");
+    for (int i = 0; i < 3; ++i) append_vector(out += ' ', volume.placement.turn[i], false);
+}
+
+std::string header_of(const Volume& volume, Packing packing) {
     const bool vectors = volume.components == 3;
     std::string out = text("NRRD0005\ntype: ", name_of(volume.stored_as), "\ndimension: ", vectors ? 4 : 3);
     if (const std::string name = printable(volume.name, 200); !name.empty())
         append_text(out, text("\ncontent: ", name));
-    append_text(out, volume.is_of_patient ? "\nspace: left-posterior-superior" : "\nspace: 3D-right-handed");
     append_text(out, vectors ? "\nsizes: 3" : "\nsizes:");
     for (const int n : volume.count) append_text(out, text(' ', n));
-    append_text(out, vectors ? "\nspace directions: none" : "\nspace directions:");
-    for (const vec3 d : space.direction) append_vector(out += ' ', d, mm);
-    append_vector(out += "\nspace origin: ", space.first, mm);
-    append_text(out, mm ? "\nspace units: \"mm\" \"mm\" \"mm\"" : "\nspace units: \"m\" \"m\" \"m\"");
-    if (vectors) {
-        append_text(out, "\nmeasurement frame:");
-        for (int i = 0; i < 3; ++i) append_vector(out += ' ', volume.placement.turn[i], false);
-    }
+    append_space(out, volume);
     append_text(out, vectors ? "\nkinds: vector domain domain domain" : "\nkinds: domain domain domain");
     if (const std::string units = printable(volume.units, 60); !units.empty())
         append_text(out, text("\nsample units: ", units));
     append_text(out, "\nendian: little");
-    append_text(out, packing == Packing::gzip ? "\nencoding: gzip\n\n" : "\nencoding: raw\n\n");
-    return out;
+    append_text(out, packing == Packing::gzip ? "\nencoding: gzip\n" : "\nencoding: raw\n");
+    if (!volume.save_name.empty()) append_text(out, text(key_of_save, ":=", volume.save_name, '\n'));
+    return out + '\n';
 }
 
 }  // namespace
 
 Expected<Volume> read_nrrd(const Path& path, std::size_t limit) {
     const std::size_t most_bytes = limit * size_of(SampleType::float64) + most_header_bytes;
-    auto file = read_file(path, most_bytes);
+    auto file = read_start(path, most_header_bytes);
     if (!file) return tl::unexpected(file.error());
     const std::string_view characters(reinterpret_cast<const char*>(file->data()), file->size());
     const auto header = parse_nrrd_header(characters, path.string(), limit);
@@ -215,28 +262,27 @@ Expected<Volume> read_nrrd(const Path& path, std::size_t limit) {
     const auto arrangement = space ? space : turned(header->direction);
     if (!arrangement)
         return fail_file(path, "its axes are not at right angles; resample the volume to a straight box");
-    Path data_path = path;
-    std::span<const std::byte> data(*file);
-    if (header->data_file.empty()) {
-        data = data.subspan(header->data_at);
-    } else {
-        data_path = path.parent_path() / header->data_file;
-        file = read_file(data_path, most_bytes);
-        if (!file) return tl::unexpected(Error{in_one_line(file.error().message)});
-        data = *file;
-    }
+    const bool detached = !header->data_file.empty();
+    const Path data_path = detached ? path.parent_path() / header->data_file : path;
+    file = read_file(data_path, most_bytes);
+    if (!file) return tl::unexpected(Error{in_one_line(file.error().message)});
+    const auto data =
+        std::span<const std::byte>(*file).subspan(detached ? 0 : std::min(header->data_at, file->size()));
     std::string unpacked;
     const auto samples = samples_of(*header, data, data_path, unpacked);
     if (!samples) return tl::unexpected(samples.error());
-    return volume_of(*header, *arrangement, *samples);
+    Volume volume = volume_of(*header, *arrangement, *samples);
+    volume.files = {path};
+    if (detached) volume.files.push_back(data_path);
+    return volume;
 }
 
-Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packing) {
+Expected<FileWriter> start_nrrd(const Path& path, const Volume& volume, Packing packing) {
     std::size_t size = static_cast<std::size_t>(volume.components);
     for (const int n : volume.count) size *= static_cast<std::size_t>(n);
     THAUM_ASSERT(size == volume.samples.size(), "a volume's samples do not match its count");
     auto file = FileWriter::create(path);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file;
     file->write(header_of(volume, packing));
     const Bytes samples = encode(volume);
     if (packing == Packing::gzip) {
@@ -244,7 +290,13 @@ Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packin
     } else {
         file->write(samples);
     }
-    return file->close();
+    if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+    return file;
+}
+
+Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packing) {
+    auto file = start_nrrd(path, volume, packing);
+    return file ? file->close() : tl::unexpected(file.error());
 }
 
 }  // namespace thaum::field

@@ -104,6 +104,13 @@ StaggeredGrid Volume::vector_grid(Kernel kernel) const {
     return {{grid(kernel, 0), grid(kernel, 1), grid(kernel, 2)}};
 }
 
+void lie_as(Volume& volume, const Volume& other) {
+    volume.placement = other.placement;
+    volume.is_of_patient = other.is_of_patient;
+    volume.has_place = other.has_place;
+    volume.file_axes = other.file_axes;
+}
+
 SampleRange range_of(const Volume& volume) {
     SampleRange range;
     bool any = false;
@@ -114,6 +121,11 @@ SampleRange range_of(const Volume& volume) {
         any = true;
     }
     return range;
+}
+
+std::size_t not_finite(const Volume& volume) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(volume.samples, [](float sample) { return !std::isfinite(sample); }));
 }
 
 Volume sampled(const ScalarField& field, std::array<int, 3> count, vec3 spacing) {

@@ -11,6 +11,8 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +30,15 @@ enum class SampleType : std::uint8_t { int8, uint8, int16, uint16, float32, floa
 /// Largest number of samples times components of a volume that is read or made: 512 along each axis.
 inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
 
+/// Vectors of the file that a volume was read from, for the axes of the volume (m, frame of the file). A writer repeats
+/// them as long as the volume still lies there, because vectors computed from spacing and turn round.
+struct FileAxes {
+    std::array<vec3, 3> direction{};  ///< from one sample to the next
+    std::optional<vec3> first{};      ///< place of sample (0, 0, 0)
+    vec3 spacing{};                   ///< the volume's, computed from these vectors; the placement too
+    Placement placement{};
+};
+
 struct Volume {
     std::array<int, 3> count{};                 ///< samples along each axis
     vec3 spacing{1e-3};                         ///< distance between samples along each axis, > 0 (m)
@@ -40,6 +51,12 @@ struct Volume {
     std::string units{};  ///< unit of the samples, such as "HU"; may be empty
     /// The axes of the parent frame point to a patient's left, back and head, as a medical file says.
     bool is_of_patient{false};
+    /// The file says where the samples lie. Without that, only spacings and turn mean something.
+    bool has_place{false};
+    std::optional<FileAxes> file_axes{};
+    /// Name of the save that this file and others belong to, for properties of one body; may be empty.
+    std::string save_name{};
+    std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
 
     /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
     Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;
@@ -51,11 +68,22 @@ struct Volume {
     vec3 place(int i, int j, int k) const { return spacing * vec3(i, j, k) - 0.5 * extent(); }
 };
 
+/// Lets a volume of the same samples lie where the other one does, in files too.
+void lie_as(Volume& volume, const Volume& other);
+
 /// Smallest and largest finite sample of a volume; (0, 0) if there is none.
 struct SampleRange {
     float low{}, high{};
 };
 SampleRange range_of(const Volume& volume);
+
+/// Number of samples that are not finite: not a number, or beyond what a float holds.
+std::size_t not_finite(const Volume& volume);
+
+/// Level at which the samples fall apart best into two classes, such as air and tissue (N. Otsu, A threshold selection
+/// method from gray-level histograms, 1979): of 255 levels, the middle of those at most 0.1 % worse than the best. For
+/// vectors, the level of their lengths. The middle of the range if all samples are equal.
+double usual_level(const Volume& volume);
 
 /// Samples a field at count[0] x count[1] x count[2] places about its origin.
 Volume sampled(const ScalarField& field, std::array<int, 3> count, vec3 spacing);

@@ -72,14 +72,20 @@ Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) 
         return fail(in_one_line(text(data_path.string(), ": ", bytes->size(), " bytes, but ", path.string(),
                                      " describes ", raw->bytes, "; correct sizes and type")));
     decode(*bytes, plain_order(raw->volume.count, raw->volume.components), raw->big_endian, raw->volume);
+    raw->volume.files = {path, data_path};
     return std::move(raw->volume);
 }
 
 Expected<Volume> read_volume(const std::filesystem::path& path, std::size_t limit) {
     const std::string ending = path.extension().string();
-    if (ending == ".nrrd" || ending == ".nhdr") return read_nrrd(path, limit);
-    if (ending == ".toml") return read_raw(path, limit);
-    return fail(text(path.string(), ": volumes are files that end in .nrrd, .nhdr or .toml"));
+    const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
+    if (!nrrd && ending != ".toml")
+        return fail(text(path.string(), ": volumes are files that end in .nrrd, .nhdr or .toml"));
+    auto volume = nrrd ? read_nrrd(path, limit) : read_raw(path, limit);
+    if (volume && not_finite(*volume) == volume->samples.size())
+        return fail(in_one_line(text(path.string(), ": none of its ", volume->samples.size(),
+                                     " samples is a finite number; export the volume again")));
+    return volume;
 }
 
 }  // namespace thaum::field

@@ -8,6 +8,7 @@
 namespace thaum::field {
 
 /// Reads a volume; the ending of the name tells the format: .nrrd and .nhdr (field/nrrd.h), .toml (read_raw).
+/// A volume without any finite sample is refused.
 Expected<Volume> read_volume(const std::filesystem::path& path, std::size_t limit = most_samples);
 
 /// Reads plain samples described by a TOML file:

@@ -316,6 +316,72 @@ TEST_F(VolumeFiles, WhatWasReadIsWrittenAlikeEachTime) {
     EXPECT_NE(words->find("space units: \"mm\" \"mm\" \"mm\""), std::string::npos);
 }
 
+TEST_F(VolumeFiles, ATurnedVolumeKeepsItsLastDigits) {
+    const Volume v = read_short(
+        "space: left-posterior-superior\nspace directions: (1.7,0.3,0.1) (-0.3,1.7,0.0) "
+        "(-0.1676470588235294,-0.029584775086505192,2.941176470588235)\nspace origin: (10.1,20.2,30.3)");
+    ASSERT_TRUE(write_nrrd(in_folder("0.nrrd"), v));
+    const auto first = read_text_file(in_folder("0.nrrd"), 10000);
+    EXPECT_NE(first->find("(1.7,0.3,0.1)"), std::string::npos);
+    EXPECT_NE(first->find("space origin: (10.1,20.2,30.3)"), std::string::npos);
+    for (const char* next : {"1.nrrd", "2.nrrd"}) {
+        ASSERT_TRUE(write_nrrd(in_folder(next), *read_nrrd(in_folder("0.nrrd"))));
+        EXPECT_EQ(read_text_file(in_folder(next), 10000).value_or(""), *first);
+    }
+    Volume moved = v;
+    moved.placement.origin.x += 0.5;
+    ASSERT_TRUE(write_nrrd(in_folder("m.nrrd"), moved));
+    EXPECT_NEAR(read_nrrd(in_folder("m.nrrd"))->placement.origin.x, moved.placement.origin.x, 1e-12);
+}
+
+TEST_F(VolumeFiles, NoFrameAndNoOriginAreInventedForAFile) {
+    const Volume v = read_short("spacings: 1.5 2 3");
+    EXPECT_FALSE(v.has_place);
+    ASSERT_TRUE(write_nrrd(in_folder("a.nrrd"), v));
+    const auto words = read_text_file(in_folder("a.nrrd"), 10000);
+    EXPECT_NE(words->find("\nspacings: 1.5 2 3\n"), std::string::npos) << *words;
+    EXPECT_EQ(words->find("space"), std::string::npos) << *words;
+    EXPECT_EQ(read_nrrd(in_folder("a.nrrd"))->spacing, v.spacing);
+}
+
+TEST_F(VolumeFiles, FilesAndTheNameOfTheSaveAreKnown) {
+    Volume v = read_short("spacings: 1 1 1");
+    EXPECT_EQ(v.files, std::vector{in_folder("v.nrrd")});
+    EXPECT_EQ(v.save_name, "");
+    v.save_name = "12ab";
+    ASSERT_TRUE(write_nrrd(in_folder("a.nrrd"), v));
+    EXPECT_EQ(read_nrrd(in_folder("a.nrrd"))->save_name, "12ab");
+    put("d.raw", shorts(24));
+    const auto detached = read_nrrd(put("d.nhdr",
+                                        "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 4\nendian: little\n"
+                                        "encoding: raw\ndata file: d.raw\n"));
+    ASSERT_TRUE(detached) << detached.error().message;
+    EXPECT_EQ(detached->files, (std::vector{in_folder("d.nhdr"), in_folder("d.raw")}));
+}
+
+TEST_F(VolumeFiles, TheEndsOfTheAxesGiveSpacings) {
+    const char* ends = "axis mins: 0 0 0\naxis maxs: 4 6 12\n";
+    EXPECT_EQ(read_short(text(ends, "centers: cell cell cell")).spacing, vec3(2, 2, 3) / 1000.0);
+    EXPECT_EQ(read_short(text(ends, "centers: node node node")).spacing, vec3(4, 3, 4) / 1000.0);
+    EXPECT_EQ(read_short(text(ends, "spacings: 1 2 3")).spacing, vec3(1, 2, 3) / 1000.0);
+}
+
+TEST_F(VolumeFiles, SamplesThatAreNoFiniteNumbersAreCountedOrRefused) {
+    const auto doubles = [&](double first) {
+        std::string data(24 * sizeof(double), '\0');
+        for (std::size_t i = 0; i < 24; ++i) {
+            const double value = i == 0 ? first : std::nan("");
+            std::memcpy(&data[i * sizeof(double)], &value, sizeof value);
+        }
+        const auto path = put("v.nrrd", text("NRRD0004\ntype: double\ndimension: 3\nsizes: 2 3 4\n"
+                                             "endian: little\nencoding: raw\n\n",
+                                             data));
+        return read_volume(path);
+    };
+    EXPECT_EQ(not_finite(*doubles(7)), 23U);
+    expect_refused(doubles(1e308), "none of its 24 samples is a finite number");
+}
+
 TEST_F(VolumeFiles, TheScaleBecomesPartOfTheSpacing) {
     Volume v{.count = {2, 2, 2}, .spacing = vec3(0.001), .samples = std::vector<float>(8)};
     v.placement = {.origin = {1, 2, 3}, .scale = 4};
@@ -403,7 +469,9 @@ TEST_F(VolumeFiles, WrongHeadersAreRefusedWithTheirLine) {
     refused(good + "\ndata file: LIST", "several files");
     refused(good + "\ndata file: slice%03d.raw 1 4 1", "several files");
     refused(good + "\nbyte skip: -2", "whole number from -1");
-    refused(good + "\nline skip: 2", "whole number from 0 to 0");
+    refused(good + "\nline skip: 2", "field 'line skip': lines of text before the samples cannot be read");
+    refused(good + "\nbyte Skip: x", "field 'byte Skip': 'x'");
+    EXPECT_TRUE(read(good + "\nline skip: 0", shorts(24)));
 }
 
 TEST_F(VolumeFiles, WrongSpacesAreRefused) {
@@ -426,6 +494,12 @@ TEST_F(VolumeFiles, WrongSpacesAreRefused) {
     refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e300,0,0)", "origin is farther away");
     refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspace origin: none", "no place");
     refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspacings: 1 1 1", "keep one");
+    refused("space directions: (1,0,0) (0,1,0) (0,0,1)", "field 'space directions': the header also needs");
+    expect_refused(read("type: short\ndimension: 4\nsizes: 3 2 2 2\nendian: little\nencoding: raw\n"
+                        "space dimension: 3\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n"
+                        "measurement frame: (0,0,0) (0,0,0) (0,0,0)",
+                        shorts(24)),
+                   "do not span space");
     refused("space: hyperspace\nspacings: 1 1 1", "'hyperspace' cannot be read");
     refused("space dimension: 2", "whole number from 3 to 3");
 }

@@ -72,6 +72,17 @@ std::string name_of_field(std::string_view name) {
     return out;
 }
 
+/// Names of fields with blanks, as the format writes them.
+constexpr std::array<std::string_view, 8> names_with_blanks{
+    "space dimension", "space directions",  "space origin", "space units",
+    "data file",       "measurement frame", "byte skip",    "line skip"};
+
+/// "datafile" -> "data file".
+std::string_view written_name(std::string_view field) {
+    const auto found = std::ranges::find(names_with_blanks, field, name_of_field);
+    return found == names_with_blanks.end() ? field : *found;
+}
+
 std::vector<std::string_view> split(std::string_view s) {
     std::vector<std::string_view> words;
     while (!(s = trimmed(s)).empty()) {
@@ -123,7 +134,11 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
     if (line.starts_with('#')) return {};
     const std::size_t colon = line.find(':');
     const bool is_field = colon != std::string_view::npos && colon > 0;
-    if (is_field && line.substr(colon).starts_with(":=")) return {};
+    if (is_field && line.substr(colon).starts_with(":=")) {
+        if (line.substr(0, colon) == key_of_save)
+            fields_.emplace(key_of_save, Line{std::string(trimmed(line.substr(colon + 2))), number, {}});
+        return {};
+    }
     if (!is_field)
         return tl::unexpected(at_line(
             number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'")));
@@ -131,10 +146,13 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
     if (std::ranges::find(known_fields, field) == known_fields.end())
         return tl::unexpected(
             at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'")));
-    const bool added =
-        fields_.emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number}).second;
+    const bool added = fields_
+                           .emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number,
+                                                printable(line.substr(0, colon), shown)})
+                           .second;
     if (!added)
-        return tl::unexpected(at_line(number, text("field '", field, "' stands in the header twice")));
+        return tl::unexpected(at_line(number, text("field '", printable(line.substr(0, colon), shown),
+                                                   "' stands in the header twice")));
     return {};
 }
 
@@ -173,9 +191,10 @@ void NrrdFields::report(std::string_view field, std::string_view message) {
     if (fault_) return;
     const auto found = fields_.find(field);
     if (found == fields_.end()) {
-        fault_ = Error{in_one_line(text(name_, ": the header has no field '", field, "'; ", message))};
+        fault_ = Error{
+            in_one_line(text(name_, ": the header has no field '", written_name(field), "'; ", message))};
     } else {
-        fault_ = at_line(found->second.number, text("field '", field, "': ", message));
+        fault_ = at_line(found->second.number, text("field '", found->second.name, "': ", message));
     }
 }
 

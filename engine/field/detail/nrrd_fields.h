@@ -11,6 +11,9 @@
 
 namespace thaum::field {
 
+/// The one key/value pair that is kept; NrrdFields gives its value by this name.
+inline constexpr std::string_view key_of_save = "thaum save";
+
 /// Fields of a header by name. Keeps the first fault, so that a reader asks for all values as if the header
 /// were correct and checks once.
 class NrrdFields {
@@ -46,6 +49,7 @@ private:
     struct Line {
         std::string value;
         std::size_t number{};
+        std::string name{};  ///< name of the field as the file writes it
     };
     explicit NrrdFields(std::string name) : name_(std::move(name)) {}
     Expected<void> add(std::string_view line, std::size_t number);

@@ -171,10 +171,27 @@ void read_directions(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader
     header.first = metres(origin.value_or(vec3(0)));
 }
 
+/// Spacings by the ends of the axes. An axis has a sample at each end if it is centred on nodes, otherwise, as the format
+/// says, the samples are the middles of cells between the ends.
+std::vector<double> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
+    const auto low = fields.numbers("axismins", axes.count), high = fields.numbers("axismaxs", axes.count);
+    const std::string_view centers = fields.has("centers") ? "centers" : "centerings";
+    const auto centres = fields.words(centers);
+    std::vector<double> spacing(axes.count);
+    for (std::size_t a = 0; a < axes.count; ++a) {
+        const bool nodes = a < centres.size() && centres[a] == "node";
+        spacing[a] = (high[a] - low[a]) / static_cast<double>(axes.size[a] - (nodes ? 1 : 0));
+    }
+    return spacing;
+}
+
 /// Axes along those of space, with spacings alone.
 void read_spacings(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
     std::vector<double> spacing(axes.count, 1.0);
-    if (fields.has("spacings")) spacing = fields.numbers("spacings", axes.count);
+    if (fields.has("spacings"))
+        spacing = fields.numbers("spacings", axes.count);
+    else if (fields.has("axismins") && fields.has("axismaxs"))
+        spacing = spacings_of_ends(fields, axes);
     std::vector<std::string> unit(axes.count);
     if (fields.has("units")) unit = fields.quoted("units", axes.count);
     const auto in_space = axes.in_space();
@@ -187,7 +204,10 @@ void read_spacings(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& 
 }
 
 void check_lengths(NrrdFields& fields, const NrrdHeader& header) {
-    const char* field = fields.has("spacedirections") ? "spacedirections" : "spacings";
+    const char* field = fields.has("spacedirections") ? "spacedirections"
+                        : fields.has("spacings")      ? "spacings"
+                        : fields.has("axismaxs")      ? "axismaxs"
+                                                      : "spacings";
     for (const vec3& direction : header.direction) {
         const double length = glm::length(direction);
         if (!(length >= shortest && length <= longest))
@@ -207,6 +227,8 @@ void read_frame_of_values(NrrdFields& fields, vec3 sign, NrrdHeader& header) {
         if (!(glm::length(frame[i]) <= farthest)) fields.report("measurementframe", "a number is beyond 1e6");
         header.of_values[i] = sign * frame[i];
     }
+    if (header.components == 3 && !(std::abs(glm::determinant(frame)) > 0))
+        fields.report("measurementframe", "its vectors do not span space; remove it or correct it");
     // Colours are no vectors in space.
     const auto kinds = fields.words("kinds");
     const bool colour = std::ranges::any_of(
@@ -222,7 +244,8 @@ void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
     if (!fields.has("datafile") && !fields.end())
         fields.report("datafile", "the file ends with its header, without samples");
     header.data_at = fields.end().value_or(0);
-    (void)fields.integer("lineskip", 0, 0, 0);
+    if (fields.has("lineskip") && fields.text_of("lineskip") != "0")
+        fields.report("lineskip", "lines of text before the samples cannot be read; remove both");
     header.skip = fields.integer("byteskip", -1, 1'000'000'000, 0);
     if (header.packing == Packing::gzip && header.skip != 0)
         fields.report("byteskip", "bytes can be skipped in raw data alone");
@@ -248,6 +271,7 @@ Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string&
     read_place_of_data(*fields, header);
     header.name = printable(fields->text_of("content"), 200);
     header.units = printable(fields->text_of("sampleunits"), 60);
+    header.save_name = printable(fields->text_of(key_of_save), 60);
     if (auto checked = fields->check(); !checked) return tl::unexpected(checked.error());
     return header;
 }

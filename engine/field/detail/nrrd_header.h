@@ -23,7 +23,7 @@ struct NrrdHeader {
     std::optional<vec3> first{};      ///< place of the first sample (m)
     mat3 of_values{1.0};              ///< from the frame of values to that of space; 0: values do not turn
     bool is_of_patient{};             ///< the frame of space is left-posterior-superior
-    std::string name, units;
+    std::string name, units, save_name;
     std::string data_file;  ///< empty: the samples follow the header
     std::size_t data_at{};  ///< position of the samples behind the header
     long skip{};            ///< bytes to skip before the samples; -1: they end the file
