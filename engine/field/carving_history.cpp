@@ -63,13 +63,24 @@ void forget_all(CarvingHistory& history) {
     history.open = false;
 }
 
+/// Opens a step behind all others. Steps that can be redone stay until the new one has changed something.
 void open_step(CarvingHistory& history) {
-    history.steps.resize(history.done);
     history.next = history.steps.empty() ? 0 : history.steps.back().first + history.steps.back().count;
     history.steps.push_back({history.next, 0});
-    history.done = history.steps.size();
     history.open = true;
     ++history.mark;
+}
+
+/// Forgets the steps that could be redone before the open one, which thereby counts as done.
+void forget_redo(CarvingHistory& history) {
+    if (!history.open || history.done == history.steps.size()) return;
+    const auto from = history.steps.begin() + static_cast<std::ptrdiff_t>(history.done);
+    history.steps.erase(from, history.steps.end() - 1);
+    history.done = history.steps.size();
+    CarvingStep& step = history.steps.back();
+    if (step.count > 0) return;
+    step.first = history.done == 1 ? 0 : history.steps.end()[-2].first + history.steps.end()[-2].count;
+    history.next = step.first;
 }
 
 std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& body, const VoxelBox& bricks) {
@@ -80,9 +91,13 @@ std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& bod
     return missing;
 }
 
-/// Forgets the oldest steps until this many copies fit. Returns false if that takes the open step itself.
+/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false if that takes the open step itself.
 bool make_room(CarvingHistory& history, std::uint64_t copies) {
-    while (history.next - history.steps.front().first + copies > history.capacity) {
+    const auto is_full = [&] {
+        return history.next - history.steps.front().first + copies > history.capacity;
+    };
+    if (is_full()) forget_redo(history);
+    while (is_full()) {
         if (history.steps.size() == 1) return false;
         history.steps.pop_front();
         --history.done;
@@ -102,6 +117,23 @@ VoxelBox exchange(CarvingHistory& history, const CarvingStep& step, const VoxelV
         changed = around(changed, box_of(body, copy.brick));
     }
     return changed;
+}
+
+/// Drops the open step's copies of bricks that did not change, and the step itself if none is left.
+void drop_unchanged(CarvingHistory& history, const VoxelView& body) {
+    CarvingStep& step = history.steps.back();
+    std::uint64_t changed = 0;
+    for (std::uint64_t n = step.first; n < step.first + step.count; ++n) {
+        if (is_unchanged(copy_at(history, n), body)) continue;
+        if (step.first + changed != n) copy_at(history, step.first + changed) = copy_at(history, n);
+        ++changed;
+    }
+    step.count = changed;
+    history.next = step.first + changed;
+    if (changed > 0) return forget_redo(history);
+    const bool was_done = history.done == history.steps.size();
+    history.steps.pop_back();
+    if (was_done) --history.done;
 }
 
 }  // namespace
@@ -133,24 +165,15 @@ void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box) {
 
 void end_step(CarvingHistory& history, const VoxelView& body) {
     if (!history.open) return;
+    drop_unchanged(history, body);
     history.open = false;
-    CarvingStep& step = history.steps.back();
-    std::uint64_t changed = 0;
-    for (std::uint64_t n = step.first; n < step.first + step.count; ++n) {
-        if (is_unchanged(copy_at(history, n), body)) continue;
-        if (step.first + changed != n) copy_at(history, step.first + changed) = copy_at(history, n);
-        ++changed;
-    }
-    step.count = changed;
-    history.next = step.first + changed;
-    if (changed > 0) return;
-    history.steps.pop_back();
-    --history.done;
 }
 
 Edit edit(const VoxelView& body, const Tool& tool, const Dab& dab, CarvingHistory& history) {
     keep(history, body, reach(body, tool, dab));
-    return edit(body, tool, dab);
+    const Edit edited = edit(body, tool, dab);
+    if (edited.voxels > 0) forget_redo(history);
+    return edited;
 }
 
 VoxelBox undo(CarvingHistory& history, const VoxelView& body) {

@@ -36,12 +36,13 @@ struct CarvingStep {
 
 /// History of one body. Only the functions below change it.
 struct CarvingHistory {
-    std::vector<BrickCopy> ring{};         ///< copy n stands at n modulo the capacity
-    std::uint64_t capacity{};              ///< number of copies that fit
-    std::uint64_t next{};                  ///< number of the next copy
-    std::deque<CarvingStep> steps{};       ///< steps that can be undone, then steps that can be redone
+    std::vector<BrickCopy> ring{};  ///< copy n stands at n modulo the capacity
+    std::uint64_t capacity{};       ///< number of copies that fit
+    std::uint64_t next{};           ///< number of the next copy
+    /// Steps that can be undone, then steps that can be redone, then an open step that has changed nothing yet.
+    std::deque<CarvingStep> steps{};
     std::size_t done{};                    ///< number of steps that can be undone
-    bool open = false;                     ///< true while edits belong to step `done` - 1
+    bool open = false;                     ///< true while edits belong to the last step
     std::uint32_t mark{};                  ///< differs from step to step
     std::vector<std::uint32_t> kept_in{};  ///< for each brick: mark of the last step that has a copy of it
 };
@@ -52,11 +53,11 @@ inline constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;
 CarvingHistory make_history(const VoxelView& body, std::size_t bytes = usual_history_bytes);
 
 /// Ends the open step, if there is one. Copies of bricks that did not change are dropped, and the step with them if
-/// none is left.
+/// none is left: a stroke in the air is no step. Steps that could be redone are forgotten once a stroke has changed
+/// something.
 void end_step(CarvingHistory& history, const VoxelView& body);
 
-/// Copies the bricks of the box that the open step has not copied yet. Opens a step if none is open; steps that could
-/// be redone are then forgotten.
+/// Copies the bricks of the box that the open step has not copied yet. Opens a step if none is open.
 void keep(CarvingHistory& history, const VoxelView& body, const VoxelBox& box);
 
 /// Applies a tool (field/carving.h) within the open step.
@@ -68,6 +69,8 @@ VoxelBox undo(CarvingHistory& history, const VoxelView& body);
 VoxelBox redo(CarvingHistory& history, const VoxelView& body);
 
 inline bool can_undo(const CarvingHistory& history) { return history.done > 0; }
-inline bool can_redo(const CarvingHistory& history) { return history.done < history.steps.size(); }
+inline bool can_redo(const CarvingHistory& history) {
+    return history.done + (history.open ? 1 : 0) < history.steps.size();
+}
 
 }  // namespace thaum::field

@@ -90,6 +90,41 @@ TEST(CarvingHistory, ANewEditForgetsWhatCouldBeRedone) {
     EXPECT_EQ(rig.history.steps.size(), 2U);
 }
 
+TEST(CarvingHistory, AStrokeInTheAirKeepsWhatCanBeRedone) {
+    Rig rig;
+    rig.carve_step(0, 0, 0);
+    rig.carve_step(1, 0, 0);
+    const std::uint64_t carved = hash_of(rig.body);
+    undo(rig.history, rig.body.view());
+    rig.carve(0, 0, 0);  // there is nothing left to carve
+    EXPECT_TRUE(can_redo(rig.history));
+    end_step(rig.history, rig.body.view());
+    rig.carve_step(0, 0, 0);
+    ASSERT_TRUE(can_redo(rig.history));
+    redo(rig.history, rig.body.view());
+    EXPECT_EQ(hash_of(rig.body), carved);
+    EXPECT_FALSE(can_redo(rig.history));
+    EXPECT_TRUE(can_undo(rig.history));
+}
+
+TEST(CarvingHistory, AStrokeThatChangesSomethingLateForgetsWhatCouldBeRedone) {
+    for (const std::size_t room : {4U, 1000U}) {
+        Rig rig(room);
+        rig.carve_step(0, 0, 0);
+        const std::uint64_t one = hash_of(rig.body);
+        rig.carve_step(1, 0, 0);
+        undo(rig.history, rig.body.view());
+        rig.carve(0, 0, 0);  // nothing
+        rig.carve(0, 2, 0);
+        EXPECT_FALSE(can_redo(rig.history));
+        rig.carve(2, 2, 0);
+        end_step(rig.history, rig.body.view());
+        EXPECT_FALSE(can_redo(rig.history));
+        undo(rig.history, rig.body.view());
+        EXPECT_EQ(hash_of(rig.body), one) << "room for " << room;
+    }
+}
+
 TEST(CarvingHistory, TheOldestStepsAreForgottenWhenMemoryRunsOut) {
     Rig rig(3);
     for (int i = 0; i < 3; ++i) rig.carve_step(i, 0, 0);
