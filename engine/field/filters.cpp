@@ -158,16 +158,40 @@ std::vector<double> gaussian(double deviation) {
     return weights;
 }
 
-/// Smooths the `count` samples from `first` on, `stride` apart. `line` has room for them.
-void smooth_line(float* first, std::ptrdiff_t stride, int count, std::span<const double> weights,
-                 std::vector<double>& line) {
-    for (int i = 0; i < count; ++i) line[static_cast<std::size_t>(i)] = first[i * stride];
-    const auto at = [&](int i) { return line[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };
+/// Number of lines that are smoothed at once. So the innermost loop runs across lines, over memory without gaps, and the
+/// sum of each sample keeps its order.
+constexpr std::size_t lines_at_once = 16;
+
+/// Memory for lines: sample i of line l stands at lines_at_once * (margin + i) + l.
+struct Lines {
+    std::vector<double> samples{};
+    std::size_t margin{};
+};
+
+/// Copies lines with their margins, in which the outermost samples continue. Line l begins at first[l].
+void take_lines(std::span<const float* const> first, std::ptrdiff_t stride, int count, Lines& lines) {
+    const int margin = static_cast<int>(lines.margin);
+    double* out = lines.samples.data();
+    for (int i = -margin; i < count + margin; ++i) {
+        const std::ptrdiff_t at = std::clamp(i, 0, count - 1) * stride;
+        for (std::size_t l = 0; l < first.size(); ++l) out[l] = first[l][at];
+        out += lines_at_once;
+    }
+}
+
+/// Smooths the `count` samples of up to lines_at_once lines, `stride` apart in each line.
+void smooth_lines(std::span<float* const> first, std::ptrdiff_t stride, int count,
+                  std::span<const double> weights, Lines& lines) {
+    take_lines({first.data(), first.size()}, stride, count, lines);
     for (int i = 0; i < count; ++i) {
-        double sum = weights[0] * at(i);
-        for (std::size_t n = 1; n < weights.size(); ++n)
-            sum += weights[n] * (at(i - static_cast<int>(n)) + at(i + static_cast<int>(n)));
-        first[i * stride] = static_cast<float>(sum);
+        const double* middle = &lines.samples[lines_at_once * (lines.margin + static_cast<std::size_t>(i))];
+        std::array<double, lines_at_once> sum;
+        for (std::size_t l = 0; l < lines_at_once; ++l) sum[l] = weights[0] * middle[l];
+        for (std::size_t n = 1; n < weights.size(); ++n) {
+            const double *low = middle - lines_at_once * n, *high = middle + lines_at_once * n;
+            for (std::size_t l = 0; l < lines_at_once; ++l) sum[l] += weights[n] * (low[l] + high[l]);
+        }
+        for (std::size_t l = 0; l < first.size(); ++l) first[l][i * stride] = static_cast<float>(sum[l]);
     }
 }
 
@@ -284,18 +308,28 @@ Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::
 void smooth(Volume& volume, double deviation) {
     if (!(deviation > 0)) return;
     const std::vector<double> weights = gaussian(std::min(deviation, most_smoothing));
-    std::vector<double> line(static_cast<std::size_t>(*std::ranges::max_element(volume.count)));
+    Lines lines{.samples = {}, .margin = weights.size() - 1};
+    const auto longest = static_cast<std::size_t>(*std::ranges::max_element(volume.count));
+    lines.samples.resize(lines_at_once * (longest + 2 * lines.margin));
     std::array<std::ptrdiff_t, 3> stride{volume.components, volume.components * volume.count[0],
                                          volume.components * volume.count[0] * volume.count[1]};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t b = (axis + 1) % 3, c = (axis + 2) % 3;
-        for (int j = 0; j < volume.count[b]; ++j) {
-            for (int k = 0; k < volume.count[c]; ++k) {
-                for (int component = 0; component < volume.components; ++component)
-                    smooth_line(volume.samples.data() + component + j * stride[b] + k * stride[c],
-                                stride[axis], volume.count[axis], weights, line);
+        const std::size_t b = axis == 0 ? 1 : 0, c = axis == 2 ? 1 : 2;
+        std::array<float*, lines_at_once> first{};
+        std::size_t waiting = 0;
+        const auto smooth_waiting = [&] {
+            smooth_lines({first.data(), waiting}, stride[axis], volume.count[axis], weights, lines);
+            waiting = 0;
+        };
+        for (int k = 0; k < volume.count[c]; ++k) {
+            for (int j = 0; j < volume.count[b]; ++j) {
+                for (int component = 0; component < volume.components; ++component) {
+                    first[waiting++] = volume.samples.data() + component + j * stride[b] + k * stride[c];
+                    if (waiting == lines_at_once) smooth_waiting();
+                }
             }
         }
+        if (waiting > 0) smooth_waiting();
     }
 }
 

@@ -207,6 +207,51 @@ TEST(Filters, ThePlacesAtTheEdgeAndBeyondAreFinite) {
 
 // ---- smoothing --------------------------------------------------------------------------------------------
 
+/// Smooths a sample along one axis as the sum is defined, in its order.
+float smoothed_sample(const Volume& v, std::array<int, 3> at, int axis, int component,
+                      const std::vector<double>& weights) {
+    const auto a = static_cast<std::size_t>(axis);
+    const auto value = [&](int n) {
+        auto place = at;
+        place[a] = std::clamp(at[a] + n, 0, v.count[a] - 1);
+        return double{v.samples[static_cast<std::size_t>(
+            component + v.components * (place[0] + v.count[0] * (place[1] + v.count[1] * place[2])))]};
+    };
+    double sum = weights[0] * value(0);
+    for (int n = 1; n < static_cast<int>(weights.size()); ++n)
+        sum += weights[static_cast<std::size_t>(n)] * (value(-n) + value(n));
+    return static_cast<float>(sum);
+}
+
+TEST(Smoothing, ManyLinesAtOnceGiveTheBitsOfOneSample) {
+    for (const int components : {1, 3}) {
+        Volume v{.count = {7, 5, 11}, .spacing = vec3(1), .components = components};
+        for (int i = 0; i < 7 * 5 * 11 * components; ++i)
+            v.samples.push_back(static_cast<float>((i * 7919) % 101) / 7);
+        const double deviation = 1.3;
+        std::vector<double> weights(7);
+        double all = 0;
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            const double x = static_cast<double>(n) / deviation;
+            weights[n] = det::exp(-0.5 * x * x);
+            all += (n == 0 ? 1 : 2) * weights[n];
+        }
+        for (double& weight : weights) weight /= all;
+        Volume wanted = v;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Volume before = wanted;
+            std::size_t at = 0;
+            for (int k = 0; k < 11; ++k)
+                for (int j = 0; j < 5; ++j)
+                    for (int i = 0; i < 7; ++i)
+                        for (int c = 0; c < components; ++c)
+                            wanted.samples[at++] = smoothed_sample(before, {i, j, k}, axis, c, weights);
+        }
+        smooth(v, deviation);
+        EXPECT_EQ(v.samples, wanted.samples) << components;
+    }
+}
+
 TEST(Filters, SmoothingKeepsConstantsAndSlopesAndDampsWavesByTheLaw) {
     const double spacing = 0.05, deviation = 1.5;
     const auto source = [](vec3 p) { return Scalar{2 + 3 * p.y + 0.5 * det::sin(8 * p.x), {}}; };
