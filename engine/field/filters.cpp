@@ -260,6 +260,7 @@ void place(PlacedField& out, const AnyField& own, const Placement& placement) {
         out.field.vector = field_of<Vector>(out.vector);
     else
         out.field.scalar = field_of<Scalar>(out.scalar);
+    out.field.placement = &out.scalar.placement;
 }
 
 Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_vector) {

@@ -21,7 +21,10 @@
 // A difference takes 7 reads of the input; `FilteredField::quick` leaves it out where only the value is
 // wanted.
 //
-// Frame: that of the source. Reading does not allocate.
+// Frame: that of the source, whatever scale it is shown in. So what a transfer function behind gradient, curl or
+// divergence reads is per metre of the data: a curl of 2 /s is one of the measured flow. The gradient that a mode reads
+// itself, without a filter, is per metre of the place where the field is put (field/placement.h), as the hand moves
+// there. Reading does not allocate.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -55,6 +58,7 @@ inline constexpr double most_smoothing = 16;  ///< largest standard deviation (s
 struct AnyField {
     ScalarField scalar{};
     VectorField vector{};
+    const Placement* placement{};  ///< where the field was put; null: its own frame is the reader's
 
     bool is_vector() const { return vector.read != nullptr; }
 };

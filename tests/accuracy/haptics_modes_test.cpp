@@ -193,6 +193,23 @@ TEST(HapticModes, SnapToGridHoldsAtTheNearestPoint) {
     EXPECT_LE(glm::length(hand.move({0.025, -0.01, 0})), 1e-12);
 }
 
+TEST(HapticModes, TheGridTurnsAndMovesWithItsVolume) {
+    const field::Plane slope{};
+    field::PlacedField placed;
+    const double c = std::cos(0.6), s = std::sin(0.6);
+    const field::Placement at{
+        .origin = {0.003, 0.002, -0.001}, .turn = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}}, .scale = 1.5};
+    field::place(placed, scalar_field(slope), at);
+    auto use = use_of("snap_grid", placed.field, field::constant(0.5));
+    use.settings.pitch = 0.01;
+    use.settings.reach = 0.004;
+    TouchedModes hand{{use}};
+    const vec3 point = at.origin + at.turn * vec3(0.02, -0.01, 0);
+    hand.start(point + vec3(0.0005, -0.0005, 0.0003));
+    hand.move(point + vec3(0.0005, -0.0005, 0.0003));
+    EXPECT_LE(glm::distance(hand.proxy, point), 1e-12);
+}
+
 // ---- combinations, faults ---------------------------------------------------------------------------------
 
 TEST(HapticModes, EveryModeReadsOneKindOfFieldAndIsListedByName) {

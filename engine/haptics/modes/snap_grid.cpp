@@ -1,4 +1,5 @@
-// The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag).
+// The hand snaps to the points of a grid: a point primitive at the nearest one (paper 001, snap-drag). The grid begins at
+// the middle of the volume and turns and moves with it. Its pitch is that at the hand, whatever the volume's scale.
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +8,15 @@
 namespace thaum::haptics {
 namespace {
 
+vec3 nearest_point(const field::Placement* placement, double pitch, vec3 place) {
+    if (placement == nullptr) return pitch * glm::round(place / pitch);
+    const vec3 along = (place - placement->origin) * placement->turn;
+    return placement->origin + placement->turn * (pitch * glm::round(along / pitch));
+}
+
 void add_snap(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
               PrimitiveSet& set) {
-    const vec3 nearest = settings.pitch * glm::round(input.proxy / settings.pitch);
+    const vec3 nearest = nearest_point(field.placement, settings.pitch, input.proxy);
     const bool near = settings.pitch > 0 && glm::distance(nearest, input.proxy) <= settings.reach;
     const double strength =
         near ? std::min(most_pull, strength_at(settings.strength, field.scalar(nearest).value)) : 0;
