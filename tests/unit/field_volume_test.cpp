@@ -66,6 +66,28 @@ TEST(Volume, AScanHoldsTheVolumeOfTheBody) {
     EXPECT_EQ(v.stored_as, SampleType::uint8);
 }
 
+TEST(UsualLevel, PartsTwoClassesAndABallAtItsSurface) {
+    Volume v{.count = {1000, 1, 1}};
+    for (int i = 0; i < 1000; ++i)
+        v.samples.push_back(static_cast<float>(i < 700 ? i % 100 : 1900 + i % 100));
+    v.samples[3] = std::numeric_limits<float>::quiet_NaN();
+    v.samples[4] = HUGE_VALF;
+    EXPECT_NEAR(usual_level(v), 999.5, 10) << "the middle between the classes";
+    v.samples[5] = 4000;
+    EXPECT_LT(usual_level(v), 1900) << "one bright sample moves the middle of the range to 2000";
+    EXPECT_NEAR(usual_level(*make_volume("sphere", 64, 1)), 127.5, 6) << "a fortieth of a voxel";
+    EXPECT_NEAR(usual_level(*make_volume("gyroid", 48, 1)), 0, 0.02);
+}
+
+TEST(UsualLevel, OfVectorsIsOneOfTheirLengths) {
+    Volume v{.count = {4, 1, 1}, .components = 3, .samples = {3, 4, 0, 0, 5, 0, 0, 0, 1, 1, 0, 0}};
+    EXPECT_NEAR(usual_level(v), 3, 0.1);
+    v = {.count = {2, 1, 1}, .samples = {7, 7}};
+    EXPECT_EQ(usual_level(v), 7);
+    v.samples = {HUGE_VALF, HUGE_VALF};
+    EXPECT_EQ(usual_level(v), 0);
+}
+
 TEST(MadeVolume, EveryNameMakesAVolumeThatTheSeedRepeats) {
     for (const std::string_view name : volume_names()) {
         const auto a = make_volume(name, 12, 1), again = make_volume(name, 12, 1);
