@@ -2,7 +2,7 @@
 // from a seed.
 //
 //     ring (bow) --- shaft --- bits      seen from +z; the key lies along x, its middle is the body's middle
-//     rough body = key - bites + lumps   about half of the key's volume lies right
+//     rough body = key - bites + lumps   most of the key's volume is there, but the two overlap by half
 //
 // Each part is a solid with a formula for the depth below its surface. A voxel's density is 0.5 at the surface and goes
 // from 0 to 1 within two voxels, as the rims of carving tools do. Only + - * / and sqrt are used, so that the bits are

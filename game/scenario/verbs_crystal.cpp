@@ -5,6 +5,7 @@
 #include "game/components/hand_state.h"
 #include "game/components/potions.h"
 #include "game/crystal/crystal.h"
+#include "game/crystal/crystal_shape.h"
 #include "game/match/great_work.h"
 #include "game/scenario/detail/verb.h"
 
@@ -35,11 +36,20 @@ std::string voxel_hash_of(const ecs::World& world, const Crystal& crystal) {
     return text(hash_bytes(std::as_bytes(colour), hash_bytes(std::as_bytes(density))));
 }
 
+/// Overlap with the key. An untouched crystal counts it only when a hand comes, so it is counted here.
+double overlap_of(const Crystal& crystal) {
+    if (crystal.touched != 0) return crystal.overlap;
+    const auto key = key_density(crystal.seed, crystal_side);
+    auto rough = field::make_voxels({crystal_side, crystal_side, crystal_side}, vec3(spacing_of(crystal)));
+    rough.density = rough_density(crystal.seed, key, crystal_side);
+    return field::overlap_with(rough.view(), key, crystal_surface).ratio();
+}
+
 int verb_crystal(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& crystal = crystal_of(play, lua);
     lua_createtable(lua, 0, 8);
-    arg::set_number(lua, "overlap", crystal.overlap);
+    arg::set_number(lua, "overlap", overlap_of(crystal));
     arg::set_number(lua, "size", crystal.size);
     arg::set_number(lua, "voxel", spacing_of(crystal));
     arg::set_number(lua, "chipped", seconds(crystal.chipped));

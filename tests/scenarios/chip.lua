@@ -4,12 +4,14 @@ match {players = {"script", "script"}, seed = 2}
 clear_props()
 local me = wizard(1)
 local c = crystal(1)
+expect(not c.touched and c.overlap > 0.4 and c.overlap < 0.65, "the overlap of an untouched crystal: " .. c.overlap)
 me:place {c.middle.x, 0, c.middle.z - 1.5}
 me:hold("stir")
 wait(0.1)
 me:release("stir")
 local before = crystal(1)
 expect(before.touched and before.hash, "a hand has touched the crystal")
+expect(before.overlap == c.overlap, "a touch alone changes no overlap")
 
 local function shoot_at(place)
     me:aim(place)
