@@ -45,7 +45,7 @@ CrystalRules read_crystal_rules(const Config& file) {
             .tool_names = read_tool_names(root),
             .tools = {},
             .focus_per_second = root.number("focus_per_s", {0, 1000}),
-            .overlap = root.number("overlap", {0, 1}),
+            .overlap = root.number("overlap", {0.01, 1}),
             .hand = read_hand(root.table("hand")),
             .surface = {.strength = surface.number("strength_n", {0, 100}),
                         .depth = surface.number("depth_voxels", {0.1, 20}),

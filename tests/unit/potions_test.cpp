@@ -436,16 +436,19 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
     ASSERT_NE(::mkdtemp(folder.data()), nullptr);
     const auto copy = fs::path(folder) / "assets";
     fs::copy(assets(), copy, fs::copy_options::recursive);
-    const auto refused = [&](const std::string& more) {
+    const auto refused = [&](const std::string& more, const std::string& effect = "x") {
         std::ofstream(copy / "potions" / "brine.toml")
             << "version = 1\n[[ingredient]]\nname = \"salt\"\nleast = 0.1\nmost = 1\n[[stroke]]\ngesture = "
                "\"s\"\n"
-               "[fluid]\nlasts_s = 1\n[wizard]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \"x\"\n"
+               "[fluid]\nlasts_s = 1\n[wizard]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \""
+            << effect << "\"\n"
             << more;
         const auto data = load_match_data(copy, {});
         return data ? std::string("accepted") : data.error().message;
     };
     EXPECT_EQ(refused(""), "accepted");
+    EXPECT_NE(refused("", "").find("'effect'"), std::string::npos)
+        << "a potion without words for what it does";
     EXPECT_NE(refused("[[ingredient]]\nname = \"sand\"\nleast = 0\nmost = 1\n").find("no ingredient 'sand'"),
               std::string::npos);
     EXPECT_NE(refused("[[stroke]]\ngesture = \"loop\"\n").find("no gesture 'loop'"), std::string::npos);
