@@ -1,7 +1,12 @@
 #include "game/lab/saved_body.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
+#include <vector>
 
+#include "core/file_writer.h"
+#include "core/hash.h"
 #include "core/text.h"
 #include "field/nrrd.h"
 #include "field/volume_file.h"
@@ -23,45 +28,78 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, ignored);
 }
 
-/// Writes a property if it was changed, or if the file of an older one would otherwise belong to the new body.
-Expected<void> save_property(const fs::path& file, bool changed, const field::Volume& volume) {
-    return changed || is_there(file) ? field::write_nrrd(file, volume) : Expected<void>();
+/// Name of a save: the same for the files of one body, and almost certainly another for any other body.
+std::string name_of(const field::Voxels& body) {
+    std::uint64_t hash = hash_value(body.count);
+    for (const auto bytes : {std::as_bytes(std::span(body.density)), std::as_bytes(std::span(body.colour)),
+                             std::as_bytes(std::span(body.material))})
+        hash = hash_bytes(bytes, hash);
+    return hex(hash);
 }
 
 template <class Take>
-Expected<void> take_property(const fs::path& file, field::Voxels& body, Take take) {
+Expected<void> take_property(const fs::path& file, VolumeLab& lab, Take take) {
     if (!is_there(file)) return {};
     const auto volume = field::read_volume(file);
     if (!volume) return tl::unexpected(volume.error());
-    if (auto taken = take(body, *volume); !taken)
+    if (volume->save_name != lab.source.save_name)
+        return fail(text(file.string(),
+                         ": belongs to another body than the file of densities beside it; "
+                         "move one of them elsewhere"));
+    if (auto taken = take(lab.body, *volume); !taken)
         return fail(text(file.string(), ": ", taken.error().message));
     return {};
 }
 
-}  // namespace
-
-Expected<void> save_volume(const VolumeLab& lab, const fs::path& file) {
-    if (auto saved = field::write_nrrd(file, volume_now(lab)); !saved || !lab.carvable()) return saved;
+/// Volumes of a body with their files. A property is written if it was changed, or if the file of an older one would
+/// otherwise belong to the new body.
+std::vector<std::pair<fs::path, field::Volume>> parts_of(const VolumeLab& lab, const fs::path& file) {
     const auto& body = lab.body;
+    std::vector<std::pair<fs::path, field::Volume>> parts;
+    parts.emplace_back(file, volume_now(lab));
+    if (!lab.carvable()) return parts;
     const bool coloured = std::ranges::any_of(body.colour, [](field::Rgb8 c) {
         return c != field::Rgb8{255, 255, 255};
     });
     const bool mixed = std::ranges::any_of(body.material, [](std::uint8_t m) { return m != 0; });
-    const auto placed = [&](field::Volume volume) {
-        volume.placement = lab.source.placement;
-        return volume;
-    };
-    if (auto saved = save_property(beside(file, "colour"), coloured, placed(field::colour_volume(body)));
-        !saved)
-        return saved;
-    return save_property(beside(file, "material"), mixed, placed(field::material_volume(body)));
+    const auto [colours, materials] = companions_of(file);
+    if (coloured || is_there(colours)) parts.emplace_back(colours, field::colour_volume(body));
+    if (mixed || is_there(materials)) parts.emplace_back(materials, field::material_volume(body));
+    const auto name = name_of(body);
+    for (auto& [path, volume] : parts) {
+        field::lie_as(volume, lab.source);
+        volume.save_name = name;
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::array<fs::path, 2> companions_of(const fs::path& file) {
+    return {beside(file, "colour"), beside(file, "material")};
+}
+
+Expected<void> save_volume(const VolumeLab& lab, const fs::path& file) {
+    std::vector<FileWriter> finished;
+    for (const auto& [path, volume] : parts_of(lab, file)) {
+        auto part = field::start_nrrd(path, volume);
+        if (!part) return tl::unexpected(part.error());
+        finished.push_back(std::move(*part));
+    }
+    for (auto& part : finished)
+        if (auto closed = part.close(); !closed) return closed;
+    return {};
 }
 
 Expected<void> take_saved_properties(VolumeLab& lab, const fs::path& file) {
     if (!lab.carvable()) return {};
-    if (auto taken = take_property(beside(file, "colour"), lab.body, field::set_colours); !taken)
+    const auto [colours, materials] = companions_of(file);
+    if (auto taken = take_property(
+            colours, lab, [](auto& body, const auto& volume) { return field::set_colours(body, volume); });
+        !taken)
         return taken;
-    return take_property(beside(file, "material"), lab.body, field::set_materials);
+    return take_property(materials, lab,
+                         [](auto& body, const auto& volume) { return field::set_materials(body, volume); });
 }
 
 }  // namespace thaum::game

@@ -392,7 +392,7 @@ field::Volume volume_now(const VolumeLab& lab) {
     if (!lab.carvable()) return lab.source;
     field::Volume now = field::density_volume(lab.body);
     if (!lab.edited) now.stored_as = lab.source.stored_as;
-    now.placement = lab.source.placement;
+    field::lie_as(now, lab.source);
     now.name = lab.source.name;
     now.units = lab.source.units;
     return now;
