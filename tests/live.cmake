@@ -104,6 +104,7 @@ if(NOT THAUM_SANITIZE)  # Other tests show the sanitizers how files are written.
     add_test(NAME drivers.outputs COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/outputs.sh $<TARGET_FILE:thaum>)
     set_tests_properties(drivers.outputs PROPERTIES COST 50)
 endif()
+add_test(NAME drivers.lab_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab_files.sh $<TARGET_FILE:thaum>)
 add_test(NAME drivers.gesture_check COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_check.sh $<TARGET_FILE:thaum>)
 add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)
 set_tests_properties(drivers.hostile_files drivers.commands PROPERTIES COST 50)

@@ -6,13 +6,16 @@
 #include <cstdio>
 
 #include "core/clock.h"
+#include "core/config.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "field/volume_file.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/volume_lab_files.h"
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
@@ -31,7 +34,7 @@ A volume to feel and carve: in a window, or with --headless as a script. VOLUME:
 or gyroid (bodies), vortices or beltrami (flows).
   --count N, --seed N   samples along each axis (64) and seed of one that is made
   --place X,Y,Z[,SCALE[,DEGREES]]  where it lies;  --beside VOLUME[,X,Y,Z...]  another
-                   one there, felt and seen but not carved; repeats
+                   there, not carved; repeats;  --registered  there by the files' origins
   --mode M[,S]     a haptic mode and its strength (N): follow, isosurface, ...; a
                    wrong name lists them; 1:M reads the first --beside; repeats
   --transfer M,X:Y,...   strength of mode M by the property it reads, 32 points most
@@ -40,7 +43,7 @@ or gyroid (bodies), vortices or beltrami (flows).
   --feel KIND,N,...  the body as a whole: wall,DENSITY,FORCE[,FRICTION] opacity,FORCE
                    attract,FORCE shell,LOW,HIGH,FORCE gravity plane (MANUAL.md)
   --opacity X:Y,...  opacity of the picture, and of that feel, by the density
-  --level X        value of the felt and drawn surface (the middle of the range)
+  --level X        value of the felt and drawn surface (between body and air)
   --look NAME      surface (default) or translucent;  --device NAME  (touch)
   --hand PATH      rest, press, circle, or FILE.csv with time_s,x_m,y_m,z_m
                    (headless: press; the window: the mouse)
@@ -55,25 +58,22 @@ or gyroid (bodies), vortices or beltrami (flows).
 constexpr Option volume_options[] = {
     {"--count", 1},          {"--seed", 1},       {"--mode", 1, true}, {"--filter", 1, true},
     {"--transfer", 1, true}, {"--feel", 1, true}, {"--opacity", 1},    {"--beside", 1, true},
-    {"--place", 1},          {"--level", 1},      {"--hand", 1},       {"--carve", 1, true},
-    {"--device", 1},         {"--look", 1},       {"--session", 1},    {"--save", 1},
-    {"--trace", 1},          {"--shots", 1},      {"--every", 1},      {"--size", 1},
-    {"--step", 1},           {"--headless"},      {"--seconds", 1}};
+    {"--place", 1},          {"--registered"},    {"--level", 1},      {"--hand", 1},
+    {"--carve", 1, true},    {"--device", 1},     {"--look", 1},       {"--session", 1},
+    {"--save", 1},           {"--trace", 1},      {"--shots", 1},      {"--every", 1},
+    {"--size", 1},           {"--step", 1},       {"--headless"},      {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
-
-bool is_made(std::string_view name) {
-    const auto made = field::volume_names();
-    return std::ranges::find(made, name) != made.end();
-}
 
 /// Reads "X,Y,Z[,SCALE[,DEGREES]]".
 Expected<game::LabPlace> read_place(std::string_view option, std::span<const std::string> parts) {
     std::array<double, 5> n{0, 0, 0, 1, 0};
     if (parts.size() < 3 || parts.size() > n.size())
         return fail(text(option, ": a place is X,Y,Z[,SCALE[,DEGREES]]"));
+    constexpr std::array<Range, 5> ranges{
+        {{-1, 1}, {-1, 1}, {-1, 1}, {game::least_place_scale, game::most_place_scale}, {-360, 360}}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto number = parse_number(parts[i], option, -360, 360);
+        const auto number = parse_number(parts[i], option, ranges.at(i).low, ranges.at(i).high);
         if (!number) return tl::unexpected(number.error());
         n.at(i) = *number;
     }
@@ -121,16 +121,25 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     if (!seed) return tl::unexpected(seed.error());
     session.first.count = static_cast<std::int64_t>(*count);
     session.first.seed = static_cast<std::int64_t>(*seed);
+    if (arguments.has("--registered")) {
+        if (!arguments.has("--beside")) return fail("--registered needs --beside");
+        session.registered = true;
+    }
     if (auto read = read_places(arguments, session); !read) return tl::unexpected(read.error());
     session.device = arguments.value("--device").value_or(session.device);
     return session;
 }
 
 /// Opens a file, or makes a volume.
-Expected<field::Volume> open_volume(const game::SessionVolume& one) {
-    return is_made(one.volume) ? field::make_volume(one.volume, static_cast<int>(one.count),
-                                                    static_cast<std::uint64_t>(one.seed))
-                               : field::read_volume(one.volume);
+Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<std::string>& notes) {
+    if (is_made(one.volume))
+        return field::make_volume(one.volume, static_cast<int>(one.count),
+                                  static_cast<std::uint64_t>(one.seed));
+    auto volume = field::read_volume(one.volume);
+    if (const auto faulty = volume ? field::not_finite(*volume) : 0; faulty > 0)
+        notes.push_back(in_one_line(text(one.volume, ": ", faulty, " of ", volume->samples.size(),
+                                         " samples are no finite numbers; nothing is felt beside them")));
+    return volume;
 }
 
 // ---- modes ------------------------------------------------------------------------------------------------
@@ -201,14 +210,14 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
 
 /// Reads points as "X:Y".
 Expected<field::TransferFunction> read_points(std::string_view option, std::span<const std::string> parts,
-                                              double most_y) {
+                                              Range range_y) {
     std::vector<vec2> points;
     for (const auto& part : parts) {
         const auto numbers = parts_of(part, ':');
         if (numbers.size() != 2) return fail(text(option, ": '", part, "' must be X:Y"));
         const auto x = parse_number(numbers[0], option, -1e100, 1e100);
         if (!x) return tl::unexpected(x.error());
-        const auto y = parse_number(numbers[1], option, -most_y, most_y);
+        const auto y = parse_number(numbers[1], option, range_y.low, range_y.high);
         if (!y) return tl::unexpected(y.error());
         points.emplace_back(*x, *y);
     }
@@ -222,7 +231,7 @@ Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& mod
     const auto parts = parts_of(words);
     const auto mode = mode_named(modes, parts[0]);
     if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
-    auto function = read_points("--transfer", std::span(parts).subspan(1), 1e6);
+    auto function = read_points("--transfer", std::span(parts).subspan(1), {-1e6, 1e6});
     if (!function) return tl::unexpected(function.error());
     mode->settings.strength = *function;
     return {};
@@ -246,7 +255,7 @@ Expected<game::FeelPart> read_feel(const std::string& words) {
 Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
                               game::VolumeLabSettings& settings) {
     if (const auto words = arguments.value("--opacity")) {
-        auto opacity = read_points("--opacity", parts_of(*words), 1);
+        auto opacity = read_points("--opacity", parts_of(*words), {0, 1});
         if (!opacity) return tl::unexpected(opacity.error());
         plan.view.opacity = *opacity;
     }
@@ -325,7 +334,7 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     if (look && *look != "surface" && *look != "translucent")
         return fail(text("--look '", *look, "': must be surface or translucent"));
     if (look) plan.view.look = *look == "surface" ? render::ScanLook::surface : render::ScanLook::translucent;
-    return {};
+    return check_outputs(plan);
 }
 
 /// Lets a person feel something at once: the surface of a body, the direction of a flow.
@@ -335,6 +344,23 @@ void put_on_usual_mode(VolumeLab& lab) {
         settings.modes.push_back(std::move(*mode));
     // The lab's own mode for such a volume is never refused.
     (void)game::change_volume_lab(lab, settings);
+}
+
+/// Notes which modes read smoothed samples of a volume so large that the first step is slow.
+void note_slow_filters(VolumeLabPlan& plan) {
+    constexpr std::size_t many = std::size_t{1} << 24U;
+    constexpr double samples_per_second = 4e6;
+    for (const auto& mode : plan.lab.settings.modes) {
+        std::size_t samples = 1;
+        for (const int n : game::volume_of(plan.lab, mode.volume).source.count)
+            samples *= static_cast<std::size_t>(n);
+        if (samples < many ||
+            !std::ranges::count(mode.filters, field::FilterKind::smooth, &field::Filter::kind))
+            continue;
+        const double seconds = static_cast<double>(samples) / samples_per_second;
+        plan.notes.push_back(text("mode '", mode.name, "': smoothing ", samples, " samples takes about ",
+                                  fixed(seconds, 0), " s, once and after each edit"));
+    }
 }
 
 /// Reads the length of a servo step (ms), of which a tick has a whole number.
@@ -355,8 +381,10 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     auto opened = plan_of(*session);
     if (!opened) return opened;
     VolumeLabPlan plan = std::move(*opened);
+    protect_volumes(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    note_slow_filters(plan);
     if (const bool chosen = arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel");
         !headless && !chosen)
         put_on_usual_mode(plan.lab);
@@ -372,16 +400,16 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
 // ---- without a window -------------------------------------------------------------------------------------
 
 void tell_end(const VolumeLab& lab, std::size_t changed, double most_n, double took_s) {
+    // Before anything is said: a hash needs memory for a second body.
+    const auto state = hex(game::lab_hash(lab));
     const auto& n = lab.carvable() ? lab.body.count : lab.source.count;
     std::printf("lab: %s s with %d x %d x %d samples in %s s; force up to %s N; %zu voxels changed\n",
                 fixed(lab.seconds(), 3).c_str(), n[0], n[1], n[2], fixed(took_s, 2).c_str(),
                 fixed(most_n, 3).c_str(), changed);
-    std::printf("state %s\n", hex(game::lab_hash(lab)).c_str());
+    std::printf("state %s\n", state.c_str());
 }
 
 int run_headless(VolumeLabPlan plan) {
-    if (const auto free = plan.out.save ? check_output(*plan.out.save) : Expected<void>(); !free)
-        return refuse(free.error());
     auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
     auto shots = VolumeShots::open(plan);
@@ -411,22 +439,27 @@ int run_headless(VolumeLabPlan plan) {
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
     auto data = game::load_volume_lab_data(game::find_assets(), session.device);
     if (!data) return tl::unexpected(data.error());
-    auto volume = open_volume(session.first);
+    std::vector<std::string> notes;
+    auto volume = open_volume(session.first, notes);
     if (!volume) return tl::unexpected(volume.error());
     auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
-    if (!lab) return tl::unexpected(lab.error());
+    if (!lab) return fail(text(session.first.volume, ": ", lab.error().message));
     if (!is_made(session.first.volume)) {
         if (auto taken = game::take_saved_properties(*lab, session.first.volume); !taken)
             return tl::unexpected(taken.error());
     }
     for (const auto& one : session.beside) {
-        auto other = open_volume(one);
+        auto other = open_volume(one, notes);
         if (!other) return tl::unexpected(other.error());
-        if (auto added = game::add_volume_beside(*lab, std::move(*other)); !added)
+        if (auto added = game::add_volume_beside(*lab, std::move(*other), session.registered); !added)
             return fail(text(one.volume, ": ", added.error().message));
     }
-    VolumeLabPlan plan{
-        .first = session.first, .beside = session.beside, .device = session.device, .lab = std::move(*lab)};
+    VolumeLabPlan plan{.first = session.first,
+                       .beside = session.beside,
+                       .registered = session.registered,
+                       .device = session.device,
+                       .lab = std::move(*lab),
+                       .notes = std::move(notes)};
     plan.view = usual_view(plan.lab);
     if (session.opacity.count > 0) {
         plan.view.look = session.translucent ? render::ScanLook::translucent : render::ScanLook::surface;
@@ -442,6 +475,7 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
 game::VolumeSession session_of(const VolumeLabPlan& plan) {
     game::VolumeSession session{.first = plan.first,
                                 .beside = plan.beside,
+                                .registered = plan.registered,
                                 .device = plan.device,
                                 .translucent = plan.view.look == render::ScanLook::translucent,
                                 .level = plan.view.level,
@@ -476,11 +510,12 @@ int run_volume_lab(const std::vector<std::string>& words) {
         return refuse({"lab takes one volume, or --fluid; `thaum lab --help` says more"});
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
-    for (const auto& file : arguments->plain()) protect_input(file);
     if (const auto file = arguments->value("--session")) protect_input(*file);
     if (const auto file = arguments->value("--hand")) protect_input(*file);
     auto plan = read_plan(*arguments);
     if (!plan) return refuse(plan.error());
+    for (const auto& note : plan->notes) std::printf("%s\n", note.c_str());
+    std::fflush(stdout);
     return arguments->has("--headless") ? run_headless(std::move(*plan))
                                         : run_volume_window(std::move(*plan));
 }

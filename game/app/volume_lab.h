@@ -24,6 +24,7 @@ struct PlannedCarve {
 struct VolumeLabPlan {
     game::SessionVolume first{};                ///< the volume that can be carved
     std::vector<game::SessionVolume> beside{};  ///< those beside it
+    bool registered{};                          ///< those lie to the first one as their files say
     std::string device{};                       ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
@@ -33,6 +34,7 @@ struct VolumeLabPlan {
     std::optional<double> seconds{};
     std::optional<std::filesystem::path> session_file{};  ///< file of the settings
     LabOutputs out{};
+    std::vector<std::string> notes{};  ///< what is odd about the volumes, one line each
 };
 
 /// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.

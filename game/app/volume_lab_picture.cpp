@@ -72,7 +72,7 @@ void fill_table(const field::SampleRange& range, const VolumeView& view, render:
 VolumeView view_of(const game::VolumeRef& volume) {
     VolumeView view;
     const double low = volume.range.low, high = volume.range.high;
-    view.level = 0.5 * (low + high);
+    view.level = volume.usual_level;
     view.opacity = field::window(low + 0.3 * (high - low), high, 0, 0.3);
     if (volume.kind() == haptics::FieldKind::vector) view.look = render::ScanLook::translucent;
     return view;

@@ -29,7 +29,7 @@ Expected<HandPath> hand_path(std::string_view word) {
     if (word == "circle") return HandPath{HandWay::circle, {}};
     if (!word.ends_with(".csv"))
         return fail(text("'", word, "': must be rest, press, circle or a .csv file"));
-    auto path = stir_path(word);
+    auto path = load_stir_path(word);
     if (!path) return tl::unexpected(path.error());
     return HandPath{HandWay::file, std::move(*path)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -75,9 +76,15 @@ Expected<StirPath> stir_path(std::string_view word) {
     if (word == "none") return StirPath{};
     if (word == "circle") return StirPath{.kind = Stirring::circle};
     if (word == "figure8") return StirPath{.kind = Stirring::figure8};
-    const auto csv = read_text_file(word, path_file_most);
-    if (!csv) return fail(text("--stir takes none, circle, figure8 or a file: ", csv.error().message));
-    return parse_stir_path(*csv, word);
+    auto path = load_stir_path(word);
+    if (!path && !std::filesystem::exists(word))
+        return fail(text("--stir takes none, circle, figure8 or a file: ", path.error().message));
+    return path;
+}
+
+Expected<StirPath> load_stir_path(std::string_view file) {
+    const auto csv = read_text_file(file, path_file_most);
+    return csv ? parse_stir_path(*csv, file) : tl::unexpected(csv.error());
 }
 
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds) {

@@ -7,6 +7,7 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "field/voxel_state.h"
 #include "field/voxel_volume.h"
@@ -103,8 +104,13 @@ field::SampleRange sample_range(const field::Volume& volume) {
 }
 
 field::Placement placed(const field::Placement& fitted, const LabPlace& place) {
-    return {place.origin, glm::mat3_cast(look_rotation(place.yaw, 0)) * fitted.turn,
-            place.scale * fitted.scale};
+    return field::combined({place.origin, glm::mat3_cast(look_rotation(place.yaw, 0)), place.scale}, fitted);
+}
+
+/// Placement of `part` in the frame of `whole`, if both lie in the same frame outside.
+field::Placement relative(const field::Placement& whole, const field::Placement& part) {
+    return {field::to_own(whole, part.origin), glm::transpose(whole.turn) * part.turn,
+            part.scale / whole.scale};
 }
 
 Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& places) {
@@ -114,8 +120,8 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
         const vec3 o = place.origin;
         if (!near(o.x) || !near(o.y) || !near(o.z) || !std::isfinite(place.yaw))
             return fail(text("a place must be within ", farthest_place, " m of the middle"));
-        if (!(place.scale >= 0.05 && place.scale <= 20))
-            return fail("the scale of a place must be 0.05 to 20");
+        if (!(place.scale >= least_place_scale && place.scale <= most_place_scale))
+            return fail(text("the scale of a place must be ", least_place_scale, " to ", most_place_scale));
     }
     return {};
 }
@@ -123,15 +129,18 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
 /// Moves all volumes to their places. Returns whether one jumped.
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
-    const auto put = [&](std::size_t number, const field::Placement& fitted, field::Placement& placement) {
-        const auto next = placed(fitted, number < places.size() ? places[number] : LabPlace{});
+    const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
+    const auto put = [&](const field::Placement& next, field::Placement& placement) {
         jumps |= glm::distance(next.origin, placement.origin) > jump || next.turn != placement.turn ||
                  next.scale != placement.scale;
         placement = next;
     };
-    put(0, lab.fitted, lab.placement);
-    for (std::size_t i = 0; i < lab.beside.size(); ++i)
-        put(i + 1, lab.beside[i]->fitted, lab.beside[i]->placement);
+    put(placed(lab.fitted, place_of(0)), lab.placement);
+    for (std::size_t i = 0; i < lab.beside.size(); ++i) {
+        VolumeBeside& volume = *lab.beside[i];
+        const auto own = placed(volume.fitted, place_of(i + 1));
+        put(volume.registered ? placed(own, place_of(0)) : own, volume.placement);
+    }
     return jumps;
 }
 
@@ -215,6 +224,12 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
     return files;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+    std::string all;
+    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
+}
+
 /// Reads a data file with its reader.
 template <class Read>
 auto read_config(const std::filesystem::path& path, std::int64_t version, Read read)
@@ -230,6 +245,10 @@ auto read_config(const std::filesystem::path& path, std::int64_t version, Read r
 
 Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets, const std::string& device) {
     VolumeLabData data;
+    for (const auto& file : files_in(assets / "devices")) data.devices.push_back(file.stem().string());
+    if (std::ranges::find(data.devices, device) == data.devices.end())
+        return fail(
+            text("there is no device '", printable(device, 60), "'; there are ", listed(data.devices)));
     auto materials =
         read_config(assets / "materials.toml", field::materials_file_version, field::read_materials);
     if (!materials) return tl::unexpected(materials.error());
@@ -238,7 +257,6 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
         read_config(assets / "devices" / (device + ".toml"), device_file_version, haptics::read_device);
     if (!spec) return tl::unexpected(spec.error());
     data.device = std::move(*spec);
-    for (const auto& file : files_in(assets / "devices")) data.devices.push_back(file.stem().string());
     for (const auto& file : files_in(assets / "carving")) {
         auto tool = field::load_tool(file, data.materials);
         if (!tool) return tl::unexpected(tool.error());
@@ -256,6 +274,7 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     lab.material_table = feel_of_materials(lab.data.materials);
     lab.fitted = lab.placement = fitted(volume, lab.data.device.workspace);
     lab.range = sample_range(volume);
+    lab.usual_level = field::usual_level(volume);
     lab.source = std::move(volume);
     if (lab.carvable()) {
         auto body = field::voxels_of(lab.source);
@@ -280,14 +299,22 @@ void set_servo_rate(VolumeLab& lab, int steps_per_tick) {
     lab.tips.fill(haptics::measured_position(lab.device, lab.hand));
 }
 
-Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume) {
+Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool registered) {
     if (lab.beside.size() == most_volumes_beside)
         return fail(text("at most ", most_volumes_beside, " volumes lie beside the first one"));
     if (*std::ranges::min_element(volume.count) < 2)
         return fail("the volume needs two samples or more along each axis");
+    if (registered && !(volume.has_place && lab.source.has_place))
+        return fail("it can be registered only if both files say where their samples lie (space origin)");
+    if (registered && volume.is_of_patient != lab.source.is_of_patient)
+        return fail("it cannot be registered: only one of the two files lies in the frame of a patient");
     auto beside = std::make_unique<VolumeBeside>();
     beside->range = sample_range(volume);
-    beside->fitted = beside->placement = fitted(volume, lab.data.device.workspace);
+    beside->usual_level = field::usual_level(volume);
+    beside->registered = registered;
+    beside->fitted = beside->placement =
+        registered ? field::combined(lab.fitted, relative(lab.source.placement, volume.placement))
+                   : fitted(volume, lab.data.device.workspace);
     beside->source = std::move(volume);
     lab.beside.push_back(std::move(beside));
     return {};
@@ -299,9 +326,9 @@ double VolumeRef::finest_spacing() const {
 }
 
 VolumeRef volume_of(const VolumeLab& lab, std::size_t number) {
-    if (number == 0) return {lab.source, lab.range, lab.placement};
+    if (number == 0) return {lab.source, lab.range, lab.usual_level, lab.placement};
     const auto& beside = *lab.beside.at(number - 1);
-    return {beside.source, beside.range, beside.placement};
+    return {beside.source, beside.range, beside.usual_level, beside.placement};
 }
 
 haptics::FieldKind kind_of(const VolumeLab& lab) { return volume_of(lab, 0).kind(); }
@@ -328,7 +355,7 @@ Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name, std::v
     LabMode chosen{name, volume, std::move(filters), {}};
     chosen.settings.strength = field::constant(usual_strength * lab.data.device.continuous_force);
     chosen.settings.friction = field::constant(0.2);
-    chosen.settings.level = 0.5 * (double{read.range.low} + double{read.range.high});
+    chosen.settings.level = read.usual_level;
     chosen.settings.reach = reach_samples * read.finest_spacing();
     chosen.settings.pitch = 4 * read.finest_spacing();
     return chosen;

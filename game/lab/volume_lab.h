@@ -55,6 +55,8 @@ struct LabPlace {
     bool operator==(const LabPlace&) const = default;
 };
 
+inline constexpr double least_place_scale = 0.05, most_place_scale = 20;
+
 /// Settings that can change during a session.
 struct VolumeLabSettings {
     std::vector<LabMode> modes{};       ///< modes that act together
@@ -93,6 +95,9 @@ struct LabField {
 struct VolumeBeside {
     field::Volume source{};
     field::SampleRange range{};  ///< as VolumeLab::range
+    double usual_level{};        ///< as VolumeLab::usual_level
+    /// It lies to the first volume as their files say, and goes with that one's place.
+    bool registered = false;
     field::Placement fitted{}, placement{};
     LabSource views{};
 };
@@ -103,6 +108,7 @@ struct VolumeLab {
     field::Voxels body{};  ///< empty for a vector volume
     field::CarvingHistory history{};
     field::SampleRange range{};    ///< range of the samples as read; for vectors: of their lengths
+    double usual_level{};          ///< level that tells the body from what is around it (field/volume.h)
     field::Placement fitted{};     ///< fills the workspace
     field::Placement placement{};  ///< present place
     std::vector<std::unique_ptr<VolumeBeside>> beside{};
@@ -141,7 +147,7 @@ struct VolumeLabInput {
 /// Results of one step.
 struct VolumeLabFigures {
     vec3 tip{}, proxy{}, force{};  ///< m, m, N
-    double value{};         ///< at the proxy, behind the filters: the scalar, or the length of the vector
+    double value{};         ///< at the proxy, without filters: the density, or the length of the vector
     field::Edit edit{};     ///< changes by this step's use of the tool
     std::string refused{};  ///< reason why a change of settings was rejected; empty: none
 };
@@ -154,8 +160,10 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 /// the device's peak, and no damping acts but that of device and hand. So it is for a simulated device alone.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
 
-/// Adds a volume beside the others. The error says what is wrong with it.
-Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume);
+/// Adds a volume beside the others. A registered one lies to the first one as their files say, at the same scale;
+/// otherwise it fills the workspace about its middle, as the first one does. The error says what is wrong with it, such
+/// as a file without a place.
+Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool registered = false);
 
 /// Largest number of volumes beside the first one.
 inline constexpr std::size_t most_volumes_beside = 7;
@@ -164,6 +172,7 @@ inline constexpr std::size_t most_volumes_beside = 7;
 struct VolumeRef {
     const field::Volume& source;
     field::SampleRange range{};
+    double usual_level{};
     const field::Placement& placement;
 
     haptics::FieldKind kind() const {

@@ -90,10 +90,11 @@ void find_beside(const std::filesystem::path& folder, std::string& volume) {
 }  // namespace
 
 std::string session_text(const VolumeSession& session) {
-    std::string words = text("version = ", session_version, '\n', volume_text(session.first),
-                             "device = ", in_quotes(session.device),
-                             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
-                             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    std::string words =
+        text("version = ", session_version, '\n', volume_text(session.first),
+             "registered = ", session.registered ? "true" : "false", "\ndevice = ", in_quotes(session.device),
+             "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
+             "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
     for (const SessionVolume& volume : session.beside) words += "\n[[beside]]\n" + volume_text(volume);
     for (const FeelPart& part : session.feel) words += feel_text(part);
     for (const LabMode& mode : session.modes) {
@@ -117,6 +118,7 @@ Expected<VolumeSession> read_session(const Config& file) {
     for (const auto& table : root.tables("beside")) session.beside.push_back(read_session_volume(table));
     if (session.beside.size() > most_volumes_beside)
         file.report(text("at most ", most_volumes_beside, " volumes beside the first one"));
+    session.registered = root.boolean("registered", false);
     session.device = root.string("device", session.device);
     session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
     session.level = root.number("level", any, 0);

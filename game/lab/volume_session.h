@@ -6,6 +6,7 @@
 //     place = [0, 0, 0, 1, 0]           of its middle (m), scale, turn about the upright axis (degrees)
 //     [[beside]]                        a volume beside it, with volume, count, seed and place; none or more
 //     volume = "vortices"
+//     registered = false                those beside lie to the first one as their files say
 //     device = "touch"
 //     look = "surface"                  or "translucent"
 //     level = 500.0
@@ -47,6 +48,7 @@ struct SessionVolume {
 struct VolumeSession {
     SessionVolume first{};
     std::vector<SessionVolume> beside{};
+    bool registered = false;  ///< the volumes beside lie to the first one as their files say
     std::string device = "touch";
     bool translucent = false;
     double level{};

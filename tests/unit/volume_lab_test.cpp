@@ -9,7 +9,6 @@
 #include "field/nrrd.h"
 #include "field/volume_file.h"
 #include "game/lab/hand_path.h"
-#include "game/lab/saved_body.h"
 #include "game/lab/volume_lab.h"
 #include "game/lab/volume_session.h"
 #include "game/lab/volume_trace.h"
@@ -380,27 +379,6 @@ TEST(BodyFeel, PartsThatDoNotFitAreRefusedByName) {
     auto flow = made("vortices", 16);
     EXPECT_EQ(refusal(change_volume_lab(flow, {{}, {part("gravity", {0, 1, 0})}, {}})),
               "a flow has no body to feel");
-}
-
-TEST(SavedBody, ColoursAndMaterialsComeBackWithTheDensities) {
-    TemporaryFolder folder;
-    const auto file = folder.path() / "body.nrrd";
-    auto lab = made("sphere", 24);
-    ASSERT_TRUE(save_volume(lab, file));
-    EXPECT_FALSE(fs::exists(folder.path() / "body.colour.nrrd")) << "nothing was painted";
-    const vec3 top(0, ball_radius(lab), 0);
-    lab.hand = haptics::resting_at(top);
-    for (const char* tool : {"paint", "squirt", "melt"}) move(lab, top, 1, 200, true, tool_named(lab, tool));
-    ASSERT_TRUE(save_volume(lab, file));
-    auto again = lab_of(*field::read_volume(file));
-    const auto taken = take_saved_properties(again, file);
-    ASSERT_TRUE(taken) << taken.error().message;
-    EXPECT_EQ(again.body.density, lab.body.density);
-    EXPECT_EQ(again.body.colour, lab.body.colour);
-    EXPECT_EQ(again.body.material, lab.body.material);
-    EXPECT_TRUE(std::ranges::any_of(lab.body.material, [](auto m) { return m != 0; }));
-    auto other = made("sphere", 16);
-    EXPECT_FALSE(take_saved_properties(other, file)) << "they belong to a body of another size";
 }
 
 TEST(HandPath, GoesWhereItSays) {
