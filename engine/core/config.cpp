@@ -180,7 +180,7 @@ Expected<toml::table> parse_toml(std::string_view source, const std::string& nam
         const auto& error = result.error();
         return fail(text(name, ":", error.source().begin.line, ": ", in_one_line(error.description())));
     } catch (const ParserAsserted&) {
-        return fail(text(name, ": cannot be read as TOML; look for a wrong date or time"));
+        return fail(text(name, ": cannot be read as TOML; look for a wrong bracket, quote, date or time"));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <type_traits>
 
 #include "core/text.h"
 
@@ -14,7 +15,9 @@ Expected<T> parse_value(std::string_view word, std::string_view what, T low, T h
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     const bool whole_word = error == std::errc{} && end == word.data() + word.size();
     if (whole_word && value >= low && value <= high) return value;
-    return fail(text(what, " '", word, "': must be a number from ", low, " to ", high));
+    const bool in_digits = !std::is_integral_v<T> || whole_word;
+    return fail(text(what, " '", word, "': must be a number from ", low, " to ", high,
+                     in_digits ? "" : ", in digits alone"));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ void print_overview() {
     for (const auto& command : commands()) {
         std::printf("  %-9s %s\n", std::string(command.name).c_str(), std::string(command.summary).c_str());
     }
-    std::printf("\n`thaum COMMAND --help` explains a command. Without a command: play.\n");
+    std::printf(
+        "\n`thaum help COMMAND` or `thaum COMMAND --help` explains a command. Without a command: play.\n");
 }
 
 int dispatch(std::vector<std::string> words) {
@@ -33,6 +34,10 @@ int dispatch(std::vector<std::string> words) {
     if (words.size() == 1 && words[0] == "--version") {
         std::printf("thaum %s\n", THAUM_VERSION);
         return done;
+    }
+    if (words.size() > 1 && words[0] == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
     }
     std::string name = "play";
     if (!words.empty() && !words[0].starts_with("-")) {

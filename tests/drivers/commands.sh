@@ -171,7 +171,7 @@ expect 2 "a flow cannot be carved" lab vortices --headless --count 16 --carve me
 expect 2 "must end in .nrrd" "${volume[@]}" --save body.png
 expect 2 "volumes are files that end in" lab /tmp --headless
 expect 2 "No such file" lab nowhere.nrrd --headless
-expect 2 "touch2.toml" "${volume[@]}" --device touch2
+expect 2 "there is no device 'touch2'; there are falcon" "${volume[@]}" --device touch2
 expect 2 "lab needs a display" lab --fluid
 brew=(lab --fluid --headless)
 for cells in 0 1 3 17 1000000 -16 32x16x32 nan; do
