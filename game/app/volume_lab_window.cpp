@@ -140,6 +140,22 @@ void obey(Session& session) {
     }
 }
 
+/// Puts the chosen device into the hand. The body stays as it is.
+void take_chosen_device(Session& session) {
+    auto& panels = session.panels;
+    const auto name = std::exchange(panels.next_device, std::nullopt);
+    if (!name || *name == panels.device) return;
+    auto spec = game::load_lab_device(game::find_assets(), *name);
+    if (!spec) {
+        panels.note = in_one_line(spec.error().message);
+        return;
+    }
+    game::change_device(session.plan.lab, std::move(*spec));
+    session.plan.device = panels.device = *name;
+    panels.note = text("device: ", *name);
+    show_what_is_set(session.plan.lab, panels);
+}
+
 Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& picture,
                            render::Renderer& renderer) {
     const auto volume = std::exchange(session.panels.open, std::nullopt);
@@ -147,7 +163,6 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     auto next = session_of(session.plan);
     const bool same = *volume == session.plan.first.volume;
     next.first.volume = *volume;
-    next.device = session.panels.device;
     if (!same) {
         next.modes.clear();
         next.feel.clear();
@@ -161,7 +176,6 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
     session.plan.first = next.first;
-    session.plan.device = next.device;
     show_what_is_set(session.plan.lab, session.panels);
     session.panels.tool = usual_tool(session.plan.lab);
     picture.emplace(renderer, session.plan.lab);
@@ -200,6 +214,7 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
             imgui.draw();
             window.present();
             obey(session);
+            take_chosen_device(session);
             if (auto opened = open_chosen(session, picture, renderer); !opened) return opened;
         }
         pacer.wait();

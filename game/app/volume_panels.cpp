@@ -67,9 +67,7 @@ void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
     if (ImGui::SmallButton("open") && state.path[0] != 0) state.open = state.path.data();
     if (!ImGui::BeginCombo("device", state.device.c_str())) return;
     for (const auto& name : plan.lab.data.devices) {
-        if (!ImGui::Selectable(name.c_str(), state.device == name)) continue;
-        state.device = name;
-        state.open = plan.first.volume;
+        if (ImGui::Selectable(name.c_str(), state.device == name)) state.next_device = name;
     }
     ImGui::EndCombo();
 }

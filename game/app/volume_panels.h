@@ -17,7 +17,8 @@ struct VolumePanelState {
     std::vector<game::LabPlace> places{};             ///< places of all volumes
     std::optional<game::VolumeLabSettings> change{};  ///< both, for the next step
     std::size_t tool{};                               ///< index into VolumeLab::data.tools
-    std::string device{};                             ///< model for the next volume
+    std::string device{};                             ///< model of the arm that is shown
+    std::optional<std::string> next_device{};         ///< model that was chosen in place of it
     std::optional<std::string> open{};                ///< volume to open
     bool saves = false, saves_session = false;
     int history = 0;               ///< -1: undo, 1: redo

@@ -214,6 +214,17 @@ field::Edit use_tool(VolumeLab& lab, bool held, std::size_t tool) {
     return field::edit(lab.body.view(), lab.data.tools[tool], dab, lab.history);
 }
 
+/// Begins anew with the device of lab.data: its hand rests at the top of the workspace.
+void take_up_device(VolumeLab& lab) {
+    const auto& spec = lab.data.device;
+    lab.device = haptics::simulated_device(spec, haptics::Hand{}, tick_seconds / lab.steps_per_tick);
+    lab.servo = haptics::servo_of(spec, 1.0);
+    lab.servo_state = {};
+    lab.model.coupling = {.stiffness = spec.max_stiffness, .damping = 0.5 * spec.max_damping};
+    ++lab.model.set_number;
+    rest_hand(lab, {0, 0.5 * spec.workspace.y, 0});
+}
+
 /// Data files of a folder, sorted by name.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
@@ -243,6 +254,10 @@ auto read_config(const std::filesystem::path& path, std::int64_t version, Read r
 
 }  // namespace
 
+Expected<haptics::DeviceSpec> load_lab_device(const std::filesystem::path& assets, const std::string& name) {
+    return read_config(assets / "devices" / (name + ".toml"), device_file_version, haptics::read_device);
+}
+
 Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets, const std::string& device) {
     VolumeLabData data;
     for (const auto& file : files_in(assets / "devices")) data.devices.push_back(file.stem().string());
@@ -253,8 +268,7 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
         read_config(assets / "materials.toml", field::materials_file_version, field::read_materials);
     if (!materials) return tl::unexpected(materials.error());
     data.materials = std::move(*materials);
-    auto spec =
-        read_config(assets / "devices" / (device + ".toml"), device_file_version, haptics::read_device);
+    auto spec = load_lab_device(assets, device);
     if (!spec) return tl::unexpected(spec.error());
     data.device = std::move(*spec);
     for (const auto& file : files_in(assets / "carving")) {
@@ -283,13 +297,35 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
         lab.history = field::make_history(lab.body.view());
         lab.source.samples = {};
     }
-    lab.device = haptics::simulated_device(lab.data.device, haptics::Hand{});
-    lab.servo = haptics::servo_of(lab.data.device, 1.0);
-    lab.hand = haptics::resting_at({0, 0.5 * lab.data.device.workspace.y, 0});
-    lab.model.coupling = {.stiffness = lab.data.device.max_stiffness,
-                          .damping = 0.5 * lab.data.device.max_damping};
-    lab.model.set_number = 1;
+    take_up_device(lab);
     return lab;
+}
+
+void rest_hand(VolumeLab& lab, vec3 place) {
+    const vec3 half = 0.5 * lab.data.device.workspace;
+    lab.hand = haptics::resting_at(glm::clamp(place, -half, half));
+    lab.tips.fill(haptics::measured_position(lab.device, lab.hand));
+}
+
+void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
+    lab.data.device = std::move(device);
+    take_up_device(lab);
+    std::vector<double> grown;
+    const auto fit = [&](const field::Volume& volume, field::Placement& placement) {
+        const double before = placement.scale;
+        placement = fitted(volume, lab.data.device.workspace);
+        grown.push_back(placement.scale / before);
+    };
+    fit(lab.source, lab.fitted);
+    for (auto& volume : lab.beside) fit(volume->source, volume->fitted);
+    auto settings = lab.settings;
+    for (LabMode& mode : settings.modes) {
+        mode.settings.reach *= grown[mode.volume];
+        mode.settings.pitch *= grown[mode.volume];
+    }
+    // The same modes and places were valid before.
+    const auto changed = change_volume_lab(lab, settings);
+    THAUM_ASSERT(changed.has_value(), "settings that were in use");
 }
 
 void set_servo_rate(VolumeLab& lab, int steps_per_tick) {

@@ -77,6 +77,9 @@ struct VolumeLabData {
 /// Reads materials, tools and the device's model. The error names file, line and key.
 Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets, const std::string& device);
 
+/// Reads the model of a device. The error names file, line and key.
+Expected<haptics::DeviceSpec> load_lab_device(const std::filesystem::path& assets, const std::string& name);
+
 /// Views of the samples.
 struct LabSource {
     haptics::SmoothGrid density{};
@@ -159,6 +162,13 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data);
 /// one, tip -> modes -> balance -> force: the servo's safety stage and observer count in ticks of 1 ms. The force ends at
 /// the device's peak, and no damping acts but that of device and hand. So it is for a simulated device alone.
 void set_servo_rate(VolumeLab& lab, int steps_per_tick);
+
+/// Puts the hand at rest at a place of the workspace.
+void rest_hand(VolumeLab& lab, vec3 place);
+
+/// Puts another device into the hand, which then rests at the top of the workspace. Body, history, clock and settings
+/// stay; the volumes fill the new workspace.
+void change_device(VolumeLab& lab, haptics::DeviceSpec device);
 
 /// Adds a volume beside the others. A registered one lies to the first one as their files say, at the same scale;
 /// otherwise it fills the workspace about its middle, as the first one does. The error says what is wrong with it, such

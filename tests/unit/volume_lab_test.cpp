@@ -64,6 +64,29 @@ std::size_t tool_named(const VolumeLab& lab, std::string_view name) {
 /// Radius of the made ball as it lies in the lab (m).
 double ball_radius(const VolumeLab& lab) { return 0.4 * field::made_extent * lab.placement.scale; }
 
+TEST(VolumeLab, AnotherDeviceKeepsTheCarvedBody) {
+    auto lab = made("sphere");
+    choose(lab, "isosurface", 2.5, 127.5);
+    move(lab, {0, 0.9 * ball_radius(lab), 0}, 200, 200, true, tool_named(lab, "melt"));
+    move(lab, {0, 0.1, 0}, 200, 10);
+    ASSERT_TRUE(lab.edited);
+    const auto carved = lab.body.density;
+    const auto tick = lab.tick;
+    const double reach = lab.settings.modes[0].settings.reach, scale = lab.placement.scale;
+    auto falcon = load_lab_device(assets, "falcon");
+    ASSERT_TRUE(falcon) << falcon.error().message;
+    change_device(lab, *falcon);
+    EXPECT_EQ(lab.body.density, carved);
+    EXPECT_EQ(lab.tick, tick);
+    EXPECT_NEAR(lab.placement.scale, scale * 0.08 / 0.24, 1e-9);
+    EXPECT_NEAR(lab.settings.modes[0].settings.reach, reach * 0.08 / 0.24, 1e-9);
+    // The ball is felt where it lies in the smaller workspace, and what was carved comes back by undo.
+    EXPECT_LT(glm::length(move(lab, {-1.3 * ball_radius(lab), 0, 0}, 200, 50).force), 0.01);
+    EXPECT_GT(glm::length(move(lab, {-0.9 * ball_radius(lab), 0, 0}, 200, 200).force), 0.1);
+    step_volume_lab(lab, {.target = lab.hand.target, .history = -1});
+    EXPECT_NE(lab.body.density, carved);
+}
+
 TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
     auto lab = made("sphere");
     choose(lab, "isosurface", 2.5, 127.5);
