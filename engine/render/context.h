@@ -90,6 +90,7 @@ public:
     bool focused() const;
     bool should_close() const;
     void request_close();
+    void cancel_close();  ///< should_close() is false again
 
     // Called on the render thread.
     void make_current();

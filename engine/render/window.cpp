@@ -309,6 +309,7 @@ bool Window::minimised() const { return state_->minimised; }
 bool Window::focused() const { return state_->focused; }
 bool Window::should_close() const { return state_->closing; }
 void Window::request_close() { state_->closing = true; }
+void Window::cancel_close() { state_->closing = false; }
 
 void Window::make_current() {
     glfwMakeContextCurrent(state_->handle);

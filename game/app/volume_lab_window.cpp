@@ -38,8 +38,24 @@ struct Session {
     vec3 target{};                  ///< where the hand wants to be (m)
     double depth{};                 ///< of the hand beyond the middle, along the view (m)
     bool by_mouse = false, carving = false, turning = false, leaves = false, control = false;
-    int history = 0;  ///< undo or redo that is due
+    int history = 0;          ///< undo or redo that is due
+    std::uint32_t saved = 1;  ///< Bricks::newest of the body when it was opened or saved
 };
+
+/// The body was carved and not saved since.
+bool unsaved(const Session& session) {
+    const auto& lab = session.plan.lab;
+    return lab.carvable() && lab.edited && lab.body.bricks.newest != session.saved;
+}
+
+/// Leaves at once, or asks first if a carved body would be lost. `--save` saves it at the end anyway.
+void leave(Session& session) {
+    using Before = UnsavedQuestion::Before;
+    if (session.plan.out.save || !unsaved(session))
+        session.leaves = true;
+    else if (session.panels.question.before == Before::nothing)
+        session.panels.question.before = Before::leaving;
+}
 
 /// Place that the mouse points at, in the plane across the view at the hand's depth, within the workspace.
 vec3 pointed_at(const Session& session, render::Size size) {
@@ -54,7 +70,7 @@ vec3 pointed_at(const Session& session, render::Size size) {
 }
 
 void press(Session& session, std::string_view key) {
-    if (key == "Esc") session.leaves = true;
+    if (key == "Esc") leave(session);
     if (key == "Z") session.history = -1;
     if (key == "Y") session.history = 1;
     if (key == "PageUp") session.depth += depth_step;
@@ -124,15 +140,33 @@ void step(Session& session) {
     add_force(session.panels, glm::length(session.figures.force));
 }
 
+/// Saves the body and says so. Returns whether it is saved.
+bool save_body(Session& session) {
+    const auto file = session.plan.out.save.value_or("carved.nrrd");
+    const auto saved = game::save_volume(session.plan.lab, file);
+    session.panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
+    if (saved) session.saved = session.plan.lab.body.bricks.newest;
+    return saved.has_value();
+}
+
+/// Does what the question about an unsaved body was answered with.
+void obey_answer(Session& session) {
+    using Answer = UnsavedQuestion::Answer;
+    auto& panels = session.panels;
+    if (!panels.question.answer) return;
+    const auto [before, shown, answer] = std::exchange(panels.question, {});
+    const bool goes_on = answer == Answer::drop || (answer == Answer::save && save_body(session));
+    if (goes_on && before == UnsavedQuestion::Before::leaving) session.leaves = true;
+    if (goes_on) session.saved = session.plan.lab.body.bricks.newest;
+    if (!goes_on) panels.open.reset();
+}
+
 /// Does what a button of the panels asks for.
 void obey(Session& session) {
     auto& panels = session.panels;
+    obey_answer(session);
     if (panels.history != 0) session.history = std::exchange(panels.history, 0);
-    if (std::exchange(panels.saves, false)) {
-        const auto file = session.plan.out.save.value_or("carved.nrrd");
-        const auto saved = game::save_volume(session.plan.lab, file);
-        panels.note = saved ? text("saved: ", file.string()) : in_one_line(saved.error().message);
-    }
+    if (std::exchange(panels.saves, false)) save_body(session);
     if (std::exchange(panels.saves_session, false)) {
         const auto file = session.plan.session_file.value_or("lab.toml");
         const auto saved = game::save_session(session_of(session.plan), file);
@@ -158,8 +192,12 @@ void take_chosen_device(Session& session) {
 
 Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& picture,
                            render::Renderer& renderer) {
+    if (!session.panels.open) return {};
+    if (unsaved(session)) {
+        session.panels.question.before = UnsavedQuestion::Before::opening;
+        return {};
+    }
     const auto volume = std::exchange(session.panels.open, std::nullopt);
-    if (!volume) return {};
     auto next = session_of(session.plan);
     const bool same = *volume == session.plan.first.volume;
     next.first.volume = *volume;
@@ -173,6 +211,8 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
         return {};
     }
     if (!same) plan->view = usual_view(plan->lab);
+    plan->lab.tick = session.plan.lab.tick;  // the times of a trace rise
+    session.saved = 1;
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
     session.plan.first = next.first;
@@ -196,7 +236,13 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
     render::Pacer pacer(frames_per_second);
     auto last = monotonic_ns();
     double owed = 0;
-    while (!session.leaves && !window.should_close()) {
+    while (!session.leaves) {
+        if (window.should_close()) {
+            // Who closes the window again while it asks leaves without saving.
+            if (session.panels.question.before != UnsavedQuestion::Before::nothing) break;
+            window.cancel_close();
+            leave(session);
+        }
         if (session.plan.seconds && session.plan.lab.seconds() >= *session.plan.seconds) break;
         window.poll(events);
         const auto size = window.size();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/text.h"
 
@@ -315,6 +316,27 @@ void show_help() {
         "the view. Ctrl and wheel: nearer. Draw in a curve to set a strength.");
 }
 
+/// Asks what becomes of a carved body. Esc is the answer to stay.
+void show_question(UnsavedQuestion& question) {
+    using Answer = UnsavedQuestion::Answer;
+    constexpr auto title = "The carved body is not saved";
+    if (question.before == UnsavedQuestion::Before::nothing) return;
+    if (!std::exchange(question.shown, true)) ImGui::OpenPopup(title);
+    if (!ImGui::IsPopupOpen(title)) question.answer = Answer::stay;
+    const auto middle = ImGui::GetMainViewport()->GetCenter();
+    ImGui::SetNextWindowPos(middle, ImGuiCond_Appearing, {0.5F, 0.5F});
+    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    const bool leaves = question.before == UnsavedQuestion::Before::leaving;
+    if (ImGui::Button(leaves ? "Save and leave" : "Save and open")) question.answer = Answer::save;
+    ImGui::SameLine();
+    if (ImGui::Button(leaves ? "Leave without saving" : "Open without saving"))
+        question.answer = Answer::drop;
+    ImGui::SameLine();
+    if (ImGui::Button("Stay (Esc)")) question.answer = Answer::stay;
+    if (question.answer) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
 std::size_t usual_tool(const game::VolumeLab& lab) {
@@ -344,6 +366,7 @@ void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, Vol
         if (ImGui::Button("save session")) state.saves_session = true;
     }
     ImGui::End();
+    show_question(state.question);
 }
 
 }  // namespace thaum::app

@@ -10,6 +10,15 @@
 
 namespace thaum::app {
 
+/// Question about a carved body that is not saved.
+struct UnsavedQuestion {
+    enum class Before : std::uint8_t { nothing, leaving, opening };
+    enum class Answer : std::uint8_t { save, drop, stay };
+    Before before{};  ///< what waits for the answer
+    bool shown = false;
+    std::optional<Answer> answer{};  ///< given in the last picture
+};
+
 /// What a person has set in the panels, and what they ask for.
 struct VolumePanelState {
     std::vector<game::LabMode> modes{};               ///< chosen modes
@@ -21,6 +30,7 @@ struct VolumePanelState {
     std::optional<std::string> next_device{};         ///< model that was chosen in place of it
     std::optional<std::string> open{};                ///< volume to open
     bool saves = false, saves_session = false;
+    UnsavedQuestion question{};
     int history = 0;               ///< -1: undo, 1: redo
     std::string note{};            ///< message about the last action
     std::array<char, 256> path{};  ///< text of the field for a file's path

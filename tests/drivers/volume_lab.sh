@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/drivers/volume_lab.sh THAUM PRESS_KEYS: the volume lab under Xvfb with mouse and keys by xdotool. A ball is
-# felt, a panel changes the feel, a tool carves, undo and redo act, and body and session are saved and opened again. The
-# results are read from the trace and the files. Exits with 77 if a tool is missing.
+# felt, a panel changes the feel, a tool carves, undo and redo act, and body and session are saved and opened again. Esc
+# closes a list, and asks before a carved body is lost. The results are read from the trace and the files. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
@@ -69,4 +69,30 @@ cmp "$folder/body.nrrd" "$folder/copy.nrrd" || fail "the saved body differs afte
 "$thaum" lab --session "$folder/lab.toml" --headless --seconds 0.5 >/dev/null || fail "the session does not open"
 "$thaum" lab sphere --count 32 --headless --seconds 0.001 --save "$folder/whole.nrrd" >/dev/null
 ! cmp -s "$folder/body.nrrd" "$folder/whole.nrrd" || fail "the saved body is not carved"
+
+# Esc closes a list that is open, and asks before a carved body is lost. A click on the middle answer leaves.
+rm "$folder"/trace.csv*
+"$thaum" lab sphere --count 32 --size 1280x720 --trace "$folder/trace.csv" --seconds 6000 >"$folder/said" 2>&1 &
+lab=$!
+goes_on() {
+    kill -0 "$lab" 2>/dev/null || fail "Esc ended the program"
+    [ "$(rows)" -gt $((from + 300)) ]
+}
+eventually "no second window" drawn
+eventually "no rows" seen 0 "1"
+pressed_there 220 162
+presses Escape
+from=$(rows)
+eventually "no rows after Esc" goes_on
+from=$(rows)
+for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+xdotool mousedown 1
+eventually "nothing was carved again" seen "$from" '$changed_voxels > 20'
+xdotool mouseup 1
+presses Escape
+from=$(rows)
+eventually "no rows after the question" goes_on
+import -window root "${SHOTS:-$folder}/volume_lab_question.png"
+xdotool mousemove 650 370 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
+wait "$lab" || fail "the exit code after the question"
 echo "passed"
