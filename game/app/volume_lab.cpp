@@ -35,8 +35,8 @@ or gyroid (bodies), vortices or beltrami (flows).
   --count N, --seed N   samples along each axis (64) and seed of one that is made
   --place X,Y,Z[,SCALE[,DEGREES]]  where it lies;  --beside VOLUME[,X,Y,Z...]  another
                    there, not carved; repeats;  --registered  there by the files' origins
-  --mode M[,S]     a haptic mode and its strength (N): follow, isosurface, ...; a
-                   wrong name lists them; 1:M reads the first --beside; repeats
+  --mode M[,S]     a haptic mode and its strength (N); a wrong name lists them; 1:M
+                   reads the first --beside; repeats (isosurface; for a flow, follow)
   --transfer M,X:Y,...   strength of mode M by the property it reads, 32 points most
   --filter M,F[,A,B]   between data and mode M: magnitude, gradient, curl,
                    divergence, scale,A,B clamp,A,B smooth,SAMPLES; repeats: in order
@@ -337,13 +337,14 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     return check_outputs(plan);
 }
 
-/// Lets a person feel something at once: the surface of a body, the direction of a flow.
-void put_on_usual_mode(VolumeLab& lab) {
+/// Chooses what is felt where the command line says nothing of it: the surface of a body, the direction of a flow.
+Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
+    if (arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel")) return {};
+    auto mode = read_mode(arguments, lab.carvable() ? "isosurface" : "follow", lab);
+    if (!mode) return tl::unexpected(mode.error());
     auto settings = lab.settings;
-    if (auto mode = game::lab_mode(lab, lab.carvable() ? "isosurface" : "follow"); mode)
-        settings.modes.push_back(std::move(*mode));
-    // The lab's own mode for such a volume is never refused.
-    (void)game::change_volume_lab(lab, settings);
+    settings.modes.push_back(std::move(*mode));
+    return game::change_volume_lab(lab, settings);
 }
 
 /// Notes which modes read smoothed samples of a volume so large that the first step is slow.
@@ -384,10 +385,8 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     protect_volumes(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return tl::unexpected(put.error());
     note_slow_filters(plan);
-    if (const bool chosen = arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel");
-        !headless && !chosen)
-        put_on_usual_mode(plan.lab);
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_servo_step(arguments, plan.lab); !read) return tl::unexpected(read.error());

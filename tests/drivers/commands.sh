@@ -172,6 +172,13 @@ expect 2 "must end in .nrrd" "${volume[@]}" --save body.png
 expect 2 "volumes are files that end in" lab /tmp --headless
 expect 2 "No such file" lab nowhere.nrrd --headless
 expect 2 "there is no device 'touch2'; there are falcon" "${volume[@]}" --device touch2
+# Without --mode a body's surface is felt, at --level if that is given.
+state_of() { "$thaum" lab "$@" --headless --count 16 --seconds 1 | grep '^state '; }
+level_felt=$(state_of sphere --level 60)
+[[ -n $level_felt && $level_felt == "$(state_of sphere --mode isosurface --level 60)" && $level_felt != "$(state_of sphere)" ]] ||
+    { echo "failed: the usual mode of a body, or its level"; failures=$((failures + 1)); }
+[[ $(state_of vortices) == "$(state_of vortices --mode follow)" ]] ||
+    { echo "failed: the usual mode of a flow"; failures=$((failures + 1)); }
 expect 2 "lab needs a display" lab --fluid
 brew=(lab --fluid --headless)
 for cells in 0 1 3 17 1000000 -16 32x16x32 nan; do
