@@ -314,6 +314,7 @@ Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabP
     auto path = game::hand_path(arguments.value("--hand").value_or(headless ? "press" : "rest"));
     if (!path) return fail(text("--hand ", path.error().message));
     plan.path = std::move(*path);
+    plan.by_mouse = !headless && !arguments.has("--hand");
     for (const auto& words : arguments.values("--carve")) {
         const auto carve = read_carve(words, plan.lab);
         if (!carve) return tl::unexpected(carve.error());
@@ -390,6 +391,7 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
     if (auto read = read_servo_step(arguments, plan.lab); !read) return tl::unexpected(read.error());
+    game::rest_hand(plan.lab, planned_input(plan).target);
     const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);
     if (!seconds) return tl::unexpected(seconds.error());
     plan.seconds = headless ? seconds->value_or(4) : *seconds;

@@ -28,6 +28,8 @@ struct VolumeLabPlan {
     std::string device{};                       ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
+    bool
+        by_mouse{};  ///< the mouse moves the hand from the start; otherwise the path does until the mouse moves
     std::vector<PlannedCarve> carves{};
     VolumeView view{};
     /// length of the session in simulated time (s); std::nullopt: until the window is closed

@@ -15,6 +15,8 @@ constexpr float layers = 60;  // layers of the table's opacity along the diagona
 
 double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
 
+constexpr float edge_radius = 0.00015F;  // m
+
 fmat4 at(vec3 place, double scale = 1) {
     fmat4 model(static_cast<float>(scale));
     model[3] = fvec4(fvec3(place), 1);
@@ -39,6 +41,30 @@ fmat4 arrow(vec3 from, vec3 force) {
     model[2] = fvec4(glm::cross(aside, along), 0);
     model[3] = fvec4(fvec3(from) + 0.5F * length * along, 1);
     return model;
+}
+
+/// The hand wants to go where the device cannot.
+bool at_the_edge(const game::VolumeLab& lab) {
+    const vec3 free = 0.5 * lab.data.device.workspace - glm::abs(lab.hand.target);
+    return std::min({free.x, free.y, free.z}) < 1e-6;
+}
+
+/// The twelve edges of the device's workspace, as rods of a length of 1 m along y.
+void add_edges(vec3 workspace, render::MeshId rod, std::vector<render::Instance>& instances) {
+    const fvec3 half(0.5 * workspace);
+    for (int along = 0; along < 3; ++along) {
+        const int a = (along + 1) % 3, b = (along + 2) % 3;
+        for (const auto& [left, low] : {std::pair{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {
+            fmat4 model(0);
+            model[0][a] = 1;
+            model[1][along] = 2 * half[along];
+            model[2][b] = 1;
+            model[3][a] = static_cast<float>(left) * half[a];
+            model[3][b] = static_cast<float>(low) * half[b];
+            model[3][3] = 1;
+            instances.push_back({.mesh = rod, .model = model, .glow = 0.5F});
+        }
+    }
 }
 
 /// Colours from cool and thin to warm and dense.
@@ -122,6 +148,7 @@ VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& 
     }
     tip_ = renderer.upload(render::sphere(tip_radius, 16, render::colour(0x9FB8D8)));
     proxy_ = renderer.upload(render::sphere(proxy_radius, 20, render::colour(0xFFB040)));
+    edge_ = renderer.upload(render::cylinder(edge_radius, 1, 6, render::colour(0x8FA6C8)));
     rod_ = renderer.upload(render::cylinder(0.0006F, 1, 12, render::colour(0xFF5A3C)));
     for (std::size_t i = 0; i < colours_.size(); ++i) colours_[i] = ramp(static_cast<float>(i) / 255.0F);
     for (const auto& material : lab.data.materials)
@@ -188,6 +215,8 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
         if (volume.kind() == haptics::FieldKind::vector)
             add_ribbons(volume, *drawn_[i], figures.proxy, view.ribbons);
     }
+    const bool blocked = at_the_edge(lab);
+    if (blocked) add_edges(lab.data.device.workspace, edge_, instances_);
     instances_.push_back({.mesh = tip_, .model = at(figures.tip)});
     instances_.push_back({.mesh = proxy_, .model = at(figures.proxy), .glow = 0.3F});
     if (glm::length(figures.force) > 0.01)
@@ -203,13 +232,13 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
     frame_.views[0].scan_detail = view.still ? render::ScanDetail::sharp : render::ScanDetail::automatic;
     frame_.views[0].scans = scans_;
     frame_.overlay.items.clear();
-    frame_.overlay.items.push_back(
-        render::TextItem{text("force ", fixed(glm::length(figures.force), 2), " N    value ",
-                              fixed(figures.value, 2), "    ", fixed(lab.seconds(), 2), " s"),
-                         {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 40},
-                         20,
-                         fvec4(1),
-                         render::Align::right});
+    frame_.overlay.items.push_back(render::TextItem{
+        text(blocked ? "edge of the arm's workspace    " : "", "force ", fixed(glm::length(figures.force), 2),
+             " N    value ", fixed(figures.value, 2), "    ", fixed(lab.seconds(), 2), " s"),
+        {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 40},
+        20,
+        fvec4(1),
+        render::Align::right});
     return frame_;
 }
 

@@ -57,7 +57,7 @@ private:
     std::vector<std::unique_ptr<Drawn>> drawn_;  ///< one per volume
     render::SpeedColours colours_{};
     std::vector<vec3> seeds_;
-    render::MeshId tip_{}, proxy_{}, rod_{};
+    render::MeshId tip_{}, proxy_{}, rod_{}, edge_{};
     std::vector<render::ScanMaterial> materials_;
     std::vector<render::Instance> instances_;
     std::vector<render::Scan> scans_;

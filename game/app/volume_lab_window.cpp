@@ -69,10 +69,21 @@ vec3 pointed_at(const Session& session, render::Size size) {
     return glm::clamp(vec3(camera.position) + away * ray, -reach, reach);
 }
 
+/// Puts the hand before the volume, where it touches nothing and is seen.
+void put_hand_before(Session& session) {
+    auto& lab = session.plan.lab;
+    const vec3 eye(camera_of(session.plan.view.eye, lab).position);
+    session.target = game::place_before(glm::normalize(eye), lab.data.device.workspace);
+    session.depth = -glm::length(session.target);
+    session.by_mouse = true;
+    game::rest_hand(lab, session.target);
+}
+
 void press(Session& session, std::string_view key) {
     if (key == "Esc") leave(session);
     if (key == "Z") session.history = -1;
     if (key == "Y") session.history = 1;
+    if (key == "H") session.panels.hand_held = !session.panels.hand_held;
     if (key == "PageUp") session.depth += depth_step;
     if (key == "PageDown") session.depth -= depth_step;
 }
@@ -186,6 +197,7 @@ void take_chosen_device(Session& session) {
     }
     game::change_device(session.plan.lab, std::move(*spec));
     session.plan.device = panels.device = *name;
+    put_hand_before(session);
     panels.note = text("device: ", *name);
     show_what_is_set(session.plan.lab, panels);
 }
@@ -216,7 +228,9 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
     session.plan.first = next.first;
+    put_hand_before(session);
     show_what_is_set(session.plan.lab, session.panels);
+    session.panels.one_level = levels_agree(session.plan.view, session.panels);
     session.panels.tool = usual_tool(session.plan.lab);
     picture.emplace(renderer, session.plan.lab);
     return {};
@@ -249,7 +263,8 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
         const auto now = monotonic_ns();
         const double passed = static_cast<double>(now - std::exchange(last, now)) * 1e-9;
         owed = std::min(owed + passed, seconds(ticks_of_a_frame));
-        if (session.cursor && !session.turning) session.target = pointed_at(session, size);
+        if (session.cursor && !session.turning && !session.panels.hand_held && session.plan.lab.tick > 0)
+            session.target = pointed_at(session, size);
         const auto before = session.plan.lab.tick;
         for (; owed >= tick_seconds; owed -= tick_seconds) step(session);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
@@ -288,6 +303,8 @@ int run_volume_window(VolumeLabPlan plan) {
     window->make_current();
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
     show_what_is_set(session.plan.lab, session.panels);
+    session.panels.one_level = levels_agree(session.plan.view, session.panels);
+    if (session.plan.by_mouse) put_hand_before(session);
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
     Expected<void> went;

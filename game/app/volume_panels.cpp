@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "core/text.h"
@@ -17,6 +18,30 @@ using game::VolumeLab;
 constexpr float curve_height = 60;
 constexpr int columns = 31;  // of a freehand curve
 constexpr float wide = 330, tall = 700;
+
+/// Format with about four digits for a number of a range: whole numbers for a CT, 0.1 mm for a workspace.
+std::string format_for(double low, double high) {
+    const double range = std::max(high - low, 1e-9);
+    return text("%.", std::clamp(4 - static_cast<int>(std::ceil(std::log10(range))), 0, 6), "f");
+}
+
+std::string number(double value, double low, double high) {
+    std::array<char, 64> words{};
+    (void)std::snprintf(words.data(), words.size(), format_for(low, high).c_str(), value);
+    return words.data();
+}
+
+/// Names what a curve's axes mean, and their ends.
+void show_axes(const char* name, ImVec2 from, ImVec2 to, std::array<double, 3> low_high_top) {
+    const auto [low, high, top] = low_high_top;
+    const auto grey = IM_COL32(150, 155, 170, 255);
+    auto* canvas = ImGui::GetWindowDrawList();
+    const float line = ImGui::GetTextLineHeight();
+    canvas->AddText({from.x + 4, from.y + 2}, grey, text(number(top, 0, top), " ", name).c_str());
+    canvas->AddText({from.x + 4, to.y - line - 2}, grey, number(low, low, high).c_str());
+    const auto end = number(high, low, high);
+    canvas->AddText({to.x - ImGui::CalcTextSize(end.c_str()).x - 4, to.y - line - 2}, grey, end.c_str());
+}
 
 /// A curve that the mouse draws: x from low to high, y from 0 to top. Returns whether it changed.
 bool curve(const char* name, field::TransferFunction& f, double low, double high, double top) {
@@ -33,6 +58,7 @@ bool curve(const char* name, field::TransferFunction& f, double low, double high
     };
     for (int i = 0; i < 128; ++i)
         canvas->AddLine(screen(i / 128.0), screen((i + 1) / 128.0), IM_COL32(255, 176, 64, 255), 2);
+    show_axes(name, from, to, {low, high, top});
     if (!ImGui::IsItemActive()) return false;
     const auto at = [&](ImVec2 mouse) {
         const double x = std::clamp((mouse.x - from.x) / width, 0.0F, 1.0F);
@@ -46,8 +72,12 @@ bool curve(const char* name, field::TransferFunction& f, double low, double high
     return true;
 }
 
-bool slider(const char* name, double& value, double low, double high, const char* format = "%.3g") {
-    return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high, format);
+/// A slider. Ctrl and a click let a person type the number.
+bool slider(const char* name, double& value, double low, double high) {
+    const bool changed = ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high,
+                                             format_for(low, high).c_str(), ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Ctrl + click: type a number");
+    return changed;
 }
 
 void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
@@ -98,6 +128,15 @@ double highest_property(const game::VolumeRef& volume, const haptics::Mode& mode
     return range / volume.finest_spacing();
 }
 
+/// The filter through which a mode reads the volume at all; none if it reads the volume itself.
+std::optional<field::FilterKind> leads(const LabMode& mode) {
+    using enum field::FilterKind;
+    if (mode.filters.empty()) return std::nullopt;
+    const auto kind = mode.filters[0].kind;
+    if (kind == smooth || kind == scale || kind == clamp) return std::nullopt;
+    return kind;
+}
+
 /// Filters of a mode beside those through which it reads such a volume.
 bool show_filters(LabMode& chosen) {
     bool changed = false;
@@ -118,20 +157,17 @@ bool show_filters(LabMode& chosen) {
         chosen.filters.push_back({kind, 1, 1});
         changed = true;
     };
-    add("+ smooth", field::FilterKind::smooth);
+    ImGui::TextUnformatted("data:");
     ImGui::SameLine();
-    add("+ scale", field::FilterKind::scale);
+    add("smooth", field::FilterKind::smooth);
     ImGui::SameLine();
-    if (ImGui::SmallButton("- last") && !chosen.filters.empty()) {
-        const auto kind = chosen.filters.back().kind;
-        // The others change a vector to a scalar or back, without which the mode could read nothing.
-        if (kind == field::FilterKind::smooth || kind == field::FilterKind::scale ||
-            kind == field::FilterKind::clamp) {
-            chosen.filters.pop_back();
-            changed = true;
-        }
-    }
-    return changed;
+    add("scale", field::FilterKind::scale);
+    // The other filters change a vector to a scalar or back, without which the mode could read nothing.
+    if (chosen.filters.empty() || leads({.filters = {chosen.filters.back()}})) return changed;
+    ImGui::SameLine();
+    if (!ImGui::SmallButton("remove the last filter")) return changed;
+    chosen.filters.pop_back();
+    return true;
 }
 
 bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& chosen) {
@@ -141,7 +177,7 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     bool changed = show_filters(chosen);
     ImGui::TextWrapped("%s", text(mode.about, "; strength (N) by ", mode.property).c_str());
     const double low = !mode.slope ? std::min(0.0, double{range.low}) : 0;
-    changed |= curve("strength", s.strength, low, std::max(highest_property(volume, mode), low + 1e-9),
+    changed |= curve("N: strength", s.strength, low, std::max(highest_property(volume, mode), low + 1e-9),
                      lab.data.device.peak_force);
     if (mode.name == "isosurface") {
         changed |= slider("level", s.level, range.low, range.high);
@@ -158,47 +194,67 @@ bool show_settings(const VolumeLab& lab, const haptics::Mode& mode, LabMode& cho
     return changed;
 }
 
-/// The filter through which a mode reads the volume at all; none if it reads the volume itself.
-std::optional<field::FilterKind> leads(const LabMode& mode) {
-    using enum field::FilterKind;
-    if (mode.filters.empty()) return std::nullopt;
-    const auto kind = mode.filters[0].kind;
-    if (kind == smooth || kind == scale || kind == clamp) return std::nullopt;
-    return kind;
+/// Words for a mode: "snap core by gradient".
+std::string words_of(const haptics::ModeOffer& offer) {
+    std::string words(offer.mode->name);
+    std::ranges::replace(words, '_', ' ');
+    if (offer.through) words += text(" by ", field::filter_names()[static_cast<std::size_t>(*offer.through)]);
+    return words;
 }
 
-/// The modes that can read one volume. Returns whether something changed.
-bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
+/// One mode that can read a volume. Returns whether something changed.
+bool show_offer(const VolumeLab& lab, std::size_t volume, const haptics::ModeOffer& offer,
+                std::vector<LabMode>& modes) {
+    const std::string name(offer.mode->name);
+    const auto at = std::ranges::find_if(
+        modes, [&](const LabMode& mode) { return mode.volume == volume && mode.name == name; });
+    bool on = at != modes.end();
+    // A mode that several filters lead to has one place.
+    if (on && offer.through != leads(*at)) return false;
+    const auto label = words_of(offer);
+    ImGui::PushID(label.c_str());
     bool changed = false;
-    for (const auto& offer : haptics::mode_offers(game::volume_of(lab, volume).kind())) {
-        const std::string name(offer.mode->name);
-        const auto at = std::ranges::find_if(
-            modes, [&](const LabMode& mode) { return mode.volume == volume && mode.name == name; });
-        bool on = at != modes.end();
-        // A mode that several filters lead to has one place.
-        if (on && offer.through != leads(*at)) continue;
-        const auto label =
-            offer.through
-                ? text(name, " of the ", field::filter_names()[static_cast<std::size_t>(*offer.through)])
-                : name;
-        ImGui::PushID(label.c_str());
-        if (ImGui::Checkbox(label.c_str(), &on)) {
-            if (!on) modes.erase(at);
-            std::vector<field::Filter> filters;
-            if (offer.through) filters.push_back({.kind = *offer.through});
-            if (auto chosen = game::lab_mode(lab, name, std::move(filters), volume); on && chosen)
-                modes.push_back(std::move(*chosen));
-            changed = true;
-        } else if (on) {
-            changed |= show_settings(lab, *offer.mode, *at);
-        }
-        ImGui::PopID();
+    const bool ticked = ImGui::Checkbox(label.c_str(), &on);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(offer.mode->about).c_str());
+    if (ticked) {
+        if (!on) modes.erase(at);
+        std::vector<field::Filter> filters;
+        if (offer.through) filters.push_back({.kind = *offer.through});
+        if (auto chosen = game::lab_mode(lab, name, std::move(filters), volume); on && chosen)
+            modes.push_back(std::move(*chosen));
+        changed = true;
+    } else if (on) {
+        changed = show_settings(lab, *offer.mode, *at);
     }
+    ImGui::PopID();
     return changed;
 }
 
-void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
+/// The modes that can read one volume: first those that read it as it is. Returns whether something changed.
+bool show_modes_of(const VolumeLab& lab, std::size_t volume, std::vector<LabMode>& modes) {
+    const auto offers = haptics::mode_offers(game::volume_of(lab, volume).kind());
     bool changed = false;
+    for (const auto& offer : offers)
+        if (!offer.through) changed |= show_offer(lab, volume, offer, modes);
+    if (std::ranges::none_of(offers, [](const auto& offer) { return offer.through.has_value(); }))
+        return changed;
+    if (!ImGui::TreeNode("more, by the data's derivative")) return changed;
+    for (const auto& offer : offers)
+        if (offer.through) changed |= show_offer(lab, volume, offer, modes);
+    ImGui::TreePop();
+    return changed;
+}
+
+/// The level of the first volume's surface that is felt; null: none is.
+double* felt_level(VolumePanelState& state) {
+    for (LabMode& mode : state.modes)
+        if (mode.name == "isosurface" && mode.volume == 0 && !leads(mode)) return &mode.settings.level;
+    return nullptr;
+}
+
+void show_modes(VolumeLabPlan& plan, VolumePanelState& state) {
+    bool changed = false;
+    const bool had_level = felt_level(state) != nullptr;
     for (std::size_t volume = 0; volume <= plan.lab.beside.size(); ++volume) {
         ImGui::PushID(static_cast<int>(volume));
         if (!plan.lab.beside.empty())
@@ -206,7 +262,10 @@ void show_modes(const VolumeLabPlan& plan, VolumePanelState& state) {
         changed |= show_modes_of(plan.lab, volume, state.modes);
         ImGui::PopID();
     }
-    if (changed) ask_for_change(plan, state);
+    if (!changed) return;
+    if (double* felt = felt_level(state); felt != nullptr && state.one_level)
+        (had_level ? plan.view.level : *felt) = had_level ? *felt : plan.view.level;
+    ask_for_change(plan, state);
 }
 
 // ---- feel of the body as a whole --------------------------------------------------------------------------
@@ -283,8 +342,17 @@ void show_look(VolumeLabPlan& plan, VolumePanelState& state) {
     ImGui::RadioButton("translucent", &look, 1);
     view.look = look == 0 ? render::ScanLook::surface : render::ScanLook::translucent;
     const double low = plan.lab.range.low, high = std::max(double{plan.lab.range.high}, low + 1e-9);
-    if (look == 0) slider("drawn level", view.level, low, high);
-    if (look == 1 && curve("opacity", view.opacity, low, high, 1)) ask_for_change(plan, state);
+    if (look == 0) {
+        double* felt = felt_level(state);
+        if (slider("drawn level", view.level, low, high) && felt != nullptr && state.one_level) {
+            *felt = view.level;
+            ask_for_change(plan, state);
+        }
+        if (felt != nullptr && ImGui::Checkbox("draw the level that is felt", &state.one_level) &&
+            state.one_level)
+            view.level = *felt;
+    }
+    if (look == 1 && curve("opacity by density", view.opacity, low, high, 1)) ask_for_change(plan, state);
 }
 
 void show_tools(const VolumeLab& lab, VolumePanelState& state) {
@@ -304,16 +372,30 @@ void show_tools(const VolumeLab& lab, VolumePanelState& state) {
 
 void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& state, double peak) {
     ImGui::Text("force %.2f N, value %.4g", glm::length(figures.force), figures.value);
+    const auto words = text("0 to ", fixed(peak, 1), " N, the last ", state.force.size() / 1000, " s");
     ImGui::PlotLines("##force", state.force.data(), static_cast<int>(state.force.size()),
-                     static_cast<int>(state.newest), nullptr, 0, static_cast<float>(peak),
+                     static_cast<int>(state.newest), words.c_str(), 0, static_cast<float>(peak),
                      {ImGui::GetContentRegionAvail().x, 70});
 }
 
 void show_help() {
     ImGui::TextWrapped(
-        "The mouse moves the hand, the wheel moves it away or nearer. Left button or Space: tool. Right "
-        "button: turn "
-        "the view. Ctrl and wheel: nearer. Draw in a curve to set a strength.");
+        "The mouse moves the hand; wheel, PageUp and PageDown move it away or nearer. H holds the hand where "
+        "it is: "
+        "change settings meanwhile, bring the mouse back to the ball and press H again. Left button or "
+        "Space: tool. "
+        "Right button: turn the view. Ctrl and wheel: nearer. Draw in a curve to set a strength. The bright "
+        "ball is "
+        "the hand on the surface, the small grey one the tip of the arm; the further apart, the stronger the "
+        "force.");
+}
+
+/// The end of the panel, which stays in its place: what an action did, and what is always at hand.
+void show_foot(VolumePanelState& state) {
+    if (ImGui::Button("save session")) state.saves_session = true;
+    ImGui::SameLine();
+    ImGui::Checkbox("hold the hand (H)", &state.hand_held);
+    ImGui::TextWrapped("%s", state.note.c_str());
 }
 
 /// Asks what becomes of a carved body. Esc is the answer to stay.
@@ -339,6 +421,11 @@ void show_question(UnsavedQuestion& question) {
 
 }  // namespace
 
+bool levels_agree(const VolumeView& view, VolumePanelState& state) {
+    const double* felt = felt_level(state);
+    return felt == nullptr || *felt == view.level;
+}
+
 std::size_t usual_tool(const game::VolumeLab& lab) {
     const auto& tools = lab.data.tools;
     const auto melt = std::ranges::find(tools, "melt", &field::Tool::name);
@@ -354,16 +441,19 @@ void show_panels(VolumeLabPlan& plan, const game::VolumeLabFigures& figures, Vol
     ImGui::SetNextWindowPos({8, 8}, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize({wide, tall}, ImGuiCond_FirstUseEver);
     if (ImGui::Begin("Lab")) {
+        const float foot = ImGui::GetFrameHeightWithSpacing() + 3 * ImGui::GetTextLineHeightWithSpacing();
         show_force(figures, state, plan.lab.data.device.peak_force);
-        if (!state.note.empty()) ImGui::TextWrapped("%s", state.note.c_str());
+        ImGui::BeginChild("parts", {0, -foot});
         if (ImGui::CollapsingHeader("Volume", ImGuiTreeNodeFlags_DefaultOpen)) show_volume(plan, state);
         if (ImGui::CollapsingHeader("Places")) show_places(plan, state);
-        if (ImGui::CollapsingHeader("Feel", ImGuiTreeNodeFlags_DefaultOpen)) show_modes(plan, state);
-        if (ImGui::CollapsingHeader("Body")) show_body_feel(plan, state);
+        if (ImGui::CollapsingHeader("Modes: feel at the hand", ImGuiTreeNodeFlags_DefaultOpen))
+            show_modes(plan, state);
+        if (ImGui::CollapsingHeader("Feel of the whole body")) show_body_feel(plan, state);
         if (ImGui::CollapsingHeader("Look", ImGuiTreeNodeFlags_DefaultOpen)) show_look(plan, state);
         if (ImGui::CollapsingHeader("Carve", ImGuiTreeNodeFlags_DefaultOpen)) show_tools(plan.lab, state);
         if (ImGui::CollapsingHeader("Help")) show_help();
-        if (ImGui::Button("save session")) state.saves_session = true;
+        ImGui::EndChild();
+        show_foot(state);
     }
     ImGui::End();
     show_question(state.question);

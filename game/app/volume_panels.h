@@ -25,11 +25,13 @@ struct VolumePanelState {
     std::vector<game::FeelPart> feel{};               ///< chosen parts of the body's feel
     std::vector<game::LabPlace> places{};             ///< places of all volumes
     std::optional<game::VolumeLabSettings> change{};  ///< both, for the next step
+    bool one_level = true;                            ///< the drawn level is the felt one
     std::size_t tool{};                               ///< index into VolumeLab::data.tools
     std::string device{};                             ///< model of the arm that is shown
     std::optional<std::string> next_device{};         ///< model that was chosen in place of it
     std::optional<std::string> open{};                ///< volume to open
     bool saves = false, saves_session = false;
+    bool hand_held = false;  ///< the hand stays where it is, whatever the mouse does
     UnsavedQuestion question{};
     int history = 0;               ///< -1: undo, 1: redo
     std::string note{};            ///< message about the last action
@@ -41,6 +43,9 @@ struct VolumePanelState {
 
 /// Index of the tool that a person has first: one that takes material away, so that a first try shows something.
 std::size_t usual_tool(const game::VolumeLab& lab);
+
+/// Whether the surface is drawn where the chosen modes let it be felt.
+bool levels_agree(const VolumeView& view, VolumePanelState& state);
 
 /// Adds the force of a tick to the plot.
 void add_force(VolumePanelState& state, double newtons);

@@ -1,6 +1,8 @@
 #include "game/lab/hand_path.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/text.h"
 
@@ -44,6 +46,13 @@ vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds) {
         case HandWay::rest: break;
     }
     return {0, height_share * workspace.y, 0};
+}
+
+vec3 place_before(vec3 to_viewer, vec3 workspace) {
+    double most = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        if (to_viewer[axis] != 0) most = std::min(most, 0.5 * workspace[axis] / std::abs(to_viewer[axis]));
+    return 0.98 * most * to_viewer;
 }
 
 }  // namespace thaum::game

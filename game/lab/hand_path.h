@@ -21,4 +21,8 @@ Expected<HandPath> hand_path(std::string_view word);
 /// the hand is at its first and last place.
 vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds);
 
+/// Place where a hand begins that a mouse moves: as near to the viewer as the workspace allows, a little within it (m). `to_viewer` is the
+/// direction from the middle to the viewer, not zero.
+vec3 place_before(vec3 to_viewer, vec3 workspace);
+
 }  // namespace thaum::game

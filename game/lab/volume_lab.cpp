@@ -113,6 +113,12 @@ field::Placement relative(const field::Placement& whole, const field::Placement&
             part.scale / whole.scale};
 }
 
+/// Where a volume beside the first one lies in the workspace, before its place.
+field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
+    return registered ? field::combined(lab.fitted, relative(lab.source.placement, volume.placement))
+                      : fitted(volume, lab.data.device.workspace);
+}
+
 Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& places) {
     if (places.size() > lab.beside.size() + 1) return fail("there are more places than volumes");
     for (const auto& place : places) {
@@ -311,13 +317,13 @@ void change_device(VolumeLab& lab, haptics::DeviceSpec device) {
     lab.data.device = std::move(device);
     take_up_device(lab);
     std::vector<double> grown;
-    const auto fit = [&](const field::Volume& volume, field::Placement& placement) {
-        const double before = placement.scale;
-        placement = fitted(volume, lab.data.device.workspace);
-        grown.push_back(placement.scale / before);
+    const auto fit = [&](field::Placement& old, const field::Placement& now) {
+        grown.push_back(now.scale / old.scale);
+        old = now;
     };
-    fit(lab.source, lab.fitted);
-    for (auto& volume : lab.beside) fit(volume->source, volume->fitted);
+    fit(lab.fitted, fitted(lab.source, lab.data.device.workspace));
+    for (auto& beside : lab.beside)
+        fit(beside->fitted, fitted_beside(lab, beside->source, beside->registered));
     auto settings = lab.settings;
     for (LabMode& mode : settings.modes) {
         mode.settings.reach *= grown[mode.volume];
@@ -348,9 +354,7 @@ Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool regi
     beside->range = sample_range(volume);
     beside->usual_level = field::usual_level(volume);
     beside->registered = registered;
-    beside->fitted = beside->placement =
-        registered ? field::combined(lab.fitted, relative(lab.source.placement, volume.placement))
-                   : fitted(volume, lab.data.device.workspace);
+    beside->fitted = beside->placement = fitted_beside(lab, volume, registered);
     beside->source = std::move(volume);
     lab.beside.push_back(std::move(beside));
     return {};

@@ -27,11 +27,31 @@ seen() {
 eventually "another header" seen 0 "1"
 [ "$(trace | head -1)" = "$names" ] || fail "another header"
 
-# The body's surface is felt at once. The ball's middle is in the middle of the window.
 pressing='$force_x_n * $force_x_n + $force_y_n * $force_y_n + $force_z_n * $force_z_n > 0.04'
+# The hand begins before the ball, and nothing is felt. Beside the ball the wheel takes it back to the depth of the
+# middle, which is in the middle of the window; from there the mouse moves it to the surface.
+touching() {
+    xdotool mousemove 940 360 sleep 0.3
+    for i in $(seq 14); do xdotool click 4 sleep 0.03; done
+    for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+}
+xdotool mousemove 640 360
+eventually "no second of rows" seen 0 '$time_s > 1'
+! seen 1 "$pressing" || fail "the hand begins in the ball"
 from=$(rows)
-for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+touching
 eventually "the surface was not felt" seen "$from" "$pressing"
+
+# H holds the hand while the mouse is elsewhere, and gives it back.
+held() { trace | tail -1 | awk -F, '{ d = ($2 - '"$1"')^2 + ($3 - '"$2"')^2; exit !(d < 2.5e-5) }'; }
+presses h
+tip=$(trace | tail -2 | head -1 | cut -d, -f2,3)
+xdotool mousemove 900 600 sleep 0.5 mousemove 400 500
+from=$(rows)
+eventually "no rows of a held hand" seen "$((from + 1000))" 1
+held ${tip/,/ } || fail "the mouse moves the hand that H holds"
+xdotool mousemove 755 360 sleep 0.3
+presses h
 
 # A tool held for a while carves, and what it took away comes back by undo and goes by redo.
 from=$(rows)
@@ -50,14 +70,18 @@ click() { xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 
 picture() { import -window root -crop 330x700+8+100 rgba:- | md5sum; }
 is_new() { [ "$(picture)" != "$before" ]; }
 pressed_there() { before=$(picture); click "$1" "$2"; xdotool mousemove 640 690; eventually "the panel did not change" is_new; }
+# Ctrl and a click on the felt level let it be typed; the drawn level is the same one.
+xdotool mousemove 100 472 sleep 0.3 keydown ctrl sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3 keyup ctrl
+presses 6 0 Return
 pressed_there 26 258
 pressed_there 26 282
 pressed_there 40 304
 import -window root "${SHOTS:-$folder}/volume_lab_panel.png"
-# Then "save session" stands at the end of the panel.
-click 60 598
+# "save session" stands at the end of the panel, whatever is open above.
+click 60 634
 eventually "the session was not saved" test -s "$folder/lab.toml"
 grep -q '^kind = "opacity"' "$folder/lab.toml" || fail "the session lacks the feel that was chosen"
+[ "$(grep -c '^level = 60$' "$folder/lab.toml")" = 2 ] || fail "felt and drawn level are not the one that was typed"
 presses Escape
 wait "$lab" || fail "the exit code"
 
@@ -80,12 +104,12 @@ goes_on() {
 }
 eventually "no second window" drawn
 eventually "no rows" seen 0 "1"
-pressed_there 220 162
+pressed_there 150 162
 presses Escape
 from=$(rows)
 eventually "no rows after Esc" goes_on
 from=$(rows)
-for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+touching
 xdotool mousedown 1
 eventually "nothing was carved again" seen "$from" '$changed_voxels > 20'
 xdotool mouseup 1

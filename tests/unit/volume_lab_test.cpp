@@ -409,6 +409,9 @@ TEST(HandPath, GoesWhereItSays) {
     const auto press = *hand_path("press");
     EXPECT_GT(wanted_place(press, workspace, 0).y, 0.05);
     EXPECT_LT(wanted_place(press, workspace, 2).y, -0.05);
+    // A hand that a mouse moves begins at the side of the viewer, just within the workspace.
+    EXPECT_EQ(place_before({0, 0, 1}, {0.2, 0.1, 0.3}), vec3(0, 0, 0.147));
+    EXPECT_LT(glm::distance(place_before({0, 0.8, -0.6}, {0.2, 0.1, 0.3}), vec3(0, 0.049, -0.03675)), 1e-12);
     EXPECT_FALSE(hand_path("sideways"));
     EXPECT_FALSE(hand_path("/nowhere.csv"));
     auto file = HandPath{HandWay::file, *parse_stir_path("time_s,x_m,y_m,z_m\n1,0,0,0\n2,0.1,0,0\n", "path")};
