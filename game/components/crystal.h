@@ -13,7 +13,7 @@ namespace thaum::game {
 using ecs::field;
 
 /// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical axis by
-/// `yaw`.
+/// `yaw`, which its carvers change.
 struct Crystal {
     vec3 middle{};         ///< (m, world)
     double yaw{};          ///< (rad)

@@ -6,6 +6,7 @@
 #include "core/hash.h"
 #include "game/components/casting.h"
 #include "game/context/stations.h"
+#include "game/crystal/grain.h"
 #include "haptics/smooth_grid.h"
 #include "haptics/volume_feel.h"
 
@@ -142,7 +143,7 @@ void cut(MatchContext& context, CrystalBodies& bodies, const Carver& carver, Chi
     chisel.last = place;
     crystal.carver = carver.player;
     const auto& tools = context.data.crystal->tools;
-    cut_crystal(context, bodies, crystal, tools[std::as_const(world).get<Lens>(carver.wizard).tool], dab);
+    carve_crystal(context, bodies, crystal, tools[std::as_const(world).get<Lens>(carver.wizard).tool], dab);
     if (crystal.overlap >= context.data.crystal->overlap) give_lens(context, bodies, carver, crystal);
 }
 
@@ -154,6 +155,24 @@ void carve(MatchContext& context, CrystalBodies& bodies, Tick tick) {
             const Carver carver{e, wizard.player, controls, hand_state, station, tick};
             choose_tool(context, carver, lens);
             cut(context, bodies, carver, chisel);
+        });
+}
+
+// ---- turn -------------------------------------------------------------------------------------------------
+
+/// Part of the full deflection up to which a stick that is meant for in and out turns nothing.
+constexpr std::int32_t straight = 40;
+
+/// Turns the crystals by the keys or sticks that walk sideways, for one tick. To the right, the side that the carver
+/// sees goes to the right.
+void turn_crystals(MatchContext& context) {
+    auto& world = context.world;
+    const double most = context.data.crystal->turning * tick_seconds;
+    world.view<const Controls, const AtStation, const Chisel>().each(
+        [&](const Controls& controls, const AtStation& station, const Chisel&) {
+            if (std::abs(controls.strafe) < straight) return;
+            auto& crystal = world.get<Crystal>(crystal_entity(std::as_const(world), station.number));
+            crystal.yaw = std::remainder(crystal.yaw + most * controls.strafe / 127, 2 * pi);
         });
 }
 
@@ -211,6 +230,11 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
 
 void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::Schedule& schedule) {
     auto& world = context.world;
+    schedule.add({.name = "crystal turns",
+                  .reads = world.mask<Controls, AtStation, Chisel>(),
+                  .writes = world.mask<Crystal>(),
+                  .needs = world.mask<Chisel>(),
+                  .run = [&context](ecs::World&, Tick) { turn_crystals(context); }});
     const auto voxels = world.mask<Crystal, CrystalDensity, CrystalColour, resource::Crystals>();
     schedule.add(
         {.name = "carvers",

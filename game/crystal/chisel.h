@@ -1,8 +1,10 @@
 // game/crystal/chisel.h: a wizard who holds Stir at a crystal. The hand feels the crystal's surface, and with fire the
-// chosen tool carves where the hand is.
+// chosen tool carves where the hand is. The keys that walk sideways turn the crystal, so that every side can be reached.
 //
-//     begin and end (stir) -> tool and dab (fire, every gameplay tick) -> feel of the hand (every tick) -> Chisel
+//     begin and end (stir) -> turn (every tick) -> tool and dab (fire, every gameplay tick)
+//                          -> feel of the hand (every tick) -> Chisel
 //
+// The solid that stops bodies and shots does not turn.
 // A dab comes before the feel of the same tick, so that hand and picture show what was carved at once.
 #pragma once
 #include "game/components/hand_state.h"
@@ -23,8 +25,8 @@ HandFrame chisel_frame(const CrystalRules& rules, const AtStation& station);
 void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model);
 
-/// Adds the systems that begin and end the work at crystals, choose tools and carve, every gameplay tick, before the
-/// haptics.
+/// Adds the systems that turn crystals, every tick, and that begin and end the work at crystals, choose tools and carve,
+/// every gameplay tick, before the haptics.
 void add_carving_systems(MatchContext& context, CrystalResource& crystals, ecs::Schedule& schedule);
 /// Adds the system that moves the tools, every tick, after the haptics.
 void add_chisel_system(MatchContext& context, ecs::Schedule& schedule);

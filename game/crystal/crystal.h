@@ -26,6 +26,7 @@ struct CrystalBody {
     field::Bricks bricks = field::make_bricks({crystal_side, crystal_side, crystal_side});
     field::VoxelOverlap overlap{};
     std::vector<float> key{};  ///< density of the ghost key; empty for an untouched crystal
+    std::vector<float> old{};  ///< room for the densities that an edit is about to change
 };
 
 /// Bodies of all crystals, by Crystal::number. The simulation owns it.

@@ -45,6 +45,8 @@ CrystalRules read_crystal_rules(const Config& file) {
             .tool_names = read_tool_names(root),
             .tools = {},
             .focus_per_second = root.number("focus_per_s", {0, 1000}),
+            .against_key = root.number("against_key", {0, 1}),
+            .turning = glm::radians(root.number("turn_deg_per_s", {0, 720})),
             .overlap = root.number("overlap", {0.01, 1}),
             .hand = read_hand(root.table("hand")),
             .surface = {.strength = surface.number("strength_n", {0, 100}),

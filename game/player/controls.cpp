@@ -97,7 +97,8 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
 
 /// Moves the hand of a wizard at a station, who stands still meanwhile. Mouse and stick move a ladle in the plane of the
 /// brew's surface, and the keys or stick for walking forward and back lift and sink it. At orb and crystal, mouse and
-/// stick move the hand across the view, and walking forward and back moves it in and out.
+/// stick move the hand across the view, and walking forward and back moves it in and out. Walking sideways turns a
+/// crystal (game/crystal/chisel.h).
 void move_hand_at(StationKind station, const input::DeviceSample& sample, const HapticRules& rules,
                   Controls& controls) {
     move_hand(sample, rules, controls);
@@ -108,7 +109,8 @@ void move_hand_at(StationKind station, const input::DeviceSample& sample, const 
     } else {
         controls.hand_back = -walking;
     }
-    controls.strafe = controls.forward = 0;
+    if (station != StationKind::crystal) controls.strafe = 0;
+    controls.forward = 0;
     controls.pressed &= ~bit(Button::jump);
 }
 

@@ -4,12 +4,18 @@
 
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/potions.h"
+#include "game/components/crystal.h"
 
 namespace thaum::game {
 namespace {
 
-vec3 wish_of(const Controls& controls, const Gaze& gaze, double speed) {
-    vec3 wish{controls.strafe / 127.0, 0, -controls.forward / 127.0};
+/// Speed sideways that the player asks for, -127 to 127. At a crystal these keys turn it instead.
+std::int32_t strafe_of(const Controls& controls, const Chisel* chisel) {
+    return chisel == nullptr ? controls.strafe : 0;
+}
+
+vec3 wish_of(const Controls& controls, std::int32_t strafe, const Gaze& gaze, double speed) {
+    vec3 wish{strafe / 127.0, 0, -controls.forward / 127.0};
     const double length = glm::length(wish);
     if (length > 1) wish /= length;  // walking diagonally is no faster
     return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
@@ -44,18 +50,19 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "walk",
          .period = physics_period,
-         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron, Potions>(),
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron, Potions, Chisel>(),
          .writes = world.mask<Controls, Stance, Health, EventLog, resource::Journal, resource::Physics>(),
          .needs = world.mask<Wizard>(),
          .run = [&context](ecs::World& w, Tick tick) {
              const auto& rules = context.data.wizard;
              w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Maybe<const Potions>,
-                    ecs::Without<Dead>>()
+                    ecs::Maybe<const Chisel>, ecs::Without<Dead>>()
                  .each([&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
-                           const Motion& motion, const Body&, const Potions* potions) {
+                           const Motion& motion, const Body&, const Potions* potions, const Chisel* chisel) {
+                     const auto strafe = strafe_of(controls, chisel);
                      const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
-                         controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
+                         strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
                      // The body rests undisturbed, so the mover has nothing to do.
                      if (motion.asleep != 0 && !wishes) return;
                      const double pace = pace_at(context.data, std::as_const(w), motion.position) *
@@ -63,7 +70,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      const auto abilities = abilities_of(rules, stance, pace, tick);
                      const auto result = physics::move(
                          context.physics.write(), e.index,
-                         {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
+                         {.wish_velocity = wish_of(controls, strafe, gaze, pace * rules.walk.walk_speed),
                           .jump = (controls.pressed & jump) != 0,
                           .rope_lift = stance.rope_lift},
                          abilities, stance, physics_dt);
