@@ -153,6 +153,7 @@ Volume volume_of(const NrrdHeader& header, const Arrangement& a, std::span<const
     if (header.first) volume.placement.origin = *header.first + half;
     volume.has_place = header.first.has_value();
     volume.file_axes = axes_of(header, a, volume);
+    if (header.is_in_space) volume.file_axes->middle = header.first.value_or(vec3(0)) + half;
     volume.save_name = header.save_name;
     decode(samples, order, header.big_endian, volume);
     if (header.of_values != mat3(0.0)) turn_values(glm::transpose(a.turn) * header.of_values, volume);

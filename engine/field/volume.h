@@ -35,7 +35,10 @@ inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
 struct FileAxes {
     std::array<vec3, 3> direction{};  ///< from one sample to the next
     std::optional<vec3> first{};      ///< place of sample (0, 0, 0)
-    vec3 spacing{};                   ///< the volume's, computed from these vectors; the placement too
+    /// Place of the volume's middle. Without an origin, a file with a frame of space has its first sample at 0, as other
+    /// programs take it; std::nullopt: the file has no frame.
+    std::optional<vec3> middle{};
+    vec3 spacing{};  ///< the volume's, computed from these vectors; the placement too
     Placement placement{};
 };
 

@@ -107,16 +107,27 @@ field::Placement placed(const field::Placement& fitted, const LabPlace& place) {
     return field::combined({place.origin, glm::mat3_cast(look_rotation(place.yaw, 0)), place.scale}, fitted);
 }
 
+/// Placement of a volume in the frame of its file; std::nullopt: the file does not say where the volume lies.
+std::optional<field::Placement> placement_in_file(const field::Volume& volume) {
+    field::Placement placement = volume.placement;
+    if (volume.has_place) return placement;
+    if (!volume.file_axes || !volume.file_axes->middle) return {};
+    placement.origin = *volume.file_axes->middle;
+    return placement;
+}
+
 /// Placement of `part` in the frame of `whole`, if both lie in the same frame outside.
 field::Placement relative(const field::Placement& whole, const field::Placement& part) {
     return {field::to_own(whole, part.origin), glm::transpose(whole.turn) * part.turn,
             part.scale / whole.scale};
 }
 
-/// Where a volume beside the first one lies in the workspace, before its place.
+/// Where a volume beside the first one lies in the workspace, before its place. Both files must say where their volumes
+/// lie if it is registered.
 field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
-    return registered ? field::combined(lab.fitted, relative(lab.source.placement, volume.placement))
-                      : fitted(volume, lab.data.device.workspace);
+    const auto whole = placement_in_file(lab.source), part = placement_in_file(volume);
+    if (!registered || !whole || !part) return fitted(volume, lab.data.device.workspace);
+    return field::combined(lab.fitted, relative(*whole, *part));
 }
 
 Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& places) {
@@ -346,8 +357,9 @@ Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool regi
         return fail(text("at most ", most_volumes_beside, " volumes lie beside the first one"));
     if (*std::ranges::min_element(volume.count) < 2)
         return fail("the volume needs two samples or more along each axis");
-    if (registered && !(volume.has_place && lab.source.has_place))
-        return fail("it can be registered only if both files say where their samples lie (space origin)");
+    if (registered && !(placement_in_file(lab.source) && placement_in_file(volume)))
+        return fail(
+            "it can be registered only if both files have a frame (space, space directions, space origin)");
     if (registered && volume.is_of_patient != lab.source.is_of_patient)
         return fail("it cannot be registered: only one of the two files lies in the frame of a patient");
     auto beside = std::make_unique<VolumeBeside>();

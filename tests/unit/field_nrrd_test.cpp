@@ -344,6 +344,17 @@ TEST_F(VolumeFiles, NoFrameAndNoOriginAreInventedForAFile) {
     EXPECT_EQ(read_nrrd(in_folder("a.nrrd"))->spacing, v.spacing);
 }
 
+TEST_F(VolumeFiles, AFrameWithoutAnOriginBeginsAtTheFirstSample) {
+    const char* directions = "space dimension: 3\nspace directions: (2,0,0) (0,-2,0) (0,0,2)";
+    const Volume v = read_short(directions);
+    ASSERT_TRUE(v.file_axes && v.file_axes->middle);
+    EXPECT_LE(glm::distance(*v.file_axes->middle, vec3(0.001, -0.002, 0.003)), 1e-15);
+    EXPECT_EQ(v.placement.origin, vec3(0));
+    const Volume placed = read_short(text(directions, "\nspace origin: (0,4,0)"));
+    EXPECT_EQ(*placed.file_axes->middle, placed.placement.origin);
+    EXPECT_FALSE(read_short("spacings: 1 1 1").file_axes->middle);
+}
+
 TEST_F(VolumeFiles, FilesAndTheNameOfTheSaveAreKnown) {
     Volume v = read_short("spacings: 1 1 1");
     EXPECT_EQ(v.files, std::vector{in_folder("v.nrrd")});

@@ -144,7 +144,8 @@ TEST(RegisteredVolumes, FilesWithoutAPlaceOrOfAnotherFrameAreRefused) {
         const auto added = add_volume_beside(lab, volume, true);
         return added ? std::string() : added.error().message;
     };
-    EXPECT_NE(refusal(*field::make_volume("sphere", 16, 1)).find("space origin"), std::string::npos);
+    EXPECT_NE(refusal(*field::make_volume("sphere", 16, 1)).find("space, space directions"),
+              std::string::npos);
     auto patient = ball_in_box({0, 0, 0}, 0.08);
     patient.is_of_patient = true;
     EXPECT_NE(refusal(patient).find("frame of a patient"), std::string::npos);

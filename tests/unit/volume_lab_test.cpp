@@ -253,6 +253,15 @@ TEST(VolumeLab, AnUneditedBodyKeepsItsTypeInFiles) {
     EXPECT_EQ(volume_now(made("sphere", 16)).stored_as, field::SampleType::uint8);
 }
 
+TEST(VolumeLab, ASurfaceBeginsWhereBodyAndAirPart) {
+    auto volume = *field::make_volume("sphere", 16, 1);
+    volume.samples[0] = 3000;  // a filling of metal
+    auto lab = lab_of(volume);
+    EXPECT_NEAR(lab_mode(lab, "isosurface")->settings.level, 127.5, 20) << "the middle of the range is 1500";
+    ASSERT_TRUE(add_volume_beside(lab, volume));
+    EXPECT_NEAR(lab_mode(lab, "isosurface", {}, 1)->settings.level, 127.5, 20);
+}
+
 TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
     auto lab = made("sphere", 16);
     std::string row;

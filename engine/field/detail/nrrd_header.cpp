@@ -134,6 +134,7 @@ double to_metres(NrrdFields& fields, std::string_view field, const std::string& 
 /// Signs that make the frame of space right-handed and, for a patient, left-posterior-superior.
 vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     if (fields.has("spacedimension")) (void)fields.integer("spacedimension", 3, 3, 3);
+    header.is_in_space = fields.has("space") || fields.has("spacedimension");
     if (!fields.has("space")) return vec3(1);
     const std::size_t space = fields.choice("space", "a space of three axes, such as left-posterior-superior",
                                             {{"left-posterior-superior", "LPS"},

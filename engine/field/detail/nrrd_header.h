@@ -22,6 +22,7 @@ struct NrrdHeader {
     std::array<vec3, 3> direction{};  ///< from one sample to the next along these axes (m)
     std::optional<vec3> first{};      ///< place of the first sample (m)
     mat3 of_values{1.0};              ///< from the frame of values to that of space; 0: values do not turn
+    bool is_in_space{};               ///< the header has a frame of space
     bool is_of_patient{};             ///< the frame of space is left-posterior-superior
     std::string name, units, save_name;
     std::string data_file;  ///< empty: the samples follow the header
