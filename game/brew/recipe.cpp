@@ -93,7 +93,7 @@ Recipe read_recipe(const Config& file, std::string name, const RecipeNames& name
                   .strokes = {},
                   .fluid = read_changed_brew(root.table("fluid")),
                   .gift = read_gift(root.table("wizard"))};
-    if (recipe.effect.empty()) look.report("effect", "must say in a few words what the potion does");
+    if (recipe.effect.empty()) look.report("effect", "effect must say in a few words what the potion does");
     recipe.fluid.colour = look.vector("colour", part);
     for (const auto& table : root.tables("ingredient"))
         recipe.ingredients.push_back(read_ingredient(table, names));

@@ -447,7 +447,7 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
         return data ? std::string("accepted") : data.error().message;
     };
     EXPECT_EQ(refused(""), "accepted");
-    EXPECT_NE(refused("", "").find("'effect'"), std::string::npos)
+    EXPECT_NE(refused("", "").find("effect must say"), std::string::npos)
         << "a potion without words for what it does";
     EXPECT_NE(refused("[[ingredient]]\nname = \"sand\"\nleast = 0\nmost = 1\n").find("no ingredient 'sand'"),
               std::string::npos);
