@@ -31,13 +31,32 @@ ecs::Entity crystal_near(const MatchContext& context, vec3 body) {
     return near;
 }
 
+/// Whether somebody carves a crystal.
+bool is_carved(const ecs::World& world, std::uint32_t number) {
+    bool carved = false;
+    world.view<const AtStation, const Chisel>().each(
+        [&](const AtStation& station, const Chisel&) { carved = carved || station.number == number; });
+    return carved;
+}
+
+/// Turns a crystal that shows its narrow side to a wizard who begins, so that the flat side with the key is in front.
+/// The hand would begin within the narrow side and could not come out.
+void show_flat_side(const ecs::World& world, const AtStation& station, Crystal& crystal) {
+    constexpr double as_left = pi / 6;  // angle up to which a crystal stays as its last carver has left it
+    const double off = std::remainder(station.yaw - crystal.yaw, pi);
+    if (std::abs(off) <= as_left || is_carved(world, crystal.number)) return;
+    crystal.yaw = std::remainder(crystal.yaw + off, 2 * pi);
+}
+
 void begin(MatchContext& context, CrystalBodies& bodies, ecs::Entity wizard, vec3 body) {
     const auto near = crystal_near(context, body);
     if (!near) return;
     auto& world = context.world;
     auto& crystal = world.get<Crystal>(near);
     touch_crystal(context, bodies, crystal);
-    world.commands().add(wizard, station_at(body, crystal.middle, StationKind::crystal, crystal.number));
+    const auto station = station_at(body, crystal.middle, StationKind::crystal, crystal.number);
+    show_flat_side(std::as_const(world), station, crystal);
+    world.commands().add(wizard, station);
     world.commands().add(wizard, Chisel{});
 }
 

@@ -237,6 +237,21 @@ TEST(Crystal, WalkingSidewaysTurnsItAndTheCarverStays) {
         << "a stick that leans a little";
 }
 
+TEST(Crystal, ItShowsItsFlatSideToTheOneWhoBegins) {
+    const auto match = at_the_crystal(false);
+    const vec3 middle = crystal_in(*match).middle;
+    bench::stand(*match, 0, {middle.x - 1.5, match->data().wizard.height / 2, middle.z});
+    run(*match, 40, held({input::Button::stir}));
+    EXPECT_NEAR(std::abs(std::remainder(crystal_in(*match).yaw, pi)), pi / 2, 0.01);
+    const auto yaw = crystal_in(*match).yaw;
+    bench::stand(*match, 1, {middle.x, match->data().wizard.height / 2, middle.z + 1.5});
+    auto frame = held({input::Button::stir});
+    frame.devices[1].press(input::Button::stir);
+    run(*match, 40, frame);
+    ASSERT_EQ(match->world().count<Chisel>(), 2U);
+    EXPECT_EQ(crystal_in(*match).yaw, yaw) << "not while another carves it";
+}
+
 TEST(Crystal, TurningUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const auto match = at_the_crystal(true, {}, seed);
