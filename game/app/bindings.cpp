@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "game/components/orb.h"
 
 namespace thaum::app {
 
@@ -39,6 +40,9 @@ bool is(Slot slot, SessionKey key) {
 }
 
 /// Slot of the wand that the action takes in hand; std::nullopt for other actions.
+/// Keys of wands that have a meaning at orb and crystals, whether or not there is such a wand.
+constexpr std::size_t station_keys = game::most_orb_modes;
+
 std::optional<std::size_t> wand_slot_of(Slot slot) {
     for (std::size_t wand = 0; wand < input::most_wands; ++wand) {
         if (is(slot, input::wand_action(wand + 1))) return wand;
@@ -128,7 +132,7 @@ bool is_pad_sheet(std::size_t sheet) {
 }
 
 bool is_listed(Slot slot, const WandNames& wands) {
-    if (const auto wand = wand_slot_of(slot)) return !wands[*wand].empty();
+    if (const auto wand = wand_slot_of(slot)) return !wands[*wand].empty() || *wand < station_keys;
     return !is(slot, Action::rejoin) && !is(slot, Action::quit) && !is(slot, Action::mark);
 }
 
@@ -185,6 +189,7 @@ std::string label_of(Slot slot, const WandNames& wands) {
     if (is(slot, Action::panic)) return "Forces off (emergency)";
     const auto wand = wand_slot_of(slot);
     if (wand && !wands[*wand].empty()) return wands[*wand];
+    if (wand) return text("Mode ", *wand + 1);
     return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
 }
 
@@ -205,10 +210,10 @@ std::string_view help_of(SessionKey key) {
 
 std::string_view help_of(Action action) {
     switch (action) {
-        case Action::fire: return "Uses the wand, and drops what is carried.";
+        case Action::fire: return "Uses the wand or carving tool, and drops what is carried.";
         case Action::jump: return "Jumps.";
-        case Action::next_wand: return "Takes the next wand.";
-        case Action::previous_wand: return "Takes the wand before.";
+        case Action::next_wand: return "Takes the next wand, mode or tool.";
+        case Action::previous_wand: return "Takes the wand, mode or tool before.";
         case Action::trace: return "Draws a gesture while held; with a wand's key it casts that key's spell.";
         case Action::stir: return "Stirs the brew, scries the orb, carves the crystal.";
         case Action::throw_: return "Throws the thing that the wand Lift holds, or puts an ingredient away.";
@@ -216,8 +221,8 @@ std::string_view help_of(Action action) {
         case Action::panic: return "Ends all forces at once, for everybody.";
         case Action::pause: return "Pauses the match, or goes on.";
         case Action::confirm: return "Begins the next round, or another match after the result.";
-        case Action::move_left: return "Walks to the left.";
-        case Action::move_right: return "Walks to the right.";
+        case Action::move_left: return "Walks to the left, or turns the crystal.";
+        case Action::move_right: return "Walks to the right, or turns the crystal.";
         case Action::move_forward: return "Walks forward.";
         case Action::move_back: return "Walks back.";
         case Action::turn_left: return "Turns the view to the left.";
@@ -230,11 +235,18 @@ std::string_view help_of(Action action) {
     }
 }
 
+/// A wand's key also takes a mode of the orb or a tool for a crystal.
+std::string help_of_wand(std::size_t wand, std::string_view name) {
+    const auto other = text("takes mode or tool ", wand + 1, " at orb and crystal.");
+    if (wand >= station_keys) return text("Takes the wand ", name, ".");
+    return name.empty() ? text("T", other.substr(1)) : text("Takes the wand ", name, "; ", other);
+}
+
 }  // namespace
 
 std::string help_of(Slot slot, const WandNames& wands) {
     if (slot.sheet == session_sheet) return std::string(help_of(static_cast<SessionKey>(slot.action)));
-    if (const auto wand = wand_slot_of(slot)) return text("Takes the wand ", wands[*wand], ".");
+    if (const auto wand = wand_slot_of(slot)) return help_of_wand(*wand, wands[*wand]);
     return std::string(help_of(static_cast<Action>(slot.action)));
 }
 
