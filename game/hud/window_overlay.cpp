@@ -64,31 +64,34 @@ struct Notice {
 };
 
 /// Lines for both players, the most important first.
-std::vector<Notice> notices_of(const Picture& picture, const PlayerNames& names) {
+std::vector<Notice> notices_of(const Picture& picture, const HudSettings& settings) {
     std::vector<Notice> all;
     constexpr float large = 22;  // em of what may end the round (units)
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& work = picture.wizards[player].work;
         if (picture.phase == Phase::playing && work.left_s > 0)
-            all.push_back({text("Great Work of ", name_of(names, player), ": ",
+            all.push_back({text("Great Work of ", name_of(settings.names, player), ": ",
                                 std::lround(std::ceil(work.left_s)), " s"),
                            opaque(team_colours(player).light), large});
     }
     if (!picture.caption.words.empty())
         all.push_back({picture.caption.words, picture.caption.fault ? paints.light_red : paints.white});
     if (picture.overloaded) {
-        all.push_back({text("The game fell behind by ", fixed(picture.skipped / 1000.0, 1),
-                            " s. Try low picture quality."),
-                       paints.light_red});
+        all.push_back(
+            {text("The game fell behind by ", fixed(picture.skipped / 1000.0, 1), " s. ",
+                  settings.quality == render::Quality::low ? "A smaller window or fewer programs may help."
+                                                           : "Try low picture quality."),
+             paints.light_red});
     }
     if (picture.mark != 0) all.push_back({text("bookmark ", picture.mark), paints.soft});
     return all;
 }
 
 /// Adds the notices from the top of their box downwards, as many as fit.
-void add_notices(Overlay& out, const Picture& picture, const PlayerNames& names, const Panel& box, float u) {
+void add_notices(Overlay& out, const Picture& picture, const HudSettings& settings, const Panel& box,
+                 float u) {
     float top = box.low.y;
-    for (const auto& notice : notices_of(picture, names)) {
+    for (const auto& notice : notices_of(picture, settings)) {
         const float size = std::floor(notice.size * u);
         const fvec2 room(box.high.x - box.low.x - size, box.high.y - top);
         const bool first = top <= box.low.y;
@@ -215,14 +218,14 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     if (shows_wall(picture, layout)) make_room_for_wall(wall_box(layout), *layout.views[wall_player]);
     const bool result = picture.phase != Phase::playing && seconds_to_start(picture) == 0;
     if (!result) add_play(out, picture, settings, layout);
-    add_notices(out, picture, settings.names, layout.notices, layout.unit);
+    add_notices(out, picture, settings, layout.notices, layout.unit);
     if (layout.replay) add_replay_bar(out, *settings.replay, picture.tick, *layout.replay);
     gather(out, 0);
     const auto panel = out.items.size();
     const auto area = area_of_views(settings, size);
     Rect window{0, 0, area.width, area.height};
     if (result) {
-        if (!notices_of(picture, settings.names).empty()) {
+        if (!notices_of(picture, settings).empty()) {
             window.y = std::min(static_cast<int>(layout.notices.high.y), area.height / 2);
             window.height -= window.y;
         }
