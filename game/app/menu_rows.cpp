@@ -202,8 +202,14 @@ std::string_view name_of_play(const MenuContext& context) {
 }
 
 void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    const bool match = !context.apprentice && !context.practice;
     rows.push_back(
-        {RowKind::go_on, 0, {.label = "Go on", .help = "Closes this menu and plays on for everybody."}});
+        {RowKind::go_on,
+         0,
+         {.label = "Go on",
+          .help = match ? "Plays on for everybody. Hold Stir at the cauldron, at the orb below the violet "
+                          "light, or at a crystal below a blue light."
+                        : "Closes this menu and plays on for everybody."}});
     if (context.apprentice)
         add_lesson_rows(rows);
     else if (context.practice) {
