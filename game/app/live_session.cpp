@@ -474,6 +474,9 @@ Screen LiveSession::screen() const {
                   [&](const LiveArm& arm, std::size_t) { messages[arm.player] = arm.notice.fault; });
     for (std::uint32_t p = 0; p < game::players; ++p)
         if (shared_.seats[p].hands) screen.hud.controls[p] = control_names(settings, hands_.device_of(p));
+    // A replay names modes and tools by the keys that a match has for them.
+    for (auto& controls : screen.hud.controls)
+        if (viewer_) controls.wands = control_names(settings, input::DeviceKind::keyboard_mouse).wands;
     for (std::uint32_t p = 0; p < game::players; ++p)
         if (hands_.is_lost(p)) messages[p] = text("pad lost: ", how_to_rejoin);
     return screen;
