@@ -22,7 +22,7 @@ std::string first_label(const input::Bindings& bindings, Action action) {
 }
 
 /// The controls of four directions: a stick by its own name, "W A S D", or "Keypad 8 4 5 6".
-std::string directions(const input::Bindings& bindings, const std::array<Action, 4>& actions) {
+std::string directions(const input::Bindings& bindings, std::initializer_list<Action> actions) {
     constexpr std::string_view keypad = "Keypad ";
     std::string all;
     for (const auto action : actions) {
@@ -50,6 +50,7 @@ game::ControlNames control_names(const Settings& settings, input::DeviceKind kin
                              .trace = first_label(bindings, Action::trace)};
     names.move = directions(bindings,
                             {Action::move_forward, Action::move_left, Action::move_back, Action::move_right});
+    names.aside = directions(bindings, {Action::move_left, Action::move_right});
     names.look = bindings.mouse_look ? std::string("Mouse")
                                      : directions(bindings, {Action::turn_up, Action::turn_left,
                                                              Action::turn_down, Action::turn_right});

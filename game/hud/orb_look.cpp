@@ -198,9 +198,13 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 }
 
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player, std::vector<Instance>& out) {
-    // Radius of the bead, length of the arrow at full force, radius of its base (m).
-    constexpr double bead = 0.022, longest = 0.3, thick = 0.02;
+    constexpr double bead = 0.022;  // radius (m)
     out.push_back(ball_at(look.bead, tip.place, bead, team_colours(player).light, 0.95F));
+    add_force(look, tip, out);
+}
+
+void add_force(const OrbLook& look, const TipPicture& tip, std::vector<Instance>& out) {
+    constexpr double longest = 0.3, thick = 0.02;  // length at full force, radius of the base (m)
     const double force = glm::length(tip.force), share = std::min(tip.force_share, 1.0);
     if (!(force > 0) || share < least_force_share) return;
     const fvec3 shown = ladle_colour(share);

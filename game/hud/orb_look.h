@@ -54,5 +54,7 @@ void add_orb(const OrbLook& look, const OrbPicture& orb, std::uint32_t viewer, v
 /// Adds the tip of a hand at a station: a bead, and the force on the hand as an arrow from green to red.
 void add_tip(const OrbLook& look, const TipPicture& tip, std::uint32_t player,
              std::vector<render::Instance>& out);
+/// Adds the arrow alone.
+void add_force(const OrbLook& look, const TipPicture& tip, std::vector<render::Instance>& out);
 
 }  // namespace thaum::game

@@ -145,15 +145,6 @@ void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
     }
 }
 
-/// Distance from the place where stirring begins, up to which a press of Stir is meant for the cauldron (m).
-constexpr double missed_rim_m = 4;
-
-bool presses_stir(const ecs::World& world, ecs::Entity wizard) {
-    const auto* controls = world.find<Controls>(wizard);
-    return controls != nullptr &&
-           ((controls->held | controls->pressed) & static_cast<std::uint32_t>(input::Button::stir)) != 0;
-}
-
 void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
     const auto& rules = match.data().cauldron;
     if (!rules || out.dead) return;
@@ -165,7 +156,7 @@ void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& mot
     out.at_rim = within_reach(match.data(), cauldron, motion.position);
     out.misses_rim = presses_stir(match.world(), wizard) && !out.stirs && !out.at_rim &&
                      glm::length(motion.position - cauldron.middle) <
-                         match.data().arena.bowl->size.radius + rules->ladle.reach + missed_rim_m;
+                         match.data().arena.bowl->size.radius + rules->ladle.reach + missed_station_m;
     const auto* pouch = match.world().find<Pouch>(wizard);
     if (out.stirs || out.at_rim)
         take_recipe(match, match.world().get<Wizard>(wizard).player, wizard,

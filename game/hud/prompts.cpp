@@ -45,8 +45,8 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
                      text("Draw the strength of ", p.scrying.modes.at(p.scrying.newest))};
     if (p.scrying.scries || p.carving.carves) return std::nullopt;
     if (p.at_rim) return Offer{PromptKind::stir, &controls.stir, "Stir"};
-    if (p.scrying.near) return Offer{PromptKind::scry, &controls.stir, "Scry"};
-    if (p.carving.near) return Offer{PromptKind::carve, &controls.stir, "Carve"};
+    if (p.scrying.near && p.scrying.faces) return Offer{PromptKind::scry, &controls.stir, "Scry"};
+    if (p.carving.near && p.carving.faces) return Offer{PromptKind::carve, &controls.stir, "Carve"};
     if (p.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
     if (p.held) return std::nullopt;
     if (p.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
@@ -72,6 +72,16 @@ void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint
     if (reading.outcome == StrokeOutcome::cast && reading.age_s < before.casting.reading.age_s)
         done(PromptKind::cast);
     if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
+}
+
+/// The station that the player tries to work at from out of reach, or has just been thrown away from.
+std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& now) {
+    const bool lost_crystal = before.carving.carves && !now.carving.near;
+    const bool lost_orb = before.scrying.scries && !now.scrying.near;
+    if (now.misses_rim || (before.stirs && !now.stirs && !now.at_rim)) return StationKind::cauldron;
+    if (now.scrying.misses || lost_orb) return StationKind::orb;
+    if (now.carving.misses || lost_crystal) return StationKind::crystal;
+    return std::nullopt;
 }
 
 /// A control in brackets.
@@ -136,11 +146,16 @@ std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames&
     return Prompt{offer->kind, text("[", *offer->control, "] ", offer->what)};
 }
 
-std::string_view words_of_missed_rim(Tick now, std::uint32_t player, const PromptUses& uses) {
+std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses) {
     constexpr Tick shown = ticks(2.0);
-    const auto& missed = uses.missed_rim[player];
-    const bool recent = missed && now >= *missed && now < *missed + shown;
-    return recent ? "Too far from the cauldron: step to the rim" : std::string_view();
+    const auto& missed = uses.missed[player];
+    if (!missed || now < missed->at || now >= missed->at + shown) return {};
+    switch (missed->station) {
+        case StationKind::cauldron: return "Too far from the cauldron: step to the rim";
+        case StationKind::orb: return "Out of reach of the orb: step up to it";
+        case StationKind::crystal: return "Out of reach of the crystal: step up to it";
+    }
+    return {};
 }
 
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses) {
@@ -156,8 +171,10 @@ void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = now.wizards[player];
         count_uses(before.wizards[player], wizard, player, uses);
-        if (wizard.misses_rim) uses.missed_rim[player] = now.tick;
-        if (wizard.stirs || wizard.at_rim || wizard.dead) uses.missed_rim[player].reset();
+        if (const auto missed = missed_station(before.wizards[player], wizard))
+            uses.missed[player] = MissedStation{now.tick, *missed};
+        const bool near = wizard.stirs || wizard.at_rim || wizard.scrying.near || wizard.carving.near;
+        if (near || wizard.dead) uses.missed[player].reset();
     }
 }
 

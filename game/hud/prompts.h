@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "game/components/station.h"
 #include "game/hud/picture.h"
 
 namespace thaum::game {
@@ -13,7 +14,8 @@ namespace thaum::game {
 struct ControlNames {
     std::string fire{}, stir{}, throw_{}, next_wand{}, trace{};
     std::string move{}, look{}, jump{}, pause{};
-    std::array<std::string, input::most_wands> wands{};    ///< controls that take a wand in hand, by slot
+    std::string aside{};                                 ///< those that walk sideways, for turning a crystal
+    std::array<std::string, input::most_wands> wands{};  ///< controls that take a wand in hand, by slot
     bool fire_toggles{}, trace_toggles{}, stir_toggles{};  ///< true: one press begins, and the next one ends
     bool operator==(const ControlNames&) const = default;
 };
@@ -41,12 +43,20 @@ inline constexpr std::size_t prompt_kinds = 10;
 enum class PromptWish : std::uint8_t { until_learnt, always, never };
 inline constexpr std::array<std::string_view, 3> prompt_wishes{"until_learnt", "always", "never"};
 
+/// A try to work at a station from out of reach.
+struct MissedStation {
+    Tick at{};
+    StationKind station{};
+    bool operator==(const MissedStation&) const = default;
+};
+
 /// How often each player has done what a prompt says, and when a player last tried in vain.
 struct PromptUses {
     static constexpr std::uint32_t learnt = 3;  ///< number after which a prompt is gone
     std::array<std::array<std::uint32_t, prompt_kinds>, players> count{};
-    /// Last tick at which the player pressed Stir too far from the rim; std::nullopt: never, or it has worked since.
-    std::array<std::optional<Tick>, players> missed_rim{};
+    /// When the player last pressed Stir too far from a station, or was thrown away from it; std::nullopt: never, or it
+    /// has worked since.
+    std::array<std::optional<MissedStation>, players> missed{};
     bool operator==(const PromptUses&) const = default;
 
     std::uint32_t& of(std::uint32_t player, PromptKind kind) {
@@ -65,9 +75,9 @@ struct Prompt {
 /// The prompt for what the player can do; std::nullopt if there is nothing, or no control does it.
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls);
 
-/// Words for a player who has just pressed Stir too far from the cauldron; empty for all others. `now` is the picture's
-/// tick.
-std::string_view words_of_missed_rim(Tick now, std::uint32_t player, const PromptUses& uses);
+/// Words for a player who has just pressed Stir too far from a station, or was thrown away from the work; empty for all
+/// others. `now` is the picture's tick.
+std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses);
 
 /// How visible a prompt is, 0 to 1.
 float strength_of(const Prompt& prompt, std::uint32_t player, PromptWish wish, const PromptUses& uses);

@@ -93,13 +93,32 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
 
 // Crystal ----------------------------------------------------------------------------------------------------
 
+/// What the tool in hand would do where it is: that which its sign shows by shape and colour.
+std::string_view words_of_worth(const CarvingPicture& crystal) {
+    switch (crystal.tip.worth) {
+        case DabWorth::helps: return "good place";
+        case DabWorth::spoils: return "spoils the key";
+        case DabWorth::nothing: break;
+    }
+    return "nothing here";
+}
+
 /// Words that say what to do with the tool in hand.
 std::string words_of_tool(const CarvingPicture& crystal, const ControlNames& controls) {
-    const auto fire = text(hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
+    const auto fire = text(": ", hold_or_press(controls.fire_toggles), bracketed(controls.fire, "use wand"));
+    const auto here = text(" (", words_of_worth(crystal), ")");
     const auto tool = crystal.tools.at(crystal.tool);
-    if (tool == "melt") return text("Melt what is amber: ", fire);
-    if (tool == "construct") return text("Build where the key is pale: ", fire);
-    return text(capitalised(tool), ": ", fire);
+    if (tool == "melt") return text("Melt what is amber", fire, here);
+    if (tool == "construct") return text("Build where the key is pale", fire, here);
+    if (tool == "stamp") return text("Stamp a star of crystal", fire, here);
+    if (tool == "paint") return text("Paint, only for the eye", fire);
+    return text(capitalised(tool), fire, here);
+}
+
+/// The controls that turn the crystal.
+std::string keys_of_turning(const ControlNames& controls) {
+    if (controls.aside.empty()) return {};
+    return text("   turn it: [", controls.aside, "]");
 }
 
 RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
@@ -118,23 +137,28 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
     card.brew =
         crystal.overlap > 0
             ? text("Key ", share_in_percent(crystal.overlap), " of ", share_in_percent(crystal.wanted))
-            : text("Nobody has touched it; wanted is ", share_in_percent(crystal.wanted), " of the key");
+            : text("Untouched; carve ", share_in_percent(crystal.wanted), " of the key");
     const auto tools = std::ranges::find_if(crystal.tools, &std::string_view::empty) - crystal.tools.begin();
-    if (crystal.carves) card.brew += text("   tools: ", keys_of(controls, static_cast<std::size_t>(tools)));
+    if (crystal.carves)
+        card.brew +=
+            text("   tools: ", keys_of(controls, static_cast<std::size_t>(tools)), keys_of_turning(controls));
     card.potions = words_of_potions(p);
     return card;
 }
 
+/// Whether a wizard works at the station, or is near and looks at it.
+bool at_orb(const PlayerPicture& p) { return p.scrying.scries || (p.scrying.near && p.scrying.faces); }
+
+bool at_crystal(const PlayerPicture& p) { return p.carving.carves || (p.carving.near && p.carving.faces); }
+
 }  // namespace
 
-bool has_card(const PlayerPicture& p) {
-    return at_cauldron(p) || p.scrying.scries || p.scrying.near || p.carving.carves || p.carving.near;
-}
+bool has_card(const PlayerPicture& p) { return at_cauldron(p) || at_orb(p) || at_crystal(p); }
 
 RimCard card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
     const auto& p = picture.wizards[player];
-    if (p.scrying.scries || p.scrying.near) return orb_card_of(picture, settings, player);
-    if (p.carving.carves || p.carving.near) return crystal_card_of(picture, settings, player);
+    if (at_orb(p)) return orb_card_of(picture, settings, player);
+    if (at_crystal(p)) return crystal_card_of(picture, settings, player);
     return rim_card_of(picture, settings, player);
 }
 

@@ -27,6 +27,57 @@ double reach_of(const field::Tool& tool, double voxel) {
     return reach;
 }
 
+/// Time for which a tool is tried (s): a short click.
+constexpr double trial = 0.15;
+
+/// What the tool of a carver would do where it is.
+DabWorth worth_of(const Simulation& match, const AtStation& station, const Chisel& chisel,
+                  const field::Tool& tool) {
+    const auto& world = match.world();
+    const auto& crystal = world.get<Crystal>(crystal_entity(world, station.number));
+    if (crystal.touched == 0) return DabWorth::nothing;
+    const auto placement = placement_of(crystal);
+    const HandFrame frame = chisel_frame(*match.data().crystal, station);
+    const field::Dab dab{.place = field::to_own(placement, chisel.place),
+                         .turn = glm::transpose(placement.turn) * glm::mat3_cast(frame.turn),
+                         .seconds = trial};
+    return worth_of_dab(match.context(), match.crystals(), crystal, tool, dab);
+}
+
+/// A wizard who may begin at a station.
+struct Comer {
+    bool presses{};  ///< Stir
+    vec3 eye{};      ///< (m, world)
+    vec3 ahead{};    ///< direction of view
+};
+
+Comer comer_of(const Simulation& match, ecs::Entity wizard) {
+    const auto& world = match.world();
+    const auto& gaze = world.get<Gaze>(wizard);
+    return {presses_stir(world, wizard), eye_of(match.data().wizard, world.get<Motion>(wizard).position),
+            look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
+}
+
+/// Whether a press of Stir is meant for a station that lies beyond the reach (m, on the ground).
+bool misses(const Comer& comer, vec3 middle, double reach) {
+    return comer.presses && off_axis(comer.eye - middle) < reach + missed_station_m;
+}
+
+/// Whether a wizard looks towards a station within 60 degrees, seen from above.
+bool faces(const Comer& comer, vec3 middle) {
+    vec3 way = middle - comer.eye, ahead = comer.ahead;
+    way.y = ahead.y = 0;
+    return glm::dot(way, ahead) > 0.5 * glm::length(way) * glm::length(ahead);
+}
+
+/// Place at which a probe is shown: within the glass, although the hand can go beyond it.
+vec3 within_glass(const Orb& orb, vec3 place) {
+    constexpr double share = 0.97;  // of the radius, so that the bead does not pierce the glass
+    const vec3 off = place - orb.middle;
+    const double most = share * orb.radius, length = glm::length(off);
+    return length > most ? orb.middle + most / length * off : place;
+}
+
 /// Words for the names of modes, which are those of files.
 std::string_view shown_mode(std::string_view name) { return name == "vortex_tube" ? "vortex tube" : name; }
 
@@ -102,6 +153,11 @@ void take_voxels(const ecs::World& world, const Crystal& crystal, CrystalPicture
 
 }  // namespace
 
+bool presses_stir(const ecs::World& world, ecs::Entity wizard) {
+    const auto* controls = world.find<Controls>(wizard);
+    return controls != nullptr && ((controls->held | controls->pressed) & bit(input::Button::stir)) != 0;
+}
+
 void take_orb(const Simulation& match, OrbPicture& out) {
     const auto& world = match.world();
     out.there = match.data().orb && world.count<Orb>() > 0;
@@ -116,7 +172,7 @@ void take_orb(const Simulation& match, OrbPicture& out) {
             out.found.at(wizard.player) = modes.told != 0;
             if (scrying != nullptr)
                 out.probes.at(wizard.player) =
-                    TipPicture{.place = scrying->place,
+                    TipPicture{.place = within_glass(orb, scrying->place),
                                .force = scrying->force,
                                .force_share = force_share(match, wizard.player, scrying->force)};
         });
@@ -130,6 +186,10 @@ void take_scrying(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     out.scries = scrying != nullptr;
     out.near = out.scries ||
                within_reach_of_orb(match.data(), world.single<Orb>(), world.get<Motion>(wizard).position);
+    const auto& orb = world.single<Orb>();
+    const auto comer = comer_of(match, wizard);
+    out.misses = !out.near && misses(comer, orb.middle, orb.radius + match.data().orb->reach);
+    out.faces = out.scries || faces(comer, orb.middle);
     if (!out.near) return;
     const auto& rules = *match.data().orb;
     take_modes(match, *modes, out);
@@ -165,9 +225,13 @@ void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     const vec3 body = world.get<Motion>(wizard).position;
     const auto* chisel = world.find<Chisel>(wizard);
     double voxel = 0;  // edge of a voxel of the crystal within reach (m)
+    const auto comer = comer_of(match, wizard);
     world.view<const Crystal>().each([&](const Crystal& crystal) {
-        if (!within_reach_of_crystal(match.data(), crystal, body)) return;
+        const bool near = within_reach_of_crystal(match.data(), crystal, body);
+        out.misses = out.misses || (!near && misses(comer, crystal.middle, rules->reach));
+        if (!near) return;
         out.near = true;
+        out.faces = chisel != nullptr || faces(comer, crystal.middle);
         out.overlap = crystal.overlap;
         voxel = spacing_of(crystal);
     });
@@ -180,6 +244,7 @@ void take_carving(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     if (lens->tool < rules->tools.size()) {
         out.tool = lens->tool;
         out.tip.radius = reach_of(rules->tools[lens->tool], voxel);
+        out.tip.worth = worth_of(match, world.get<AtStation>(wizard), *chisel, rules->tools[lens->tool]);
     }
     out.tip.place = chisel->place;
     out.tip.force = chisel->force;

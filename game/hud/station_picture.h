@@ -13,6 +13,7 @@
 #include "game/components/match.h"
 #include "game/components/orb.h"
 #include "game/components/wizard.h"
+#include "game/crystal/grain.h"
 
 namespace thaum::game {
 
@@ -25,6 +26,7 @@ struct TipPicture {
     double force_share{};  ///< that force as a share of the player's limit, 0 to 1
     double radius{};       ///< reach of a carving tool (m); 0: a probe
     bool works{};          ///< the tool is applied
+    DabWorth worth{};      ///< what a carving tool would do here
 };
 
 /// The orb of a match: a ball with a flow inside.
@@ -43,6 +45,8 @@ inline constexpr std::size_t curve_points = 33;
 /// Search of a wizard at the orb, for the card.
 struct ScryingPicture {
     bool near{};                                           ///< the wizard can begin
+    bool misses{};                                         ///< presses Stir a few steps away from it
+    bool faces{};                                          ///< looks towards it, or scries
     bool scries{};                                         ///< the wizard holds the probe
     std::array<std::string_view, most_orb_modes> modes{};  ///< names of all modes, by key; empty: none
     std::array<bool, most_orb_modes> worn{};               ///< modes that are worn
@@ -76,6 +80,8 @@ struct CrystalPicture {
 /// Work of a wizard at a crystal, for the card.
 struct CarvingPicture {
     bool near{};              ///< the wizard can begin
+    bool misses{};            ///< presses Stir a few steps away from a crystal
+    bool faces{};             ///< looks towards the near one, or carves
     bool carves{};            ///< the wizard holds a tool
     std::uint32_t crystal{};  ///< index in Picture::crystals of the crystal at which the wizard carves
     TipPicture tip{};         ///< that tool
@@ -92,6 +98,11 @@ struct WorkPicture {
     double left_s{};   ///< time until the Great Work is done; 0: the wizard does not hold it
     double whole_s{};  ///< time for which it must be held
 };
+
+/// Distance from the place where work at a station begins, up to which a press of Stir is meant for it (m).
+inline constexpr double missed_station_m = 4;
+
+bool presses_stir(const ecs::World& world, ecs::Entity wizard);
 
 void take_orb(const Simulation& match, OrbPicture& out);
 /// Takes the crystals in the order of the arena's solids. Copies voxels only of a crystal that has changed.

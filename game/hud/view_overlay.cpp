@@ -242,7 +242,10 @@ float bearing(const PlayerPicture& p, vec3 towards) {
 /// Adds arcs towards what has hurt the player: red between a light and a dark edge, so that they stand out from any
 /// background, with a point outwards.
 void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
-    const float outer = l.ring, u = l.ring / 66;
+    // At a station the eyes follow the hand in the middle of the view, so the arcs go round it.
+    constexpr float round_work = 2.2F;
+    const bool works = p.stirs || p.scrying.scries || p.carving.carves;
+    const float u = l.ring / 66, outer = works ? round_work * l.ring : l.ring;
     for (std::uint32_t i = 0; i < p.hurts; ++i) {
         const auto& mark = p.marks[i];
         const auto left = static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds));
@@ -328,12 +331,15 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
         const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
         if (strength > 0) add(prompt->words, fvec4(fvec3(paints.white), strength));
     }
-    add(std::string(words_of_missed_rim(picture.tick, player, settings.prompt_uses)), paints.white);
+    add(std::string(words_of_missed_station(picture.tick, player, settings.prompt_uses)), paints.white);
     if (!has_card(p) && captions) {
-        if (!p.carries.empty()) add(text("Carrying ", p.carries, ": drop it in the cauldron"), paints.white);
+        if (!p.carries.empty())
+            add(text("Carrying the ", p.carries, ": drop it in the cauldron"), paints.white);
         add(words_of_potions(p), paints.soft);
     }
-    if (!fault_of_brew) add(gift, paints.white);
+    // The card says it as well, with the time.
+    const bool at_core = p.gift.kind == EventKind::core_near && p.scrying.core_near;
+    if (!fault_of_brew && !at_core) add(gift, paints.white);
     return all;
 }
 

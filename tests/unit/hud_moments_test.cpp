@@ -94,7 +94,7 @@ TEST(Messages, SayThatTheRimIsTooFar) {
     settings.prompts.fill(PromptWish::never);
     constexpr std::string_view words = "Too far from the cauldron: step to the rim";
     EXPECT_FALSE(has_text(overlay_of(picture, settings), words));
-    settings.prompt_uses.missed_rim[0] = 400;
+    settings.prompt_uses.missed[0] = MissedStation{400, StationKind::cauldron};
     EXPECT_TRUE(has_text(overlay_of(picture, settings), words));
 }
 

@@ -119,14 +119,43 @@ TEST(Prompts, APressOfStirOneStepTooFarAwaySaysSoForAMoment) {
     show(100);
     now.wizards[1].misses_rim = false;
     show(180);
-    EXPECT_EQ(words_of_missed_rim(180, 1, uses), "Too far from the cauldron: step to the rim");
-    EXPECT_EQ(words_of_missed_rim(180, 0, uses), "");
-    EXPECT_EQ(words_of_missed_rim(2099, 1, uses), "Too far from the cauldron: step to the rim");
-    EXPECT_EQ(words_of_missed_rim(2100, 1, uses), "");
-    EXPECT_EQ(words_of_missed_rim(50, 1, uses), "") << "an earlier match, or a place of a replay";
+    EXPECT_EQ(words_of_missed_station(180, 1, uses), "Too far from the cauldron: step to the rim");
+    EXPECT_EQ(words_of_missed_station(180, 0, uses), "");
+    EXPECT_EQ(words_of_missed_station(2099, 1, uses), "Too far from the cauldron: step to the rim");
+    EXPECT_EQ(words_of_missed_station(2100, 1, uses), "");
+    EXPECT_EQ(words_of_missed_station(50, 1, uses), "") << "an earlier match, or a place of a replay";
     now.wizards[1].at_rim = true;
     show(300);
-    EXPECT_EQ(words_of_missed_rim(300, 1, uses), "") << "the player has come to the rim";
+    EXPECT_EQ(words_of_missed_station(300, 1, uses), "") << "the player has come to the rim";
+}
+
+TEST(Prompts, AWizardThrownFromOrbOrCrystalIsTold) {
+    for (const bool orb : {true, false}) {
+        Picture before, now;
+        before.tick = 100;
+        now.tick = 110;
+        before.wizards[0].scrying.scries = before.wizards[0].scrying.near = orb;
+        before.wizards[0].carving.carves = before.wizards[0].carving.near = !orb;
+        PromptUses uses;
+        count_uses(before, now, uses);
+        const auto words =
+            orb ? "Out of reach of the orb: step up to it" : "Out of reach of the crystal: step up to it";
+        EXPECT_EQ(words_of_missed_station(110, 0, uses), words);
+        now.wizards[0].scrying.near = orb;
+        now.wizards[0].carving.near = !orb;
+        PromptUses near;
+        count_uses(before, now, near);
+        EXPECT_EQ(words_of_missed_station(110, 0, near), "") << "the player has let Stir go";
+        now.wizards[0] = {};
+        now.wizards[0].scrying.misses = orb;
+        now.wizards[0].carving.misses = !orb;
+        PromptUses far;
+        count_uses(now, now, far);
+        auto later = now;
+        later.tick = 120;
+        count_uses(now, later, far);
+        EXPECT_EQ(words_of_missed_station(120, 0, far), words) << "Stir out of reach";
+    }
 }
 
 /// Two pictures 10 ticks apart, of which the second one differs as `change` makes it.

@@ -196,7 +196,7 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
                                     [&](const auto& w) { return w.words.find(part) != std::string::npos; });
             };
             for (const std::string_view part :
-                 {"circle: Shield 97 %", "v: Push", "recoil", "Carrying iron", "stirring"})
+                 {"circle: Shield 97 %", "v: Push", "recoil", "Carrying the iron", "stirring"})
                 EXPECT_TRUE(scale > 1 || said(part) != words.end()) << where << ": " << part;
             if (said("circle: ") == words.end() || said("s: Fog") == words.end()) continue;
             const Panel cells{said("circle: ")->box.low,

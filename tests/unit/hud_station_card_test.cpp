@@ -8,6 +8,7 @@
 #include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/hud/layout.h"
+#include "game/hud/prompts.h"
 #include "render/font.h"
 #include "unit/hud_busy.h"
 #include "unit/hud_words.h"
@@ -45,7 +46,7 @@ constexpr std::array all_places{At::orb,      At::orb_core, At::orb_told,
 
 ScryingPicture scrying_at(At place) {
     ScryingPicture orb;
-    orb.near = true;
+    orb.near = orb.faces = true;
     orb.scries = place != At::orb_near;
     orb.modes = {"viscosity", "gradient", "force", "follow", "vortex tube", "surface"};
     orb.worn[3] = orb.worn[4] = true;
@@ -62,7 +63,7 @@ ScryingPicture scrying_at(At place) {
 
 CarvingPicture carving_at(At place) {
     CarvingPicture crystal;
-    crystal.near = true;
+    crystal.near = crystal.faces = true;
     crystal.carves = place == At::crystal;
     crystal.tools = {"melt", "construct", "paint", "stamp"};
     crystal.tool = 1;
@@ -102,6 +103,35 @@ TEST(StationCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
             }
         });
     }
+}
+
+TEST(StationCard, SaysWhetherTheToolHelpsAndHowToTurn) {
+    auto picture = busy_at(At::crystal);
+    auto settings = with_keys({});
+    for (auto& controls : settings.controls) controls.aside = "A D";
+    EXPECT_TRUE(card_of(picture, settings, 0).brew.ends_with("turn it: [A D]"));
+    const std::array words{"nothing here", "good place", "spoils the key"};
+    for (const auto worth : {DabWorth::nothing, DabWorth::helps, DabWorth::spoils}) {
+        picture.wizards[0].carving.tip.worth = worth;
+        const auto step = card_of(picture, settings, 0).step;
+        EXPECT_NE(step.find(words.at(static_cast<std::size_t>(worth))), step.npos) << step;
+    }
+    picture.wizards[0].carving.overlap = 0;
+    EXPECT_TRUE(card_of(picture, settings, 0).brew.starts_with("Untouched; carve 80 % of the key"));
+}
+
+TEST(StationCard, IsGoneWhileItsPlayerLooksAway) {
+    for (const auto place : {At::orb_near, At::crystal_near}) {
+        auto p = busy_at(place).wizards[0];
+        EXPECT_TRUE(has_card(p));
+        p.scrying.faces = p.carving.faces = false;
+        EXPECT_FALSE(has_card(p));
+        const auto prompt = prompt_of(p, with_keys({}).controls[0]);
+        EXPECT_FALSE(prompt && (prompt->kind == PromptKind::scry || prompt->kind == PromptKind::carve));
+    }
+    auto works = busy_at(At::crystal).wizards[0];
+    works.carving.faces = false;
+    EXPECT_TRUE(has_card(works)) << "a hand at work";
 }
 
 TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
