@@ -45,8 +45,8 @@ or gyroid (bodies), vortices or beltrami (flows).
   --opacity X:Y,...  opacity of the picture, and of that feel, by the density
   --level X        value of the felt and drawn surface (between body and air)
   --look NAME      surface (default) or translucent;  --device NAME  (touch)
-  --hand PATH      rest, press, circle, or FILE.csv with time_s,x_m,y_m,z_m
-                   (headless: press; the window: the mouse)
+  --hand PATH      rest, press, circle, FILE.csv with time_s,x_m,y_m,z_m, or a trace
+                   to play again (headless: press; the window: the mouse)
   --carve T,A,B    holds tool T (melt, construct, paint, ...) from second A to B
   --session FILE   settings that the window saved, in place of VOLUME
   --save FILE      .nrrd: the body at the end;  --trace FILE  CSV, a row a tick of 1 ms
@@ -420,10 +420,11 @@ int run_headless(VolumeLabPlan plan) {
     const auto start = monotonic_ns();
     const auto steps = ticks(*plan.seconds);
     for (Tick i = 0; i < steps; ++i) {
-        const auto figures = game::step_volume_lab(plan.lab, planned_input(plan));
+        const auto input = planned_input(plan);
+        const auto figures = game::step_volume_lab(plan.lab, input);
         most_n = std::max(most_n, glm::length(figures.force));
         changed += figures.edit.voxels;
-        trace->add([&](std::string& rows) { game::append_volume_row(plan.lab, figures, rows); });
+        trace->add([&](std::string& rows) { game::append_volume_row(plan.lab, input, figures, rows); });
         if (auto put = shots->follow(plan.lab, plan.view, figures); !put) return refuse(put.error());
     }
     const double took = static_cast<double>(monotonic_ns() - start) * 1e-9;
@@ -467,6 +468,8 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
         plan.view.level = session.level;
         plan.view.opacity = session.opacity;
     }
+    if (session.view)
+        plan.view.eye = {session.view->yaw, session.view->pitch, session.view->away, session.view->aim};
     game::VolumeLabSettings settings{session.modes, session.feel, plan.view.opacity, {session.first.place}};
     for (const auto& one : session.beside) settings.places.push_back(one.place);
     if (auto set = game::change_volume_lab(plan.lab, settings); !set) return tl::unexpected(set.error());
@@ -474,6 +477,7 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
 }
 
 game::VolumeSession session_of(const VolumeLabPlan& plan) {
+    const auto& eye = plan.view.eye;
     game::VolumeSession session{.first = plan.first,
                                 .beside = plan.beside,
                                 .registered = plan.registered,
@@ -481,6 +485,7 @@ game::VolumeSession session_of(const VolumeLabPlan& plan) {
                                 .translucent = plan.view.look == render::ScanLook::translucent,
                                 .level = plan.view.level,
                                 .opacity = plan.view.opacity,
+                                .view = game::SessionView{eye.yaw, eye.pitch, eye.away, eye.aim},
                                 .feel = plan.lab.settings.feel,
                                 .modes = plan.lab.settings.modes};
     const auto& places = plan.lab.settings.places;
@@ -494,6 +499,12 @@ game::VolumeLabInput planned_input(const VolumeLabPlan& plan) {
     game::VolumeLabInput input;
     const double now = plan.lab.seconds();
     input.target = game::wanted_place(plan.path, plan.lab.data.device.workspace, now);
+    const auto use = game::use_at(plan.path, now);
+    input.history = use.history;
+    if (use.tool > 0) {
+        input.carve = true;
+        input.tool = use.tool - 1;
+    }
     for (const auto& carve : plan.carves) {
         if (now < carve.from || now >= carve.to) continue;
         input.carve = true;

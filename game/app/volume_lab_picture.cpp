@@ -130,7 +130,7 @@ render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
     const quat turn = look_rotation(eye.yaw, -eye.pitch);
     const double away = eye.away * diagonal(lab);
     render::Camera camera;
-    camera.position = fvec3(turn * vec3(0, 0, away));
+    camera.position = fvec3(eye.aim + turn * vec3(0, 0, away));
     camera.orientation = fquat(turn);
     camera.fov_y = 0.7F;
     camera.near_plane = static_cast<float>(0.02 * away);

@@ -12,11 +12,12 @@
 
 namespace thaum::app {
 
-/// Camera that orbits the middle of the workspace.
+/// Camera that orbits a place near the middle of the workspace.
 struct VolumeEye {
     double yaw = 0.5;    ///< angle about the upright axis (rad)
     double pitch = 0.4;  ///< angle above the level (rad)
     double away = 1.6;   ///< distance, in lengths of the volume's diagonal
+    vec3 aim{};          ///< middle of the picture (m)
 };
 
 /// How the volume is shown.

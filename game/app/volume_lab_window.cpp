@@ -37,7 +37,8 @@ struct Session {
     std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: not yet known
     vec3 target{};                  ///< where the hand wants to be (m)
     double depth{};                 ///< of the hand beyond the middle, along the view (m)
-    bool by_mouse = false, carving = false, turning = false, leaves = false, control = false;
+    bool by_mouse = false, carving = false, turning = false, panning = false, leaves = false, control = false;
+    int height = 1;           ///< of the window (px)
     int history = 0;          ///< undo or redo that is due
     std::uint32_t saved = 1;  ///< Bricks::newest of the body when it was opened or saved
 };
@@ -64,7 +65,7 @@ vec3 pointed_at(const Session& session, render::Size size) {
     const quat turn(camera.orientation);
     const vec3 ray = turn * vec3(tall * (double{session.cursor->x} - 0.5 * size.width) / half,
                                  tall * (half - double{session.cursor->y}) / half, -1);
-    const double away = glm::length(vec3(camera.position)) + session.depth;
+    const double away = glm::dot(vec3(camera.position), turn * vec3(0, 0, 1)) + session.depth;
     const vec3 reach = 0.5 * session.plan.lab.data.device.workspace;
     return glm::clamp(vec3(camera.position) + away * ray, -reach, reach);
 }
@@ -72,8 +73,8 @@ vec3 pointed_at(const Session& session, render::Size size) {
 /// Puts the hand before the volume, where it touches nothing and is seen.
 void put_hand_before(Session& session) {
     auto& lab = session.plan.lab;
-    const vec3 eye(camera_of(session.plan.view.eye, lab).position);
-    session.target = game::place_before(glm::normalize(eye), lab.data.device.workspace);
+    const quat turn(camera_of(session.plan.view.eye, lab).orientation);
+    session.target = game::place_before(turn * vec3(0, 0, 1), lab.data.device.workspace);
     session.depth = -glm::length(session.target);
     session.by_mouse = true;
     game::rest_hand(lab, session.target);
@@ -88,6 +89,17 @@ void press(Session& session, std::string_view key) {
     if (key == "PageDown") session.depth -= depth_step;
 }
 
+/// Moves the picture with the mouse, by a way in px.
+void pan(Session& session, fvec2 way) {
+    auto& eye = session.plan.view.eye;
+    const auto camera = camera_of(eye, session.plan.lab);
+    const double metres = 2 * std::tan(double{camera.fov_y} / 2) *
+                          glm::distance(vec3(camera.position), eye.aim) / std::max(session.height, 1);
+    const vec3 aim = eye.aim + quat(camera.orientation) * vec3(-way.x, way.y, 0) * metres;
+    const vec3 reach = session.plan.lab.data.device.workspace;
+    eye.aim = glm::clamp(aim, -reach, reach);
+}
+
 void cursor_moved(Session& session, fvec2 to) {
     if (session.turning && session.cursor) {
         const fvec2 way = to - *session.cursor;
@@ -95,6 +107,7 @@ void cursor_moved(Session& session, fvec2 to) {
         eye.yaw = std::remainder(eye.yaw - turn_per_px * double{way.x}, 2 * pi);
         eye.pitch = std::clamp(eye.pitch + turn_per_px * double{way.y}, -1.5, 1.5);
     }
+    if (session.panning && session.cursor) pan(session, to - *session.cursor);
     session.cursor = to;
     session.by_mouse = true;
 }
@@ -110,6 +123,7 @@ render::WindowEvents lab_events(Session& session) {
     events.mouse_button = [&](int button, bool pressed) {
         if (button == 0) session.carving = pressed;
         if (button == 1) session.turning = pressed;
+        if (button == 2) session.panning = pressed;
     };
     events.cursor = [&](double x, double y) { cursor_moved(session, fvec2(vec2(x, y))); };
     events.wheel = [&](double steps) {
@@ -120,7 +134,7 @@ render::WindowEvents lab_events(Session& session) {
             session.depth += depth_step * steps;
     };
     events.focus = [&](bool focused) {
-        if (!focused) session.carving = session.turning = session.control = false;
+        if (!focused) session.carving = session.turning = session.panning = session.control = false;
     };
     return events;
 }
@@ -134,12 +148,15 @@ void show_what_is_set(const game::VolumeLab& lab, VolumePanelState& panels) {
 
 void step(Session& session) {
     auto input = planned_input(session.plan);
-    if (session.by_mouse) input.target = session.target;
+    if (session.by_mouse) {
+        if (!session.plan.path.uses.empty()) input = {};
+        input.target = session.target;
+    }
     if (session.carving) {
         input.carve = true;
         input.tool = session.panels.tool;
     }
-    input.history = std::exchange(session.history, 0);
+    if (session.history != 0) input.history = std::exchange(session.history, 0);
     input.change = std::exchange(session.panels.change, std::nullopt);
     session.figures = game::step_volume_lab(session.plan.lab, input);
     if (!session.figures.refused.empty()) {
@@ -147,7 +164,7 @@ void step(Session& session) {
         show_what_is_set(session.plan.lab, session.panels);
     }
     session.trace.add(
-        [&](std::string& rows) { game::append_volume_row(session.plan.lab, session.figures, rows); });
+        [&](std::string& rows) { game::append_volume_row(session.plan.lab, input, session.figures, rows); });
     add_force(session.panels, glm::length(session.figures.force));
 }
 
@@ -263,7 +280,9 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
         const auto now = monotonic_ns();
         const double passed = static_cast<double>(now - std::exchange(last, now)) * 1e-9;
         owed = std::min(owed + passed, seconds(ticks_of_a_frame));
-        if (session.cursor && !session.turning && !session.panels.hand_held && session.plan.lab.tick > 0)
+        session.height = size.height;
+        if (session.cursor && !session.turning && !session.panning && !session.panels.hand_held &&
+            session.plan.lab.tick > 0)
             session.target = pointed_at(session, size);
         const auto before = session.plan.lab.tick;
         for (; owed >= tick_seconds; owed -= tick_seconds) step(session);

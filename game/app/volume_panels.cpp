@@ -384,7 +384,8 @@ void show_help() {
         "it is: "
         "change settings meanwhile, bring the mouse back to the ball and press H again. Left button or "
         "Space: tool. "
-        "Right button: turn the view. Ctrl and wheel: nearer. Draw in a curve to set a strength. The bright "
+        "Right button: turn the view, middle button: move it. Ctrl and wheel: nearer. Draw in a curve to set "
+        "a strength. The bright "
         "ball is "
         "the hand on the surface, the small grey one the tip of the arm; the further apart, the stronger the "
         "force.");

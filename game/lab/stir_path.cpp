@@ -76,15 +76,10 @@ Expected<StirPath> stir_path(std::string_view word) {
     if (word == "none") return StirPath{};
     if (word == "circle") return StirPath{.kind = Stirring::circle};
     if (word == "figure8") return StirPath{.kind = Stirring::figure8};
-    auto path = load_stir_path(word);
-    if (!path && !std::filesystem::exists(word))
-        return fail(text("--stir takes none, circle, figure8 or a file: ", path.error().message));
-    return path;
-}
-
-Expected<StirPath> load_stir_path(std::string_view file) {
-    const auto csv = read_text_file(file, path_file_most);
-    return csv ? parse_stir_path(*csv, file) : tl::unexpected(csv.error());
+    const auto csv = read_text_file(word, path_file_most);
+    if (csv) return parse_stir_path(*csv, word);
+    if (std::filesystem::exists(word)) return tl::unexpected(csv.error());
+    return fail(text("--stir takes none, circle, figure8 or a file: ", csv.error().message));
 }
 
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds) {

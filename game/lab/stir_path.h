@@ -27,8 +27,7 @@ struct StirPath {
 /// time_s,x_m,y_m,z_m. The error names the fault, and for a file its line: no such file, no numbers, or times
 /// that do not increase.
 Expected<StirPath> stir_path(std::string_view word);
-/// Reads the path of a CSV file. The error is that of `stir_path`.
-Expected<StirPath> load_stir_path(std::string_view file);
+/// Parses the text of such a file. `name` is the file's, for the error.
 Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name);
 
 /// End of the ladle (m, brew); std::nullopt: out of the brew, as before and after a file's times. The circle

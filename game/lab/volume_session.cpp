@@ -1,5 +1,7 @@
 #include "game/lab/volume_session.h"
 
+#include <algorithm>
+
 #include "core/file.h"
 #include "core/text.h"
 #include "field/field_config.h"
@@ -79,6 +81,20 @@ std::string volume_text(const SessionVolume& one) {
                 p.yaw / degree, "]\n");
 }
 
+std::optional<SessionView> read_view(const ConfigTable& root) {
+    const auto n = root.numbers("view", {-1000, 1000}, 6, {});
+    if (n.empty()) return std::nullopt;
+    if (n.size() == 6 && n[2] >= 0.1 && n[2] <= 100)
+        return SessionView{n[0] * degree, std::clamp(n[1], -86.0, 86.0) * degree, n[2], {n[3], n[4], n[5]}};
+    root.report("view", "must be two angles in degrees, a distance from 0.1 to 100, and x, y, z");
+    return std::nullopt;
+}
+
+std::string view_text(const SessionView& v) {
+    return text("view = [", v.yaw / degree, ", ", v.pitch / degree, ", ", v.away, ", ", v.aim.x, ", ",
+                v.aim.y, ", ", v.aim.z, "]\n");
+}
+
 /// Makes a relative path relative to the program if it was relative to the folder of a session.
 void find_beside(const std::filesystem::path& folder, std::string& volume) {
     std::error_code ignored;
@@ -95,6 +111,7 @@ std::string session_text(const VolumeSession& session) {
              "registered = ", session.registered ? "true" : "false", "\ndevice = ", in_quotes(session.device),
              "\nlook = ", session.translucent ? "\"translucent\"" : "\"surface\"",
              "\nlevel = ", session.level, "\nopacity = ", points_text(session.opacity), '\n');
+    if (session.view) words += view_text(*session.view);
     for (const SessionVolume& volume : session.beside) words += "\n[[beside]]\n" + volume_text(volume);
     for (const FeelPart& part : session.feel) words += feel_text(part);
     for (const LabMode& mode : session.modes) {
@@ -123,6 +140,7 @@ Expected<VolumeSession> read_session(const Config& file) {
     session.translucent = root.choice("look", {"surface", "translucent"}, 0) == 1;
     session.level = root.number("level", any, 0);
     session.opacity = read_points(root, "opacity");
+    session.view = read_view(root);
     read_feel(root, session.feel);
     for (const auto& table : root.tables("mode")) session.modes.push_back(read_lab_mode(table));
     if (session.modes.size() > haptics::primitive_capacity)

@@ -11,6 +11,7 @@
 //     look = "surface"                  or "translucent"
 //     level = 500.0
 //     opacity = [0, 0, 1000, 0.3]       x, y, x, y, ... of the picture's transfer function
+//     view = [29, 23, 1.6, 0, 0, 0]     turn and height of the eye (degrees), distance, middle of the picture (m)
 //     [[feel]]                          a part of the body's feel (game/lab/body_feel.h); none or more
 //     kind = "wall"
 //     numbers = [500, 0.8, 0.2]
@@ -29,6 +30,7 @@
 //     b = 0.0
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,13 @@ struct SessionVolume {
     LabPlace place{};
 };
 
+/// Place of the eye (game/app/volume_lab_picture.h).
+struct SessionView {
+    double yaw{}, pitch{};  ///< rad
+    double away{1};         ///< lengths of the volume's diagonal
+    vec3 aim{};             ///< m
+};
+
 struct VolumeSession {
     SessionVolume first{};
     std::vector<SessionVolume> beside{};
@@ -53,6 +62,7 @@ struct VolumeSession {
     bool translucent = false;
     double level{};
     field::TransferFunction opacity{};
+    std::optional<SessionView> view{};  ///< std::nullopt: the usual one
     std::vector<FeelPart> feel{};
     std::vector<LabMode> modes{};
 };

@@ -6,7 +6,11 @@
 
 namespace thaum::game {
 
+/// The columns from hand_x_m on are what the hand wanted in the step; hand_path reads them, so a trace can be played
+/// again. tool: place of the held tool in the sorted list, from 1; 0: none. history: -1 undo, 1 redo.
 std::string volume_trace_header();
-void append_volume_row(const VolumeLab& lab, const VolumeLabFigures& figures, std::string& rows);
+/// Appends the row of the step that `input` led to.
+void append_volume_row(const VolumeLab& lab, const VolumeLabInput& input, const VolumeLabFigures& figures,
+                       std::string& rows);
 
 }  // namespace thaum::game

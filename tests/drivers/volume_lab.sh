@@ -16,7 +16,7 @@ drawn() { [ "$(import -window root -crop 300x200+500+260 -format %k info: 2>/dev
 eventually "no window" drawn
 
 # A row of the trace since a line number that fulfils a condition of awk: columns as $time_s, $changed_voxels, ...
-names=time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n,value,changed_voxels
+names=time_s,tip_x_m,tip_y_m,tip_z_m,proxy_x_m,proxy_y_m,proxy_z_m,force_x_n,force_y_n,force_z_n,value,changed_voxels,hand_x_m,hand_y_m,hand_z_m,tool,history
 trace() { cat "$folder"/trace.csv*; }
 rows() { trace | wc -l; }
 seen() {
@@ -119,4 +119,10 @@ eventually "no rows after the question" goes_on
 import -window root "${SHOTS:-$folder}/volume_lab_question.png"
 xdotool mousemove 650 370 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
 wait "$lab" || fail "the exit code after the question"
+
+# What a hand did in the window, its tool too, is played again from the trace and leads to the same trace.
+ticks=$(($(rows) - 1))
+"$thaum" lab sphere --count 32 --headless --hand "$folder/trace.csv" --trace "$folder/again.csv" \
+    --seconds $((ticks / 1000)).$(printf %03d $((ticks % 1000))) >/dev/null || fail "the trace does not lead the hand"
+cmp "$folder/trace.csv" "$folder/again.csv" || fail "the trace played again differs"
 echo "passed"

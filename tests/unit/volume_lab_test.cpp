@@ -265,7 +265,7 @@ TEST(VolumeLab, ASurfaceBeginsWhereBodyAndAirPart) {
 TEST(VolumeLab, ATraceHasARowOfTheHeadersColumns) {
     auto lab = made("sphere", 16);
     std::string row;
-    append_volume_row(lab, step_volume_lab(lab, {}), row);
+    append_volume_row(lab, {}, step_volume_lab(lab, {}), row);
     EXPECT_EQ(std::ranges::count(row, ','), std::ranges::count(volume_trace_header(), ','));
 }
 
@@ -429,12 +429,48 @@ TEST(HandPath, GoesWhereItSays) {
     EXPECT_DOUBLE_EQ(wanted_place(file, workspace, 9).x, 0.1);
 }
 
+TEST(HandPath, ATraceIsPlayedAgainToTheSameState) {
+    const auto play = [](auto input_of) {
+        auto lab = made("sphere", 24);
+        choose(lab, "isosurface", 2.5, 127.5);
+        rest_hand(lab, {0, 0.05, 0});
+        std::string rows = volume_trace_header();
+        for (int i = 0; i < 700; ++i) {
+            const VolumeLabInput input = input_of(lab);
+            append_volume_row(lab, input, step_volume_lab(lab, input), rows);
+        }
+        return std::pair(lab_hash(lab), rows);
+    };
+    const auto first = play([](const VolumeLab& lab) {
+        VolumeLabInput input{.target = {0.02 * std::sin(9 * lab.seconds()), 0.05 - 0.07 * lab.seconds(), 0}};
+        input.carve = lab.tick > 300 && lab.tick < 500;
+        input.tool = tool_named(lab, "melt");
+        input.history = lab.tick == 600 ? -1 : 0;
+        return input;
+    });
+    const auto path = parse_hand_trace(first.second, "trace");
+    ASSERT_TRUE(path) << path.error().message;
+    const auto again = play([&](const VolumeLab& lab) {
+        const auto use = use_at(*path, lab.seconds());
+        VolumeLabInput input{.target = wanted_place(*path, lab.data.device.workspace, lab.seconds())};
+        input.carve = use.tool > 0;
+        input.tool = use.tool - (input.carve ? 1 : 0);
+        input.history = use.history;
+        return input;
+    });
+    EXPECT_EQ(again.first, first.first);
+    EXPECT_EQ(std::ranges::count(again.second, ','), std::ranges::count(first.second, ','));
+    EXPECT_FALSE(parse_hand_trace("time_s,tip_x_m\n0.001,0\n", "old"));
+    EXPECT_FALSE(parse_hand_trace(volume_trace_header() + "0.001,0,0\n", "cut"));
+}
+
 TEST(VolumeSession, SavedSettingsComeBack) {
     auto lab = made("sphere", 16);
     VolumeSession session{
         .first = {"a \"b\\.nrrd", 32, 9, {{0.01, 0, -0.02}, 0.5, 2}}, .device = "omni", .translucent = true};
     session.beside = {{"vortices", 16, 4, {{0, 0.03, 0}, 0, 0.5}}};
     session.level = 0.1;
+    session.view = SessionView{0.25, -0.5, 2.5, {0.01, 0, 0.02}};
     session.opacity = field::window(-1, 2.5, 0, 0.75);
     session.modes = {*lab_mode(lab, "isosurface"), *lab_mode(lab, "viscosity")};
     session.feel = {part("wall", {500, 0.8, 0.2}), part("gravity", {0, -0.1, 0})};
@@ -452,6 +488,9 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     ASSERT_EQ(read->beside.size(), 1U);
     EXPECT_EQ(read->beside[0].place, session.beside[0].place);
     EXPECT_EQ(read->opacity, session.opacity);
+    ASSERT_TRUE(read->view);
+    EXPECT_NEAR(read->view->yaw, 0.25, 1e-12);
+    EXPECT_EQ(read->view->aim, session.view->aim);
     EXPECT_EQ(read->feel, session.feel);
     EXPECT_EQ(read->modes[1].settings.strength, session.modes[1].settings.strength);
 }
