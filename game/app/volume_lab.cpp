@@ -386,6 +386,7 @@ Expected<VolumeLabPlan> read_plan(const Arguments& arguments) {
     protect_volumes(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    if (!session->view) come_near(plan.lab, plan.view);  // the level may be another one now
     if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return tl::unexpected(put.error());
     note_slow_filters(plan);
     if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());

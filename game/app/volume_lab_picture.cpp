@@ -11,7 +11,9 @@ namespace {
 
 constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
 constexpr float newton_m = 0.012F;                             // length of the arrow for each newton (m)
-constexpr float layers = 60;  // layers of the table's opacity along the diagonal
+constexpr float view_angle = 0.7F;     // from the lower to the upper edge of the picture (rad)
+constexpr double filled_height = 0.7;  // share of the picture's height that a volume fills at first
+constexpr float layers = 60;           // layers of the table's opacity along the diagonal
 
 double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
 
@@ -74,6 +76,13 @@ fvec3 ramp(float share) {
     return share < 0.5F ? glm::mix(low, middle, 2 * share) : glm::mix(middle, high, 2 * share - 1);
 }
 
+/// Colours of the ribbons by speed, which differ from those of the haze: blue, green, red.
+fvec3 speed_ramp(float share) {
+    const fvec3 slow = render::colour(0x2060FF), middle = render::colour(0x40E060),
+                fast = render::colour(0xFF3B2E);
+    return share < 0.5F ? glm::mix(slow, middle, 2 * share) : glm::mix(middle, fast, 2 * share - 1);
+}
+
 /// A plain room: light from above and from the user's left, on a dark ground.
 render::Environment lab_light() {
     render::Environment light;
@@ -100,8 +109,34 @@ VolumeView view_of(const game::VolumeRef& volume) {
     const double low = volume.range.low, high = volume.range.high;
     view.level = volume.usual_level;
     view.opacity = field::window(low + 0.3 * (high - low), high, 0, 0.3);
-    if (volume.kind() == haptics::FieldKind::vector) view.look = render::ScanLook::translucent;
+    if (volume.kind() == haptics::FieldKind::scalar) return view;
+    // A thin haze, through which the ribbons are seen.
+    view.look = render::ScanLook::translucent;
+    view.opacity = field::window(low + 0.3 * (high - low), high, 0, 0.06);
     return view;
+}
+
+/// Places that a picture should show (m, lab): those of the body within its surface, or the corners of a flow's box.
+std::vector<vec3> shown_places(const game::VolumeLab& lab, double level) {
+    std::vector<vec3> places;
+    const auto n = lab.carvable() ? lab.body.count : lab.source.count;
+    const auto samples =
+        static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(n[2]);
+    const int step = 1 + static_cast<int>(std::cbrt(static_cast<double>(samples)) / 48);
+    for (int k = 0; lab.carvable() && k < n[2]; k += step)
+        for (int j = 0; j < n[1]; j += step)
+            for (int i = 0; i < n[0]; i += step) {
+                const auto at = static_cast<std::size_t>(i + n[0] * (j + n[1] * k));
+                if (double{lab.body.density[at]} >= level)
+                    places.push_back(field::to_parent(lab.placement, lab.source.place(i, j, k)));
+            }
+    for (int corner = 0; corner < 8 && places.size() < 8; ++corner) {
+        const std::array at{(corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0};
+        places.push_back(field::to_parent(
+            lab.placement,
+            lab.source.place(at[0] ? n[0] - 1 : 0, at[1] ? n[1] - 1 : 0, at[2] ? n[2] - 1 : 0)));
+    }
+    return places;
 }
 
 std::vector<float> lengths_of(const std::vector<float>& vectors) {
@@ -124,7 +159,26 @@ void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial>
 
 }  // namespace
 
-VolumeView usual_view(const game::VolumeLab& lab) { return view_of(game::volume_of(lab, 0)); }
+void come_near(const game::VolumeLab& lab, VolumeView& view) {
+    const auto places = shown_places(lab, view.level);
+    vec3 low = places[0], high = places[0];
+    for (const vec3 place : places) low = glm::min(low, place), high = glm::max(high, place);
+    view.eye.aim = 0.5 * (low + high);
+    const quat back = glm::conjugate(look_rotation(view.eye.yaw, -view.eye.pitch));
+    const double tall = filled_height * std::tan(0.5 * double{view_angle});
+    double away = 0;
+    for (const vec3 place : places) {
+        const vec3 seen = back * (place - view.eye.aim);
+        away = std::max(away, std::max(std::abs(seen.y), std::abs(seen.x)) / tall + seen.z);
+    }
+    view.eye.away = std::clamp(away / diagonal(lab), 0.4, 8.0);
+}
+
+VolumeView usual_view(const game::VolumeLab& lab) {
+    auto view = view_of(game::volume_of(lab, 0));
+    come_near(lab, view);
+    return view;
+}
 
 render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
     const quat turn = look_rotation(eye.yaw, -eye.pitch);
@@ -132,7 +186,7 @@ render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab) {
     render::Camera camera;
     camera.position = fvec3(eye.aim + turn * vec3(0, 0, away));
     camera.orientation = fquat(turn);
-    camera.fov_y = 0.7F;
+    camera.fov_y = view_angle;
     camera.near_plane = static_cast<float>(0.02 * away);
     camera.far_plane = static_cast<float>(20 * away);
     return camera;
@@ -150,7 +204,8 @@ VolumePicture::VolumePicture(render::Renderer& renderer, const game::VolumeLab& 
     proxy_ = renderer.upload(render::sphere(proxy_radius, 20, render::colour(0xFFB040)));
     edge_ = renderer.upload(render::cylinder(edge_radius, 1, 6, render::colour(0x8FA6C8)));
     rod_ = renderer.upload(render::cylinder(0.0006F, 1, 12, render::colour(0xFF5A3C)));
-    for (std::size_t i = 0; i < colours_.size(); ++i) colours_[i] = ramp(static_cast<float>(i) / 255.0F);
+    for (std::size_t i = 0; i < colours_.size(); ++i)
+        colours_[i] = speed_ramp(static_cast<float>(i) / 255.0F);
     for (const auto& material : lab.data.materials)
         materials_.push_back({.colour = fvec3(1), .opacity = static_cast<float>(material.opacity)});
     frame_.bloom = false;
@@ -174,10 +229,11 @@ void VolumePicture::add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec
                                              .longest_step = 0.01 * size,
                                              .low = -half,
                                              .high = half};
-    const render::RibbonLook look{.width = static_cast<float>(0.006 * size),
+    const render::RibbonLook look{.width = static_cast<float>(0.009 * size),
                                   .colours = &colours_,
                                   .slowest = 0,
-                                  .fastest = std::max(double{volume.range.high}, 1e-9)};
+                                  .fastest = std::max(double{volume.range.high}, 1e-9),
+                                  .glow = 0.35F};
     drawn.ribbons.update(*renderer_, field::field_of<field::Vector>(flow), seeds_, settings, look, 1);
     const auto instances = drawn.ribbons.instances(model_of(volume.placement));
     instances_.insert(instances_.end(), instances.begin(), instances.end());
@@ -229,7 +285,9 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
                      .instances = instances_,
                      .lights = {},
                      .environment = lab_light()}};
-    frame_.views[0].scan_detail = view.still ? render::ScanDetail::sharp : render::ScanDetail::automatic;
+    frame_.views[0].scan_detail = view.still    ? render::ScanDetail::sharp
+                                  : view.moving ? render::ScanDetail::quick
+                                                : render::ScanDetail::automatic;
     frame_.views[0].scans = scans_;
     frame_.overlay.items.clear();
     frame_.overlay.items.push_back(render::TextItem{
@@ -239,6 +297,14 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
         20,
         fvec4(1),
         render::Align::right});
+    if (kind_of(lab) == haptics::FieldKind::vector)
+        frame_.overlay.items.push_back(
+            render::TextItem{text("ribbons: blue 0, green ", fixed(0.5 * double{lab.range.high}, 2), ", red ",
+                                  fixed(lab.range.high, 2)),
+                             {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 70},
+                             16,
+                             fvec4(1),
+                             render::Align::right});
     return frame_;
 }
 

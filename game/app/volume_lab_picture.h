@@ -25,13 +25,17 @@ struct VolumeView {
     render::ScanLook look = render::ScanLook::surface;
     double level{};                     ///< value of the surface
     field::TransferFunction opacity{};  ///< by the value, 0 to 1, for the translucent look
-    int ribbons = 40;    ///< number of stream ribbons of a flow, besides the one through the proxy
-    bool still = false;  ///< draw sharp, however long it takes
+    int ribbons = 40;     ///< number of stream ribbons of a flow, besides the one through the proxy
+    bool moving = false;  ///< draw quickly: the hand, the view or the body moved a short time ago
+    bool still = false;   ///< draw sharp, however long it takes
     VolumeEye eye{};
 };
 
 /// Look that suits a volume: a surface at the middle of its range, with an opacity that grows from there.
 VolumeView usual_view(const game::VolumeLab& lab);
+
+/// Puts the middle of what is shown into the middle of the picture, at a distance where it fills 70 % of the height.
+void come_near(const game::VolumeLab& lab, VolumeView& view);
 
 class VolumePicture {
 public:

@@ -26,8 +26,16 @@ namespace {
 constexpr Tick ticks_of_a_frame = 100;  // most ticks for one picture; time beyond them is dropped
 constexpr double frames_per_second = 60;
 constexpr double turn_per_px = 0.008, nearer = 0.9;
-constexpr double depth_step = 0.003;  // way of the hand along the view by one step of the wheel (m)
+constexpr double depth_step = 0.003;           // way of the hand along the view by one step of the wheel (m)
+constexpr double least_way = 1e-4;             // way of a hand that moves (m)
+constexpr std::int64_t rest_ns = 400'000'000;  // rest after which a sharp picture is drawn
 constexpr float text_px = 14;
+
+/// What a picture showed.
+struct Seen {
+    vec3 tip{}, aim{}, eye{};
+    std::uint32_t body{};
+};
 
 struct Session {
     VolumeLabPlan plan;
@@ -38,8 +46,10 @@ struct Session {
     vec3 target{};                  ///< where the hand wants to be (m)
     double depth{};                 ///< of the hand beyond the middle, along the view (m)
     bool by_mouse = false, carving = false, turning = false, panning = false, leaves = false, control = false;
-    int height = 1;           ///< of the window (px)
-    int history = 0;          ///< undo or redo that is due
+    int height = 1;   ///< of the window (px)
+    int history = 0;  ///< undo or redo that is due
+    Seen seen{};
+    std::int64_t moved = 0;   ///< time at which the picture last changed (ns)
     std::uint32_t saved = 1;  ///< Bricks::newest of the body when it was opened or saved
 };
 
@@ -129,7 +139,7 @@ render::WindowEvents lab_events(Session& session) {
     events.wheel = [&](double steps) {
         if (session.control)
             session.plan.view.eye.away =
-                std::clamp(session.plan.view.eye.away * std::pow(nearer, steps), 0.6, 8.0);
+                std::clamp(session.plan.view.eye.away * std::pow(nearer, steps), 0.1, 8.0);
         else
             session.depth += depth_step * steps;
     };
@@ -253,6 +263,20 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     return {};
 }
 
+/// Whether hand, view or body moved in the last moment. A sharp picture takes long, so it waits until all rests.
+bool is_moving(Session& session, std::int64_t now) {
+    const auto& eye = session.plan.view.eye;
+    const Seen seen{session.figures.tip, eye.aim, vec3(eye.yaw, eye.pitch, eye.away),
+                    session.plan.lab.body.bricks.newest};
+    const bool same = glm::distance(seen.tip, session.seen.tip) < least_way && seen.aim == session.seen.aim &&
+                      seen.eye == session.seen.eye && seen.body == session.seen.body;
+    if (!same) {
+        session.seen = seen;
+        session.moved = now;
+    }
+    return now - session.moved < rest_ns;
+}
+
 /// Saves the picture if one was due since the tick `before`.
 Expected<void> save_due_shot(const VolumeLabPlan& plan, Tick before, render::Renderer& renderer) {
     const auto every = static_cast<Tick>(plan.out.every);
@@ -287,6 +311,7 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
         const auto before = session.plan.lab.tick;
         for (; owed >= tick_seconds; owed -= tick_seconds) step(session);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
+            session.plan.view.moving = is_moving(session, now);
             renderer.draw(picture->frame(session.plan.lab, session.figures, session.plan.view, size));
             if (auto put = save_due_shot(session.plan, before, renderer); !put) return put;
             imgui.begin(size, passed);

@@ -31,9 +31,9 @@ pressing='$force_x_n * $force_x_n + $force_y_n * $force_y_n + $force_z_n * $forc
 # The hand begins before the ball, and nothing is felt. Beside the ball the wheel takes it back to the depth of the
 # middle, which is in the middle of the window; from there the mouse moves it to the surface.
 touching() {
-    xdotool mousemove 940 360 sleep 0.3
+    xdotool mousemove 1000 360 sleep 0.3
     for i in $(seq 14); do xdotool click 4 sleep 0.03; done
-    for x in 940 900 860 820 790 775 765 755; do xdotool mousemove $x 360 sleep 0.1; done
+    for x in 1000 960 930 910 895 880 865 855; do xdotool mousemove $x 360 sleep 0.1; done
 }
 xdotool mousemove 640 360
 eventually "no second of rows" seen 0 '$time_s > 1'
@@ -50,7 +50,7 @@ xdotool mousemove 900 600 sleep 0.5 mousemove 400 500
 from=$(rows)
 eventually "no rows of a held hand" seen "$((from + 1000))" 1
 held ${tip/,/ } || fail "the mouse moves the hand that H holds"
-xdotool mousemove 755 360 sleep 0.3
+xdotool mousemove 855 360 sleep 0.3
 presses h
 
 # A tool held for a while carves, and what it took away comes back by undo and goes by redo.
