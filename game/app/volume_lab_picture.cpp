@@ -157,6 +157,28 @@ void show_body(const game::VolumeLab& lab, std::span<const render::ScanMaterial>
     scan.material_table = materials;
 }
 
+/// Words at the lower right: force, value and time, why the hand stops, and what the ribbons' colours mean.
+void show_words(const game::VolumeLab& lab, const game::VolumeLabFigures& figures, bool blocked,
+                render::Frame& frame) {
+    auto& items = frame.overlay.items;
+    const auto x = static_cast<float>(frame.width) - 16, y = static_cast<float>(frame.height) - 40;
+    items.clear();
+    items.push_back(render::TextItem{
+        text(blocked ? "edge of the arm's workspace    " : "", "force ", fixed(glm::length(figures.force), 2),
+             " N    value ", fixed(figures.value, 2), "    ", fixed(lab.seconds(), 2), " s"),
+        {x, y},
+        20,
+        fvec4(1),
+        render::Align::right});
+    if (kind_of(lab) == haptics::FieldKind::scalar) return;
+    items.push_back(render::TextItem{text("ribbons: blue 0, green ", fixed(0.5 * double{lab.range.high}, 2),
+                                          ", red ", fixed(lab.range.high, 2)),
+                                     {x, y - 30},
+                                     16,
+                                     fvec4(1),
+                                     render::Align::right});
+}
+
 }  // namespace
 
 void come_near(const game::VolumeLab& lab, VolumeView& view) {
@@ -289,22 +311,7 @@ const render::Frame& VolumePicture::frame(const game::VolumeLab& lab, const game
                                   : view.moving ? render::ScanDetail::quick
                                                 : render::ScanDetail::automatic;
     frame_.views[0].scans = scans_;
-    frame_.overlay.items.clear();
-    frame_.overlay.items.push_back(render::TextItem{
-        text(blocked ? "edge of the arm's workspace    " : "", "force ", fixed(glm::length(figures.force), 2),
-             " N    value ", fixed(figures.value, 2), "    ", fixed(lab.seconds(), 2), " s"),
-        {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 40},
-        20,
-        fvec4(1),
-        render::Align::right});
-    if (kind_of(lab) == haptics::FieldKind::vector)
-        frame_.overlay.items.push_back(
-            render::TextItem{text("ribbons: blue 0, green ", fixed(0.5 * double{lab.range.high}, 2), ", red ",
-                                  fixed(lab.range.high, 2)),
-                             {static_cast<float>(size.width) - 16, static_cast<float>(size.height) - 70},
-                             16,
-                             fvec4(1),
-                             render::Align::right});
+    show_words(lab, figures, blocked, frame_);
     return frame_;
 }
 

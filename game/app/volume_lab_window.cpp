@@ -284,6 +284,15 @@ Expected<void> save_due_shot(const VolumeLabPlan& plan, Tick before, render::Ren
     return write_lab_shot(*plan.out.shots, static_cast<std::int64_t>(plan.lab.tick), renderer.read_pixels());
 }
 
+/// Asks when the window is closed. Who closes it again while it asks leaves without saving.
+bool stays_open(Session& session, render::Window& window) {
+    if (!window.should_close()) return true;
+    if (session.panels.question.before != UnsavedQuestion::Before::nothing) return false;
+    window.cancel_close();
+    leave(session);
+    return !session.leaves;
+}
+
 Expected<void> run(Session& session, render::Window& window, render::Renderer& renderer) {
     Panels imgui(text_px);
     const auto events = imgui.listening(lab_events(session));
@@ -292,12 +301,7 @@ Expected<void> run(Session& session, render::Window& window, render::Renderer& r
     auto last = monotonic_ns();
     double owed = 0;
     while (!session.leaves) {
-        if (window.should_close()) {
-            // Who closes the window again while it asks leaves without saving.
-            if (session.panels.question.before != UnsavedQuestion::Before::nothing) break;
-            window.cancel_close();
-            leave(session);
-        }
+        if (!stays_open(session, window)) break;
         if (session.plan.seconds && session.plan.lab.seconds() >= *session.plan.seconds) break;
         window.poll(events);
         const auto size = window.size();

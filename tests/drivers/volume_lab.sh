@@ -67,12 +67,25 @@ presses y
 # The panel: its third heading folds the modes away, the next one opens the feel of the body, and the first button there
 # adds opacity. The hand rests while the mouse is over the panel.
 click() { xdotool mousemove "$1" "$2" sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3; }
-picture() { import -window root -crop 330x700+8+100 rgba:- | md5sum; }
+picture() { import -window root -crop 330x570+8+130 rgba:- | md5sum; }
 is_new() { [ "$(picture)" != "$before" ]; }
-pressed_there() { before=$(picture); click "$1" "$2"; xdotool mousemove 640 690; eventually "the panel did not change" is_new; }
+settled() { local now; now=$(picture); sleep 0.3; [ "$now" = "$(picture)" ]; }
+changes() { before=$(picture); xdotool "$@"; eventually "the panel did not change" is_new; eventually "the panel does not rest" settled; }
+pressed_there() {
+    xdotool mousemove "$1" "$2"
+    eventually "the panel does not rest" settled
+    changes mousedown 1
+    changes mouseup 1
+    xdotool mousemove 640 690
+    eventually "the panel does not rest" settled
+}
 # Ctrl and a click on the felt level let it be typed; the drawn level is the same one.
-xdotool mousemove 100 472 sleep 0.3 keydown ctrl sleep 0.3 mousedown 1 sleep 0.3 mouseup 1 sleep 0.3 keyup ctrl
+xdotool mousemove 100 472 keydown ctrl
+eventually "the panel does not rest" settled
+changes mousedown 1
+xdotool mouseup 1 sleep 0.3 keyup ctrl
 presses 6 0 Return
+eventually "the panel does not rest" settled
 pressed_there 26 258
 pressed_there 26 282
 pressed_there 40 304

@@ -454,7 +454,7 @@ TEST(HandPath, ATraceIsPlayedAgainToTheSameState) {
         const auto use = use_at(*path, lab.seconds());
         VolumeLabInput input{.target = wanted_place(*path, lab.data.device.workspace, lab.seconds())};
         input.carve = use.tool > 0;
-        input.tool = use.tool - (input.carve ? 1 : 0);
+        input.tool = use.tool - (input.carve ? 1U : 0U);
         input.history = use.history;
         return input;
     });
