@@ -6,7 +6,7 @@ thaum_test(test_orb
     SOURCES accuracy/orb_force_test.cpp stability/orb_hostile_test.cpp unit/orb_test.cpp
     LINK thaum_duel)
 thaum_test(test_crystal
-    SOURCES unit/crystal_test.cpp unit/crystal_shape_test.cpp
+    SOURCES unit/crystal_test.cpp unit/crystal_turn_test.cpp unit/crystal_shape_test.cpp
     LINK thaum_duel
     NOT_SANITIZED CrystalShape.KeysOfAThousand* Crystal.CarvingUnderTheHand*)
 thaum_test(test_free_casting
