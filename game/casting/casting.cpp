@@ -101,8 +101,11 @@ void act_on(MatchContext& context, const Caster& caster, const Reading& reading,
                                                      .turns = stroke.turns,
                                                      .gesture = stroke.gesture,
                                                      .nearest = reading.nearest};
-    if (std::as_const(context.world).has<Ladle>(caster.wizard))
-        return brew_by_stroke(context, caster.wizard, stroke, caster.tick);
+    if (std::as_const(context.world).has<Ladle>(caster.wizard)) {
+        const auto* drawn = std::as_const(context.world).find<DrawnStroke>(caster.wizard);
+        return brew_by_stroke(context, caster.wizard, {stroke, drawn == nullptr ? 0 : drawn->reached},
+                              caster.tick);
+    }
     const auto* spell = stroke.gesture == no_gesture
                             ? nullptr
                             : spell_of(context.data, gestures.gestures()[stroke.gesture].name);
@@ -154,6 +157,7 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     const bool moved_on = (ladle != nullptr) != (trace.on_brew != 0) ||
                           is_at(world, caster.wizard, StationKind::orb) != (trace.on_orb != 0);
     if (moved_on) trace.over = 1;
+    if (ladle != nullptr && trace.count == 0) trace.reached = std::as_const(world).single<Cauldron>().reached;
     if (!dead && trace.over == 0) append(*context.data.casting, hand_state, ladle, trace);
     if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
         const auto chord = chord_reading(context, *gestures, controls);

@@ -77,7 +77,9 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
     auto& miss = context.world.get<NearMiss>(caster.wizard);
     const bool sure =
         drawn.gesture != no_gesture && drawn.miss == Miss::none && drawn.probability >= drawn.needed;
+    const bool soon = hand.cast_at != 0 && caster.tick < hand.cast_at + rules.free_apart;
     if (!sure) {
+        if (soon) return;  // the rest of the motion that has just cast
         const auto& odd = hand.odd;
         if (odd.gesture != no_gesture && odd.miss != Miss::unclear && odd.probability >= odd.needed)
             return note_miss(rules, caster.tick, odd, odd.miss, miss);
@@ -86,7 +88,6 @@ void cast_drawn(MatchContext& context, const GestureSet& gestures, const Caster&
     }
     const auto& gesture = gestures.gestures()[drawn.gesture];
     if (spell_of(context.data, gesture.name) == nullptr) return;
-    const bool soon = hand.cast_at != 0 && caster.tick < hand.cast_at + rules.free_apart;
     if (soon) return note_miss(rules, caster.tick, drawn, Miss::too_soon, miss);
     Reading reading{
         .stroke = {.gesture = drawn.gesture, .probability = drawn.probability, .force = drawn.force},

@@ -85,10 +85,10 @@ BrewFault fault_of_brew(const Cauldron& cauldron, const Recipe* recipe, std::uin
     return recipe == nullptr ? BrewFault::unfinished : BrewFault::none;
 }
 
-BrewFault fault_of_moment(const Cauldron& cauldron, const RecipeIngredient& window) {
+BrewFault fault_of_moment(const Cauldron& cauldron, double begun_at, const RecipeIngredient& window) {
     if (cauldron.strokes_done > 0) return BrewFault::none;
     if (cauldron.reached < window.least) return BrewFault::soon;
-    return cauldron.reached > window.most ? BrewFault::late : BrewFault::none;
+    return begun_at > window.most ? BrewFault::late : BrewFault::none;
 }
 
 /// Name of a gesture of the player; empty for a number without a gesture.
@@ -309,8 +309,9 @@ void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_
     note_fault(context, cauldron, player, BrewFault::full, tick);
 }
 
-void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReading& reading, Tick tick) {
+void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke& stroke, Tick tick) {
     auto& world = context.world;
+    const auto& reading = stroke.reading;
     if (reading.gesture == no_gesture || world.count<Cauldron>() == 0) return;
     auto& cauldron = world.single<Cauldron>();
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
@@ -318,7 +319,7 @@ void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReadi
     if (const auto fault = fault_of_brew(cauldron, recipe, player); fault != BrewFault::none)
         return note_fault(context, cauldron, player, fault, tick);
     const auto order = order_of(*recipe, std::as_const(world), player);
-    const auto moment = fault_of_moment(cauldron, order.steps[order.count - 1]);
+    const auto moment = fault_of_moment(cauldron, stroke.begun_at, order.steps[order.count - 1]);
     if (moment == BrewFault::late) return spoil_recipe(context, cauldron, player, moment, tick);
     const auto* next = next_stroke(*recipe, cauldron.strokes_done);
     // Edited data may ask for fewer strokes than are done.

@@ -45,9 +45,16 @@ void drop_for_recipe(MatchContext& context, Cauldron& cauldron, std::uint32_t pl
 /// Records that a fourth ingredient does not fit into the brew.
 void refuse_fourth(MatchContext& context, const Cauldron& cauldron, std::uint32_t player, Tick tick);
 
+/// A stroke on the brew. It stirs the brew as well. So the moment at which it began counts for the end of a window, and
+/// the moment at which it is done for its beginning.
+struct BrewStroke {
+    StrokeReading reading{};
+    double begun_at{};  ///< Cauldron::reached when it began
+};
+
 /// Judges a stroke that a wizard with a Ladle has drawn, in a gameplay tick. A reading without a gesture is ignored.
 /// The calling system must have declared brew_by_stroke_reads() and brew_by_stroke_writes().
-void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const StrokeReading& reading, Tick tick);
+void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke& stroke, Tick tick);
 ecs::Mask brew_by_stroke_reads(const ecs::World& world);
 ecs::Mask brew_by_stroke_writes(const ecs::World& world);
 

@@ -47,13 +47,14 @@ struct DrawnStroke {
     vec3 home{};              ///< hand position chosen by the player before the stroke (m, device frame)
     /// Way of the hand beyond its device's workspace (m). The hand of a mouse is stopped there; its stroke goes on.
     vec3 beyond{};
+    double reached{};  ///< Cauldron::reached when the ladle began to draw
     static constexpr std::string_view name = "DrawnStroke";
     static constexpr auto fields() {
         return std::tuple(field("points", &DrawnStroke::points), field("count", &DrawnStroke::count),
                           field("every", &DrawnStroke::every), field("waits", &DrawnStroke::waits),
                           field("over", &DrawnStroke::over), field("on_brew", &DrawnStroke::on_brew),
                           field("on_orb", &DrawnStroke::on_orb), field("home", &DrawnStroke::home),
-                          field("beyond", &DrawnStroke::beyond));
+                          field("beyond", &DrawnStroke::beyond), field("reached", &DrawnStroke::reached));
     }
 };
 

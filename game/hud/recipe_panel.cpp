@@ -33,12 +33,13 @@ std::string words_of_choices(const RecipePicture& recipe, std::string_view befor
             words += text(first ? "" : ", ", name);
             first = false;
         }
+        if (first) words += "ask the orb";
     }
     return words;
 }
 
 std::string words_of_waiting(const RecipePicture& recipe) {
-    if (recipe.reached > recipe.most) return text(recipe.newest, " is mixed too far: let it boil over");
+    if (recipe.begun_at > recipe.most) return text(recipe.newest, " is mixed too far: let it boil over");
     return text("stir until ", recipe.newest, " is mixed ", percent(recipe.least));
 }
 
@@ -113,6 +114,7 @@ std::string words_of_step(const PlayerPicture& player, const ControlNames& contr
         case RecipeStep::choose: return words_of_choices(recipe);
         case RecipeStep::spoilt: return "Nothing comes of this brew any more";
         case RecipeStep::ingredient:
+            if (recipe.secret) return "What comes next, only the orb tells";
             if (player.stirs && !recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
             return text(potion, player.carries == recipe.next ? ": drop " : ": fetch ", recipe.next,
                         player.carries == recipe.next ? " now" : " next", recipe.choices > 0 ? "   " : "",

@@ -5,6 +5,8 @@
 
 #include "game/casting/casting.h"
 #include "game/cauldron/potions.h"
+#include "game/components/casting.h"
+#include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/match/simulation.h"
 
@@ -66,29 +68,47 @@ void take_stroke(const Simulation& match, const Cauldron& cauldron, const Recipe
     }
 }
 
-/// Takes the names of open recipes but one, with their ingredients from the step `before` on.
-void take_choices(const Simulation& match, std::uint32_t player, const RecipeList& open, const Recipe* but,
+/// Whether a wizard was told the order of a recipe, if the orb is the one to tell it.
+bool knows(const Simulation& match, ecs::Entity wizard, const Recipe& recipe) {
+    const auto* modes = match.world().find<WornModes>(wizard);
+    return !recipe.drawn || modes == nullptr || modes->order_told != 0;
+}
+
+/// Whose recipes are shown.
+struct Brewer {
+    std::uint32_t player{};
+    ecs::Entity wizard;
+};
+
+/// Takes the names of open recipes but one, with their ingredients from the step `before` on. A secret order is a choice
+/// only at first: later its name would tell that the ingredients are right.
+void take_choices(const Simulation& match, const Brewer& brewer, const RecipeList& open, const Recipe* but,
                   std::size_t before, RecipePicture& out) {
     for (std::size_t i = 0; i < open.count; ++i) {
         const auto& recipe = match.data().recipes[open.numbers[i]];
-        if (&recipe == but) continue;
-        const auto order = order_of(recipe, match.world(), player);
-        for (std::size_t k = before; k < order.count; ++k)
+        const bool known = knows(match, brewer.wizard, recipe);
+        if (&recipe == but || (!known && before > 0)) continue;
+        const auto order = order_of(recipe, match.world(), brewer.player);
+        for (std::size_t k = before; known && k < order.count; ++k)
             out.choice_ingredients.at(out.choices).at(k - before) =
                 match.data().cauldron->ingredients[order.steps[k].ingredient].name;
         out.choice_names.at(out.choices++) = recipe.name;
     }
 }
 
-/// The recipe to show: one that wants what the wizard carries, or else the first.
-const Recipe& shown_recipe(const Simulation& match, std::uint32_t player, const RecipeList& open,
+/// The recipe to show: one that wants what the wizard carries, or else the first. One with a secret order only if there
+/// is no other.
+const Recipe& shown_recipe(const Simulation& match, const Brewer& brewer, const RecipeList& open,
                            std::size_t before, std::uint32_t carried) {
+    const Recipe* first = nullptr;
     for (std::size_t i = 0; i < open.count; ++i) {
         const auto& recipe = match.data().recipes[open.numbers[i]];
-        const auto order = order_of(recipe, match.world(), player);
+        if (!knows(match, brewer.wizard, recipe)) continue;
+        if (first == nullptr) first = &recipe;
+        const auto order = order_of(recipe, match.world(), brewer.player);
         if (before < order.count && order.steps[before].ingredient == carried) return recipe;
     }
-    return match.data().recipes[open.numbers[0]];
+    return first != nullptr ? *first : match.data().recipes[open.numbers[0]];
 }
 
 }  // namespace
@@ -101,16 +121,19 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     const auto& cauldron = match.world().single<Cauldron>();
     const auto open = recipes_open_to(data, match.world(), cauldron, player);
     const auto before = ingredients_in(cauldron);
+    const Brewer brewer{player, wizard};
     if (cauldron.begun == 0) {
         if (open.count > 0) out.step = RecipeStep::choose;
-        return take_choices(match, player, open, nullptr, 0, out);
+        return take_choices(match, brewer, open, nullptr, 0, out);
     }
+    const auto* drawn = match.world().find<DrawnStroke>(wizard);
     out.reached = cauldron.reached;
+    out.begun_at = drawn != nullptr && drawn->on_brew != 0 && drawn->count > 0 ? drawn->reached : out.reached;
     if (open.count == 0) {
         out.step = RecipeStep::spoilt;
         return;
     }
-    const auto& recipe = shown_recipe(match, player, open, before, carried);
+    const auto& recipe = shown_recipe(match, brewer, open, before, carried);
     const auto order = order_of(recipe, match.world(), player);
     const auto& names = data.cauldron->ingredients;
     const auto& window = order.steps[before - 1];
@@ -125,8 +148,9 @@ void take_recipe(const Simulation& match, std::uint32_t player, ecs::Entity wiza
     }
     if (before >= order.count) return take_stroke(match, cauldron, recipe, player, out);
     out.step = RecipeStep::ingredient;
-    out.next = names[order.steps[before].ingredient].name;
-    take_choices(match, player, open, &recipe, before, out);
+    out.secret = !knows(match, wizard, recipe);
+    if (!out.secret) out.next = names[order.steps[before].ingredient].name;
+    take_choices(match, brewer, open, &recipe, before, out);
 }
 
 }  // namespace thaum::game

@@ -26,7 +26,9 @@ struct RecipePicture {
     std::string_view potion;        ///< name of the recipe that is shown
     std::string_view newest;        ///< ingredient that was dropped in last; empty: none
     std::string_view next;          ///< ingredient that comes next; empty: a stroke
+    bool secret{};                  ///< the recipe goes on by an order that only the orb tells
     double reached{};               ///< share of the brew that the newest one has reached, 0 to 1
+    double begun_at{};              ///< that share when the present stroke on the brew began; else `reached`
     double least{}, most{};         ///< window of `reached` for the next step
     std::string_view gesture;       ///< gesture that comes next; empty: an ingredient
     CircleSense sense{};            ///< sense of that gesture
@@ -40,13 +42,13 @@ struct RecipePicture {
     std::uint32_t ghost_points{};
     double yaw{};  ///< direction of the ladle's frame (rad); meaningful while the wizard stirs
     /// Recipes that can be begun, or other ones that can go on: their names, and the ingredients that come; the first
-    /// `choices`.
+    /// `choices`. Without ingredients: only the orb tells them.
     std::array<std::string_view, 8> choice_names{};
     std::array<std::array<std::string_view, 3>, 8> choice_ingredients{};
     std::uint32_t choices{};
 
     /// True while the next step may be done by its moment.
-    bool in_time() const { return begun || (reached >= least && reached <= most); }
+    bool in_time() const { return begun || (reached >= least && begun_at <= most); }
 };
 
 /// Takes the recipes that are open to a player. `carried`: number of the carried ingredient; no_ingredient: none.

@@ -68,8 +68,12 @@ public:
     }
 
     void draw(const StrokeReading& reading, double reached = 0.7, std::uint32_t player = 0) {
+        draw_from(reading, reached, reached, player);
+    }
+    /// A stroke that began when the brew was mixed to `begun_at`, and stirred it up to `reached`.
+    void draw_from(const StrokeReading& reading, double begun_at, double reached, std::uint32_t player = 0) {
         cauldron().reached = reached;
-        brew_by_stroke(match_->context_to_change(), wizard(player), reading, now());
+        brew_by_stroke(match_->context_to_change(), wizard(player), {reading, begun_at}, now());
     }
 
     /// Number of events of a kind so far.
@@ -219,6 +223,17 @@ TEST(Potions, TheMomentOfTheNextIngredientCounts) {
         EXPECT_EQ(kitchen.fault(), fault) << reached;
         EXPECT_EQ(kitchen.cauldron().fault, fault) << reached;
     }
+}
+
+TEST(Potions, AStrokeThatBeginsInTimeMayStirTheBrewBeyondItsWindow) {
+    Kitchen kitchen;
+    kitchen.drop("ember");
+    kitchen.drop("salt");
+    kitchen.draw_from(drawn(circle, 0.5, 1), 0.2, 0.4);
+    EXPECT_EQ(kitchen.fault(), BrewFault::soon);
+    kitchen.draw_from(drawn(circle, 0.5, 1), 0.85, 0.97);
+    EXPECT_EQ(kitchen.cauldron().strokes_done, 1U);
+    EXPECT_EQ(kitchen.cauldron().fault, BrewFault::none);
 }
 
 TEST(Potions, TheMomentOfTheFirstStrokeCounts) {
