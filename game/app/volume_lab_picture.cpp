@@ -122,12 +122,13 @@ std::vector<vec3> shown_places(const game::VolumeLab& lab, double level) {
     const auto n = lab.carvable() ? lab.body.count : lab.source.count;
     const auto samples =
         static_cast<std::size_t>(n[0]) * static_cast<std::size_t>(n[1]) * static_cast<std::size_t>(n[2]);
+    const auto wide = static_cast<std::size_t>(n[0]), high = static_cast<std::size_t>(n[1]);
     const int step = 1 + static_cast<int>(std::cbrt(static_cast<double>(samples)) / 48);
     for (int k = 0; lab.carvable() && k < n[2]; k += step)
         for (int j = 0; j < n[1]; j += step)
             for (int i = 0; i < n[0]; i += step) {
-                const auto at = static_cast<std::size_t>(i + n[0] * (j + n[1] * k));
-                if (double{lab.body.density[at]} >= level)
+                const auto row = static_cast<std::size_t>(j) + high * static_cast<std::size_t>(k);
+                if (double{lab.body.density[static_cast<std::size_t>(i) + wide * row]} >= level)
                     places.push_back(field::to_parent(lab.placement, lab.source.place(i, j, k)));
             }
     for (int corner = 0; corner < 8 && places.size() < 8; ++corner) {

@@ -43,8 +43,8 @@ std::vector<Panel> cells_of(const Panel& box, float u, std::size_t count) {
     const fvec2 size = room / fvec2(static_cast<float>(columns), static_cast<float>(rows));
     std::vector<Panel> cells;
     for (std::size_t i = 0; i < count; ++i) {
-        const fvec2 at =
-            box.low + size * fvec2(static_cast<float>(i % columns), static_cast<float>(i / columns));
+        const std::size_t column = i % columns, row = i / columns;
+        const fvec2 at = box.low + size * fvec2(static_cast<float>(column), static_cast<float>(row));
         cells.push_back({at, at + size});
     }
     return cells;
