@@ -214,8 +214,9 @@ float smoothed_sample(const Volume& v, std::array<int, 3> at, int axis, int comp
     const auto value = [&](int n) {
         auto place = at;
         place[a] = std::clamp(at[a] + n, 0, v.count[a] - 1);
-        return double{v.samples[static_cast<std::size_t>(
-            component + v.components * (place[0] + v.count[0] * (place[1] + v.count[1] * place[2])))]};
+        const int voxel = place[0] + v.count[0] * (place[1] + v.count[1] * place[2]);
+        const auto all = static_cast<std::size_t>(v.components);
+        return double{v.samples[all * static_cast<std::size_t>(voxel) + static_cast<std::size_t>(component)]};
     };
     double sum = weights[0] * value(0);
     for (int n = 1; n < static_cast<int>(weights.size()); ++n)

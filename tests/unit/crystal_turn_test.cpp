@@ -96,7 +96,10 @@ TEST(Crystal, TurnedAndRestoredItGoesOnToTheSameBits) {
 template <class Which>
 vec3 midst_of(const Crystal& crystal, Which which) {
     constexpr int side = crystal_side, around = 2;
-    const auto at = [](int i, int j, int k) { return static_cast<std::size_t>(i + side * (j + side * k)); };
+    const auto at = [](int i, int j, int k) {
+        const auto row = static_cast<std::size_t>(j) + std::size_t{side} * static_cast<std::size_t>(k);
+        return static_cast<std::size_t>(i) + std::size_t{side} * row;
+    };
     vec3 best(0);
     int most = -1;
     for (int k = around; k < side - around; ++k)
