@@ -234,9 +234,9 @@ TEST(FreeCasting, TellsWhyACircleCastNothing) {
     EXPECT_EQ(play.casts(), 2U);
 }
 
-/// Draws a part of a circle, and returns why it cast nothing.
-Miss reason_after_part(Free& play, double turns, double s) {
-    play.rest(1.2);
+/// Draws a part of a circle after a pause, and returns why it cast nothing.
+Miss reason_after_part(Free& play, double turns, double s, double pause = 1.2) {
+    play.rest(pause);
     const auto begin = play.place();
     const auto steps = static_cast<double>(ticks(s));
     for (double i = 1; i <= steps; ++i) {
@@ -263,6 +263,17 @@ TEST(FreeCasting, TellsOfAGestureThatWasUnclear) {
     EXPECT_GE(unclear, 1U);
     EXPECT_EQ(reason_after_part(play, 0.3, 0.9), Miss::none) << "an arc is like nothing";
     EXPECT_GE(miss_of(*play.match).probability, play.match->data().casting->free_near_probability);
+}
+
+TEST(FreeCasting, WhatFollowsACastIsNoNearMiss) {
+    for (const double turns : {0.9, 0.85, 0.8, 0.75, 0.7, 0.65, 0.6}) {
+        Free play;
+        play.rest(0.5);
+        play.circle(350, 0.5);
+        play.rest(0.3);
+        ASSERT_EQ(play.casts(), 1U);
+        EXPECT_NE(reason_after_part(play, turns, 0.4, 0.02), Miss::unclear) << turns;
+    }
 }
 
 // No cast while fighting --------------------------------------------------------------------------------------

@@ -1,10 +1,14 @@
 // Tests of the card at the cauldron, and of the HUD at its busiest: all words are readable, and none overlap.
 #include "game/hud/rim_card.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "core/text.h"
+#include "game/cauldron/potions.h"
+#include "game/components/cauldron.h"
+#include "game/components/orb.h"
 #include "game/hud/gesture_wall.h"
 #include "game/hud/layout.h"
 #include "game/hud/recipe_panel.h"
@@ -207,6 +211,27 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
             }
         }
     }
+}
+
+TEST(RimCard, TellsTheOrderOfAzothOnlyToWhomTheOrbHasToldIt) {
+    auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    world.get<Motion>(wizard).position = world.single<Cauldron>().middle + vec3(1.2, 0, 0);
+    const auto words = [&] { return words_of_step(picture_of(*match).wizards[0], {}); };
+    EXPECT_NE(words().find("Azoth: ask the orb"), std::string::npos) << words();
+    EXPECT_NE(words().find("Haste: ember, salt"), std::string::npos) << words();
+
+    const auto& recipes = match->data().recipes;
+    const auto azoth = std::ranges::find_if(recipes, &Recipe::drawn);
+    ASSERT_NE(azoth, recipes.end());
+    const auto order = order_of(*azoth, std::as_const(world), 0);
+    const auto name = [&](std::size_t i) {
+        return std::string(match->data().cauldron->ingredients[order.steps[i].ingredient].name);
+    };
+    world.get<WornModes>(wizard).order_told = 1;
+    EXPECT_NE(words().find(text("Azoth: ", name(0), ", ", name(1), ", ", name(2))), std::string::npos)
+        << words();
 }
 
 }  // namespace
