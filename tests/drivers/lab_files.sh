@@ -3,15 +3,10 @@
 # command reads: a volume beside the first, one of a session, samples of a detached header, colours and materials, also
 # by other names of these. Two outputs need two files. Faults on the command line are told in one line.
 set -uo pipefail
+. "$(dirname "$0")/offscreen.sh"
 thaum=$(readlink -f "$1")
-repository=$(readlink -f "$(dirname "$0")/../..")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-unset DISPLAY WAYLAND_DISPLAY
-export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data THAUM_ASSETS=$repository/assets
-failures=0
-fail() { echo "failed: $1"; failures=$((failures + 1)); }
+work_in_new_folder
+export THAUM_ASSETS=$repository/assets
 
 short=(--headless --seconds 0.02)
 "$thaum" lab sphere --count 16 "${short[@]}" --save a.nrrd >/dev/null || { echo "failed: no body"; exit 1; }

@@ -3,16 +3,11 @@
 # input, other names of that input, another recording, and places where nothing can be written. It must refuse
 # in one line with exit code 2 and leave all files unchanged.
 set -uo pipefail
+. "$(dirname "$0")/offscreen.sh"
 thaum=$(readlink -f "$1")
-repository=$(readlink -f "$(dirname "$0")/../..")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-unset DISPLAY WAYLAND_DISPLAY
-export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data THAUM_ASSETS=$folder/assets
+work_in_new_folder
+export THAUM_ASSETS=$folder/assets
 cp -r "$repository/assets" assets
-failures=0
-fail() { echo "failed: $1"; failures=$((failures + 1)); }
 
 "$thaum" --headless --seconds 2 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
 "$thaum" bench field --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
