@@ -91,7 +91,8 @@ std::uint64_t missing_copies(const CarvingHistory& history, const VoxelView& bod
     return missing;
 }
 
-/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false if that takes the open step itself.
+/// Forgets steps until this many copies fit: those that could be redone, then the oldest ones. Returns false if that
+/// takes the open step itself.
 bool make_room(CarvingHistory& history, std::uint64_t copies) {
     const auto is_full = [&] {
         return history.next - history.steps.front().first + copies > history.capacity;

@@ -58,7 +58,8 @@ inline constexpr double most_smoothing = 16;  ///< largest standard deviation (s
 struct AnyField {
     ScalarField scalar{};
     VectorField vector{};
-    const Placement* placement{};  ///< where the field was put; null: its own frame is the reader's
+    const Placement*
+        placement{};  ///< placement of the field in the frame of its reader; null: it is that frame
 
     bool is_vector() const { return vector.read != nullptr; }
 };

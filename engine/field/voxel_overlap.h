@@ -15,6 +15,8 @@ struct VoxelOverlap {
     std::size_t both{};                  ///< voxels inside both
     std::size_t either{};                ///< voxels inside at least one
 
+    /// Whether the wanted body holds a voxel.
+    bool wants(std::size_t voxel) const { return (inside[voxel] & 2U) != 0; }
     /// Overlap of the bodies from 0 to 1; 1 for two empty bodies.
     double ratio() const { return either == 0 ? 1 : static_cast<double>(both) / static_cast<double>(either); }
 };

@@ -132,7 +132,7 @@ ContactPlane in_front(ContactPlane plane, const ContactPlane& first) {
 
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept {
     const auto planes = std::span(contact.planes).first(std::min<std::size_t>(contact.count, 3));
-    constexpr double slack = 1e-10;  // m
+    constexpr double slack = 1e-10;  // depth behind a plane that still counts as on it (m)
     const auto free = [&](vec3 x) {
         return std::ranges::none_of(planes, [&](const ContactPlane& p) { return behind(p, x, slack); });
     };

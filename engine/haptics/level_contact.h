@@ -8,7 +8,7 @@
 // in samples, or on how the density rises behind the surface. If the proxy would land inside the solid on the far
 // side of a groove or in a corner, a second and a third plane bound its way there.
 //
-// What holds the proxy is one plane: through the place where it lands, across the push. The tangent plane of the first
+// One plane holds the proxy. It goes through the place where the proxy lands, across the push. The tangent plane of the first
 // wall alone would throw it from wall to wall. All three at once would hold up to three times the strength, since in a
 // hollow they are nearly parallel.
 //

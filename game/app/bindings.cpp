@@ -39,10 +39,10 @@ bool is(Slot slot, SessionKey key) {
     return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
 }
 
-/// Slot of the wand that the action takes in hand; std::nullopt for other actions.
-/// Keys of wands that have a meaning at orb and crystals, whether or not there is such a wand.
+/// Number of wand keys that have a meaning at orb and crystals, whether or not there is such a wand.
 constexpr std::size_t station_keys = game::most_orb_modes;
 
+/// Slot of the wand that the action takes in hand; std::nullopt for other actions.
 std::optional<std::size_t> wand_slot_of(Slot slot) {
     for (std::size_t wand = 0; wand < input::most_wands; ++wand) {
         if (is(slot, input::wand_action(wand + 1))) return wand;
@@ -237,9 +237,9 @@ std::string_view help_of(Action action) {
 
 /// A wand's key also takes a mode of the orb or a tool for a crystal.
 std::string help_of_wand(std::size_t wand, std::string_view name) {
-    const auto other = text("takes mode or tool ", wand + 1, " at orb and crystal.");
     if (wand >= station_keys) return text("Takes the wand ", name, ".");
-    return name.empty() ? text("T", other.substr(1)) : text("Takes the wand ", name, "; ", other);
+    const auto other = text("mode or tool ", wand + 1, " at orb and crystal.");
+    return name.empty() ? text("Takes ", other) : text("Takes the wand ", name, "; takes ", other);
 }
 
 }  // namespace

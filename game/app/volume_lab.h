@@ -28,15 +28,15 @@ struct VolumeLabPlan {
     std::string device{};                       ///< model of the simulated arm
     game::VolumeLab lab{};
     game::HandPath path{};
-    bool
-        by_mouse{};  ///< the mouse moves the hand from the start; otherwise the path does until the mouse moves
+    /// The mouse moves the hand from the start. Otherwise the path does until the mouse moves.
+    bool by_mouse{};
     std::vector<PlannedCarve> carves{};
     VolumeView view{};
     /// length of the session in simulated time (s); std::nullopt: until the window is closed
     std::optional<double> seconds{};
     std::optional<std::filesystem::path> session_file{};  ///< file of the settings
     LabOutputs out{};
-    std::vector<std::string> notes{};  ///< what is odd about the volumes, one line each
+    std::vector<std::string> notes{};  ///< messages about the volumes for the user, one line each
 };
 
 /// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.

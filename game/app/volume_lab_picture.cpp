@@ -11,13 +11,12 @@ namespace {
 
 constexpr float tip_radius = 0.0012F, proxy_radius = 0.0022F;  // m
 constexpr float newton_m = 0.012F;                             // length of the arrow for each newton (m)
-constexpr float view_angle = 0.7F;     // from the lower to the upper edge of the picture (rad)
-constexpr double filled_height = 0.7;  // share of the picture's height that a volume fills at first
-constexpr float layers = 60;           // layers of the table's opacity along the diagonal
+constexpr float view_angle = 0.7F;       // from the lower to the upper edge of the picture (rad)
+constexpr double filled_height = 0.7;    // share of the picture's height that a volume fills at first
+constexpr float edge_radius = 0.00015F;  // radius of the lines that show the edges of the workspace (m)
+constexpr float layers = 60;             // layers of the table's opacity along the diagonal
 
 double diagonal(const game::VolumeLab& lab) { return lab.placement.scale * glm::length(lab.source.extent()); }
-
-constexpr float edge_radius = 0.00015F;  // m
 
 fmat4 at(vec3 place, double scale = 1) {
     fmat4 model(static_cast<float>(scale));
@@ -45,7 +44,7 @@ fmat4 arrow(vec3 from, vec3 force) {
     return model;
 }
 
-/// The hand wants to go where the device cannot.
+/// Whether the hand wants to go where the device cannot.
 bool at_the_edge(const game::VolumeLab& lab) {
     const vec3 free = 0.5 * lab.data.device.workspace - glm::abs(lab.hand.target);
     return std::min({free.x, free.y, free.z}) < 1e-6;

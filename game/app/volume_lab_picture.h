@@ -31,7 +31,7 @@ struct VolumeView {
     VolumeEye eye{};
 };
 
-/// Look that suits a volume: a surface at the middle of its range, with an opacity that grows from there.
+/// Look that suits a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
 VolumeView usual_view(const game::VolumeLab& lab);
 
 /// Puts the middle of what is shown into the middle of the picture, at a distance where it fills 70 % of the height.

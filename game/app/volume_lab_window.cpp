@@ -31,7 +31,7 @@ constexpr double least_way = 1e-4;             // way of a hand that moves (m)
 constexpr std::int64_t rest_ns = 400'000'000;  // rest after which a sharp picture is drawn
 constexpr float text_px = 14;
 
-/// What a picture showed.
+/// State that the last picture showed, to tell whether anything moves.
 struct Seen {
     vec3 tip{}, aim{}, eye{};
     std::uint32_t body{};
@@ -46,7 +46,7 @@ struct Session {
     vec3 target{};                  ///< where the hand wants to be (m)
     double depth{};                 ///< of the hand beyond the middle, along the view (m)
     bool by_mouse = false, carving = false, turning = false, panning = false, leaves = false, control = false;
-    int height = 1;   ///< of the window (px)
+    int height = 1;   ///< height of the window (px)
     int history = 0;  ///< undo or redo that is due
     Seen seen{};
     std::int64_t moved = 0;   ///< time at which the picture last changed (ns)

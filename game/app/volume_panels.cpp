@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/text.h"
@@ -19,17 +18,13 @@ constexpr float curve_height = 60;
 constexpr int columns = 31;  // of a freehand curve
 constexpr float wide = 330, tall = 700;
 
-/// Format with about four digits for a number of a range: whole numbers for a CT, 0.1 mm for a workspace.
-std::string format_for(double low, double high) {
+/// Digits behind the point that show about four digits of a number of a range: none for a CT, 0.1 mm for a workspace.
+int digits_for(double low, double high) {
     const double range = std::max(high - low, 1e-9);
-    return text("%.", std::clamp(4 - static_cast<int>(std::ceil(std::log10(range))), 0, 6), "f");
+    return std::clamp(4 - static_cast<int>(std::ceil(std::log10(range))), 0, 6);
 }
 
-std::string number(double value, double low, double high) {
-    std::array<char, 64> words{};
-    (void)std::snprintf(words.data(), words.size(), format_for(low, high).c_str(), value);
-    return words.data();
-}
+std::string number(double value, double low, double high) { return fixed(value, digits_for(low, high)); }
 
 /// Names what a curve's axes mean, and their ends.
 void show_axes(const char* name, ImVec2 from, ImVec2 to, std::array<double, 3> low_high_top) {
@@ -74,8 +69,9 @@ bool curve(const char* name, field::TransferFunction& f, double low, double high
 
 /// A slider. Ctrl and a click let a person type the number.
 bool slider(const char* name, double& value, double low, double high) {
-    const bool changed = ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high,
-                                             format_for(low, high).c_str(), ImGuiSliderFlags_AlwaysClamp);
+    const bool changed =
+        ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &low, &high,
+                            text("%.", digits_for(low, high), "f").c_str(), ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("Ctrl + click: type a number");
     return changed;
 }
@@ -381,14 +377,11 @@ void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& s
 void show_help() {
     ImGui::TextWrapped(
         "The mouse moves the hand; wheel, PageUp and PageDown move it away or nearer. H holds the hand where "
-        "it is: "
-        "change settings meanwhile, bring the mouse back to the ball and press H again. Left button or "
-        "Space: tool. "
-        "Right button: turn the view, middle button: move it. Ctrl and wheel: nearer. Draw in a curve to set "
-        "a strength. The bright "
-        "ball is "
-        "the hand on the surface, the small grey one the tip of the arm; the further apart, the stronger the "
-        "force.");
+        "it is: change settings meanwhile, bring the mouse back to the ball and press H again. Left button "
+        "or "
+        "Space: tool. Right button: turn the view, middle button: move it. Ctrl and wheel: nearer. Draw in a "
+        "curve to set a strength. The bright ball is the hand on the surface, the small grey one the tip of "
+        "the arm; the further apart, the stronger the force.");
 }
 
 /// The end of the panel, which stays in its place: what an action did, and what is always at hand.

@@ -14,7 +14,7 @@ namespace thaum::app {
 struct UnsavedQuestion {
     enum class Before : std::uint8_t { nothing, leaving, opening };
     enum class Answer : std::uint8_t { save, drop, stay };
-    Before before{};  ///< what waits for the answer
+    Before before{};  ///< action that waits for the answer
     bool shown = false;
     std::optional<Answer> answer{};  ///< given in the last picture
 };

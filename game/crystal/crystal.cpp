@@ -154,10 +154,15 @@ field::Edit cut_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& c
     THAUM_ASSERT(crystal.touched != 0, "an untouched crystal has no voxels to cut");
     const auto view = voxels_of(context.world, bodies, crystal);
     const auto edit = field::edit(view, tool, dab);
-    auto& overlap = body_of(bodies, crystal).overlap;
-    field::recount(overlap, view, edit.changed);
-    crystal.overlap = overlap.ratio();
+    count_again(bodies, crystal, view, edit.changed);
     return edit;
+}
+
+void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView& view,
+                 const field::VoxelBox& changed) {
+    auto& overlap = body_of(bodies, crystal).overlap;
+    field::recount(overlap, view, changed);
+    crystal.overlap = overlap.ratio();
 }
 
 field::Placement placement_of(const Crystal& crystal) {

@@ -66,6 +66,10 @@ void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crysta
 field::Edit cut_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal,
                         const field::Tool& tool, const field::Dab& dab);
 
+/// Counts the overlap anew after an edit of the voxels in a box.
+void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView& view,
+                 const field::VoxelBox& changed);
+
 /// Placement that takes the crystal's frame to the world.
 field::Placement placement_of(const Crystal& crystal);
 /// Distance between voxels (m).

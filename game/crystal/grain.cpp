@@ -5,35 +5,28 @@
 namespace thaum::game {
 namespace {
 
-/// Whether the key holds a voxel (field::VoxelOverlap::inside).
-bool in_key(std::uint8_t inside) { return (inside & 2U) != 0; }
-
 /// Density after an edit that the grain has slowed.
 float along_grain(float before, float after, bool wanted, double against) {
     if (after == before || (after > before) == wanted) return after;
     return before + static_cast<float>(against) * (after - before);
 }
 
-std::size_t voxel_at(int i, int j, int k) {
-    constexpr auto side = static_cast<std::size_t>(crystal_side);
-    return static_cast<std::size_t>(i) +
-           side * (static_cast<std::size_t>(j) + side * static_cast<std::size_t>(k));
-}
-
 /// Calls visit(voxel of the crystal, number within the box) for each voxel of the box.
 template <class Visit>
-void for_each_voxel(const field::VoxelBox& box, Visit visit) {
+void for_each_voxel(const field::VoxelView& crystal, const field::VoxelBox& box, Visit visit) {
     std::size_t number = 0;
     for (int k = box.low[2]; k < box.high[2]; ++k)
         for (int j = box.low[1]; j < box.high[1]; ++j)
-            for (int i = box.low[0]; i < box.high[0]; ++i) visit(voxel_at(i, j, k), number++);
+            for (int i = box.low[0]; i < box.high[0]; ++i) visit(crystal.at(i, j, k), number++);
 }
 
 /// The voxels of a box as a body of their own. Colours are white: they do not count.
-field::Voxels cutout_of(std::span<const float> density, const field::VoxelBox& box, double spacing) {
+field::Voxels cutout_of(const field::VoxelView& crystal, std::span<const float> density,
+                        const field::VoxelBox& box) {
     const auto length = [&](std::size_t axis) { return box.high.at(axis) - box.low.at(axis); };
-    auto part = field::make_voxels({length(0), length(1), length(2)}, vec3(spacing));
-    for_each_voxel(box, [&](std::size_t voxel, std::size_t own) { part.density[own] = density[voxel]; });
+    auto part = field::make_voxels({length(0), length(1), length(2)}, crystal.spacing);
+    for_each_voxel(crystal, box,
+                   [&](std::size_t voxel, std::size_t own) { part.density[own] = density[voxel]; });
     return part;
 }
 
@@ -70,15 +63,14 @@ field::Edit carve_crystal(MatchContext& context, CrystalBodies& bodies, Crystal&
     const auto view = voxels_of(context.world, bodies, crystal);
     const auto box = field::reach(view, tool, dab);
     body.old.clear();
-    for_each_voxel(box, [&](std::size_t voxel, std::size_t) { body.old.push_back(view.density[voxel]); });
+    for_each_voxel(view, box,
+                   [&](std::size_t voxel, std::size_t) { body.old.push_back(view.density[voxel]); });
     const auto edit = field::edit(view, tool, dab);
-    for_each_voxel(box, [&](std::size_t voxel, std::size_t number) {
-        view.density[voxel] =
-            along_grain(body.old[number], view.density[voxel], in_key(body.overlap.inside[voxel]),
-                        context.data.crystal->against_key);
+    for_each_voxel(view, box, [&](std::size_t voxel, std::size_t number) {
+        view.density[voxel] = along_grain(body.old[number], view.density[voxel], body.overlap.wants(voxel),
+                                          context.data.crystal->against_key);
     });
-    field::recount(body.overlap, view, edit.changed);
-    crystal.overlap = body.overlap.ratio();
+    count_again(bodies, crystal, view, edit.changed);
     return edit;
 }
 
@@ -92,13 +84,13 @@ DabWorth worth_of_dab(const MatchContext& context, const CrystalBodies& bodies, 
     if (box.empty()) return DabWorth::nothing;
     const auto density =
         context.world.blob<CrystalDensity>().subspan(crystal.number * crystal_voxels, crystal_voxels);
-    auto part = cutout_of(density, box, spacing);
+    auto part = cutout_of(whole, density, box);
     auto here = dab;
     here.place -= middle_of(box, spacing);
     field::edit(part.view(), tool, here);
     Counts slowed{overlap}, plain{overlap};
-    for_each_voxel(box, [&](std::size_t voxel, std::size_t own) {
-        const bool wanted = in_key(overlap.inside[voxel]);
+    for_each_voxel(whole, box, [&](std::size_t voxel, std::size_t own) {
+        const bool wanted = overlap.wants(voxel);
         const float before = density[voxel], after = part.density[own];
         slowed.note(before, along_grain(before, after, wanted, context.data.crystal->against_key), wanted);
         plain.note(before, after, wanted);

@@ -12,7 +12,7 @@ namespace thaum::game {
 field::Edit carve_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal,
                           const field::Tool& tool, const field::Dab& dab);
 
-/// What a tool would do to the overlap of crystal and key.
+/// Effect of a tool on the overlap of crystal and key.
 enum class DabWorth : std::uint8_t { nothing, helps, spoils };
 
 /// Tries a tool on a copy of the voxels near it, so that the match does not notice. `dab.seconds` is the length of the

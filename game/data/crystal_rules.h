@@ -29,10 +29,10 @@ struct CrystalRules {
     std::vector<std::string> tool_names;  ///< files of assets/carving in the order of the wand keys
     std::vector<field::Tool> tools;       ///< the tools of these files
     double focus_per_second{};            ///< focus that a tool takes while it is applied (1/s)
-    double
-        against_key{};  ///< share of its change that a tool makes where that leads away from the key, 0 to 1
-    double turning{};   ///< speed at which a carver turns the crystal (rad/s)
-    double overlap{};   ///< overlap with the key that gives the Lens, 0 to 1
+    /// Share of its change that a tool makes where that leads away from the key, 0 to 1.
+    double against_key{};
+    double turning{};  ///< speed at which a carver turns the crystal (rad/s)
+    double overlap{};  ///< overlap with the key that gives the Lens, 0 to 1
     CarvingHandRules hand{};
     CrystalSurfaceRules surface{};
     field::Tool chip{};           ///< melts a ball away where a hit strikes

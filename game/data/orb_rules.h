@@ -14,8 +14,8 @@ namespace thaum::game {
 struct OrbMode {
     std::string name;                    ///< name of a haptic mode (haptics/modes.h)
     std::vector<field::Filter> filters;  ///< between the orb's flow and the mode
-    /// Strength at first, by the mode's property (N). Derivatives that the mode itself reads are per metre of the hand,
-    /// where lengths are shorter by OrbRules::metres_per_metre. Those of its filters are per metre of the orb.
+    /// Strength at first, by the mode's property (N). A derivative that the mode itself reads is per metre of the hand.
+    /// One metre of the hand is OrbRules::metres_per_metre in the orb. A derivative by a filter is per metre of the orb.
     field::TransferFunction strength{};
     field::TransferFunction friction{};  ///< coefficient of friction, by the field's value
     double most_property{};              ///< property at the right end of the sheet on which a wizard draws

@@ -228,7 +228,7 @@ struct SpellCell {
     const SpellPresentation& spell;
     bool affordable{};
 
-    fvec4 paint() const { return affordable ? colour(0xFFF4D0, 1.0F) : colour(0x8C8498, 0.75F); }
+    fvec4 paint() const { return affordable ? paints.chosen : colour(0x8C8498, 0.75F); }
 };
 
 void add_shapes(Overlay& out, const SpellCell& cell, const GestureSet& gestures) {
@@ -286,7 +286,7 @@ void add_spell_strip(Overlay& out, const Picture& picture, const ControlNames& c
                      const ViewLayout& l) {
     const auto& casting = picture.wizards[player].casting;
     const auto& strip = l.strip;
-    const float u = (strip.high.x - strip.low.x) / (l.strip_columns * strip_cell_width + 2 * strip_margin);
+    const float u = strip_unit(l);
     out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
     const auto cells = cells_of(picture, player, l, u);
     for (const auto& cell : cells) add_shapes(out, cell, *casting.gestures);

@@ -379,6 +379,11 @@ HudLayout lay_out(const HudSettings& settings, render::Size window, std::size_t 
     return out;
 }
 
+float strip_unit(const ViewLayout& layout) {
+    return (layout.strip.high.x - layout.strip.low.x) /
+           (layout.strip_columns * strip_cell_width + 2 * strip_margin);
+}
+
 float width_of(std::string_view line, float size) {
     float ems = 0;
     for (const char c : line) ems += character_width(c);

@@ -48,8 +48,11 @@ struct HudLayout {
     std::optional<ReplayBarLayout> replay{};
 };
 
-/// Sizes of the strip (units).
+/// Sizes of the strip (units of strip_unit).
 inline constexpr float strip_cell_width = 40, strip_cell_height = 42, strip_head = 24, strip_margin = 4;
+
+/// Length of a unit in the strip of wands (px). It is less than that of the view where the strip has little room.
+float strip_unit(const ViewLayout& layout);
 
 /// Size of the forces' panel where the view has room for it (units).
 inline constexpr float forces_wide = 186, forces_high = 76;

@@ -16,6 +16,8 @@ struct HudPaints {
     fvec4 dark = render::colour(0x0A0614, 1.0F);
     fvec4 white = render::colour(0xF6F0FF, 1.0F);
     fvec4 soft = render::colour(0xD8CCE8, 0.85F);
+    fvec4 chosen = render::colour(0xFFF4D0, 1.0F);        ///< words and shapes of what is in hand
+    fvec4 chosen_plate = render::colour(0x6A4A9A, 0.7F);  ///< below it
     fvec4 red = render::colour(0xFF4A3A, 1.0F);
     fvec4 amber = render::colour(0xFFC04A, 1.0F);
     /// Colour for red words, since pure red is hard to read on brick and dusk.

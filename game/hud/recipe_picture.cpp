@@ -74,7 +74,7 @@ bool knows(const Simulation& match, ecs::Entity wizard, const Recipe& recipe) {
     return !recipe.drawn || modes == nullptr || modes->order_told != 0;
 }
 
-/// Whose recipes are shown.
+/// The wizard whose recipes are shown.
 struct Brewer {
     std::uint32_t player{};
     ecs::Entity wizard;

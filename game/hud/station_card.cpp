@@ -93,7 +93,7 @@ RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::ui
 
 // Crystal ----------------------------------------------------------------------------------------------------
 
-/// What the tool in hand would do where it is: that which its sign shows by shape and colour.
+/// Words for the effect of the tool in hand where it is, which its sign shows by shape and colour.
 std::string_view words_of_worth(const CarvingPicture& crystal) {
     switch (crystal.tip.worth) {
         case DabWorth::helps: return "good place";

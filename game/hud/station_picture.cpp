@@ -30,7 +30,7 @@ double reach_of(const field::Tool& tool, double voxel) {
 /// Time for which a tool is tried (s): a short click.
 constexpr double trial = 0.15;
 
-/// What the tool of a carver would do where it is.
+/// Effect of a carver's tool on the overlap where it is.
 DabWorth worth_of(const Simulation& match, const AtStation& station, const Chisel& chisel,
                   const field::Tool& tool) {
     const auto& world = match.world();
@@ -72,7 +72,7 @@ bool faces(const Comer& comer, vec3 middle) {
 
 /// Place at which a probe is shown: within the glass, although the hand can go beyond it.
 vec3 within_glass(const Orb& orb, vec3 place) {
-    constexpr double share = 0.97;  // of the radius, so that the bead does not pierce the glass
+    constexpr double share = 0.97;  // share of the radius at which a bead does not pierce the glass
     const vec3 off = place - orb.middle;
     const double most = share * orb.radius, length = glm::length(off);
     return length > most ? orb.middle + most / length * off : place;

@@ -26,7 +26,7 @@ struct TipPicture {
     double force_share{};  ///< that force as a share of the player's limit, 0 to 1
     double radius{};       ///< reach of a carving tool (m); 0: a probe
     bool works{};          ///< the tool is applied
-    DabWorth worth{};      ///< what a carving tool would do here
+    DabWorth worth{};      ///< effect of a carving tool at this place
 };
 
 /// The orb of a match: a ball with a flow inside.

@@ -11,7 +11,6 @@ namespace thaum::game {
 namespace {
 
 using render::Align;
-using render::colour;
 using render::Overlay;
 using render::RectItem;
 
@@ -57,18 +56,17 @@ bool add_station_strip(Overlay& out, const Picture& picture, const ControlNames&
     const auto choices = choices_of(picture.wizards[player]);
     if (choices.empty()) return false;
     const auto& strip = l.strip;
-    const float u = (strip.high.x - strip.low.x) / (l.strip_columns * strip_cell_width + 2 * strip_margin);
-    const float em = 13 * u;
+    const float u = strip_unit(l), em = 13 * u;
     out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
     const auto cells =
         cells_of({strip.low + strip_margin * u, strip.high - strip_margin * u}, u, choices.size());
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (choices[i].chosen)
-            out.items.emplace_back(RectItem{cells[i].low, cells[i].high, colour(0x6A4A9A, 0.7F), 6 * u});
+            out.items.emplace_back(RectItem{cells[i].low, cells[i].high, paints.chosen_plate, 6 * u});
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto& [name, chosen] = choices[i];
         const auto key = i < controls.wands.size() ? brief_label(controls.wands[i]) : std::string();
-        const auto paint = chosen ? colour(0xFFF4D0, 1.0F) : paints.soft;
+        const auto paint = chosen ? paints.chosen : paints.soft;
         const float left = cells[i].low.x + 4 * u,
                     name_left = left + (key.empty() ? 0 : width_of(key, em) + 4 * u);
         const float top =

@@ -33,7 +33,7 @@ const TipPicture* tip_of(const Picture& picture, std::uint32_t player) {
 /// sign, white and bare. So its colour is not the only sign.
 struct WorthLook {
     fvec3 light{};
-    double turn{};  ///< of the cross in the view (rad)
+    double turn{};  ///< turn of the cross in the view (rad)
     bool cross{};
 };
 

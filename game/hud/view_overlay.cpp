@@ -114,7 +114,7 @@ void add_wands(Overlay& out, const Picture& picture, const ControlNames& control
     const auto& p = picture.wizards[player];
     if (p.wand.empty()) return;
     const auto& strip = l.strip;
-    const float u = (strip.high.x - strip.low.x) / (l.strip_columns * strip_cell_width + 2 * strip_margin);
+    const float u = strip_unit(l);
     out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
     add_wand_strip(out,
                    {.wands = picture.shown->wands,

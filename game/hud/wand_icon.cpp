@@ -152,13 +152,13 @@ void add_wand_strip(render::Overlay& out, const WandStrip& strip, fvec2 upper_le
         return Panel{low, low + unit * fvec2(strip_cell_width, strip_cell_height)};
     };
     const auto paint_of = [&](std::size_t i) {
-        return i == strip.in_hand ? colour(0xFFF4D0, 1.0F) : colour(0xB8A8CC, 0.85F);
+        return i == strip.in_hand ? paints.chosen : colour(0xB8A8CC, 0.85F);
     };
     // All shapes come before all words, because the renderer draws neighbours of one kind together.
     for (std::size_t i = 0; i < wands.size(); ++i) {
         const auto cell = cell_of(i);
         if (i == strip.in_hand)
-            out.items.emplace_back(render::RectItem{cell.low, cell.high, colour(0x6A4A9A, 0.7F), 6 * unit});
+            out.items.emplace_back(render::RectItem{cell.low, cell.high, paints.chosen_plate, 6 * unit});
         add_wand_icon(out, wands[i].look, cell.low + unit * fvec2(24, 16), 22 * unit, paint_of(i));
         const double cap = std::max(wands[i].energy_cap, 1e-9), charge = strip.charges[i];
         add_charge(out, {cell.low + unit * fvec2(4, 32), cell.low + unit * fvec2(strip_cell_width - 4, 38)},

@@ -9,7 +9,7 @@ namespace thaum::game {
 
 enum class HandWay : std::uint8_t { rest, press, circle, file };
 
-/// What a hand does besides moving, as in a row of a trace.
+/// Tool and undo of a hand in one step, as in a row of a trace.
 struct HandUse {
     std::size_t tool{};  ///< place of the held tool in the sorted list, from 1; 0: none
     int history{};       ///< -1: undo, 1: redo
@@ -30,7 +30,7 @@ Expected<HandPath> hand_path(std::string_view word);
 /// same tools. `name` stands in errors.
 Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name);
 
-/// What the hand does besides moving in the step from a time on; nothing without a trace.
+/// Tool and undo of the hand in the step that begins at a time; none without a trace.
 HandUse use_at(const HandPath& path, double seconds);
 
 /// Place where the hand wants to be (m, lab frame, whose workspace has these edges). A press goes from above through
@@ -38,8 +38,8 @@ HandUse use_at(const HandPath& path, double seconds);
 /// the hand is at its first and last place.
 vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds);
 
-/// Place where a hand begins that a mouse moves: as near to the viewer as the workspace allows, a little within it (m). `to_viewer` is the
-/// direction from the middle to the viewer, not zero.
+/// Place where a hand begins that a mouse moves: as near to the viewer as the workspace allows, a little within it (m).
+/// `to_viewer` is the direction from the middle to the viewer, not zero.
 vec3 place_before(vec3 to_viewer, vec3 workspace);
 
 }  // namespace thaum::game

@@ -13,7 +13,8 @@ namespace thaum::game {
 /// Files of colours and materials that belong to a file of densities.
 std::array<std::filesystem::path, 2> companions_of(const std::filesystem::path& file);
 
-/// Saves the volume as it is now. All files are written before the first one is put at its place. The error names the file that could not be written.
+/// Saves the volume as it is now. All files are written before the first one is put at its place. The error names the
+/// file that could not be written.
 Expected<void> save_volume(const VolumeLab& lab, const std::filesystem::path& file);
 
 /// Takes colours and materials that stand beside the file of the lab's volume; none are no error.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/assert.h"
 #include "core/config.h"
@@ -99,6 +100,14 @@ field::SampleRange lengths_of(const field::Volume& volume) {
     return range;
 }
 
+/// Names with commas between them. `name_of` gives the name of one of `all`.
+template <class All, class Name = std::identity>
+std::string listed(const All& all, Name name_of = {}) {
+    std::string names;
+    for (const auto& one : all) names += text(names.empty() ? "" : ", ", std::invoke(name_of, one));
+    return names;
+}
+
 field::SampleRange sample_range(const field::Volume& volume) {
     return volume.components == 1 ? field::range_of(volume) : lengths_of(volume);
 }
@@ -122,8 +131,8 @@ field::Placement relative(const field::Placement& whole, const field::Placement&
             part.scale / whole.scale};
 }
 
-/// Where a volume beside the first one lies in the workspace, before its place. Both files must say where their volumes
-/// lie if it is registered.
+/// Placement in the workspace of a volume beside the first one, before its place is added. If it is registered, both
+/// files must say where their volumes lie.
 field::Placement fitted_beside(const VolumeLab& lab, const field::Volume& volume, bool registered) {
     const auto whole = placement_in_file(lab.source), part = placement_in_file(volume);
     if (!registered || !whole || !part) return fitted(volume, lab.data.device.workspace);
@@ -250,12 +259,6 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
         if (entry.path().extension() == ".toml") files.push_back(entry.path());
     std::ranges::sort(files);
     return files;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string all;
-    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all;
 }
 
 /// Reads a data file with its reader.
@@ -399,9 +402,7 @@ Expected<LabMode> lab_mode(const VolumeLab& lab, const std::string& name, std::v
     const auto offers = haptics::mode_offers(read.kind());
     const auto offer = std::ranges::find(offers, mode, &haptics::ModeOffer::mode);
     if (mode == nullptr || (offer == offers.end() && filters.empty())) {
-        std::string names;
-        for (const auto& each : haptics::modes()) names += text(names.empty() ? "" : ", ", each.name);
-        return fail(text("mode '", name, "': there are ", names));
+        return fail(text("mode '", name, "': there are ", listed(haptics::modes(), &haptics::Mode::name)));
     }
     if (filters.empty() && offer->through) filters.push_back({.kind = *offer->through});
     LabMode chosen{name, volume, std::move(filters), {}};

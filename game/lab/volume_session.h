@@ -49,9 +49,9 @@ struct SessionVolume {
 
 /// Place of the eye (game/app/volume_lab_picture.h).
 struct SessionView {
-    double yaw{}, pitch{};  ///< rad
-    double away{1};         ///< lengths of the volume's diagonal
-    vec3 aim{};             ///< m
+    double yaw{}, pitch{};  ///< turn and height of the eye (rad)
+    double away{1};         ///< distance of the eye, in lengths of the volume's diagonal
+    vec3 aim{};             ///< middle of the picture (m)
 };
 
 struct VolumeSession {
