@@ -78,10 +78,10 @@ takes_pad() {
 eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
-# 3. In the pause menu: another key for "move forward" (row 18), and the other split.
+# 3. In the pause menu: another key for "move forward" (row 21), and the other split.
 presses Escape
 eventually "no pause" pause_menu
-presses Down Return Return $(yes Down | head -18) Return i
+presses Down Return Return $(yes Down | head -21) Return i
 eventually "the new key is not in the settings" grep -q '^move_forward = "key i"$' "$settings"
 presses Escape Escape Down Return Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"

@@ -14,8 +14,6 @@ fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
-# lesson_pause: tests whether the pause of the Apprentice is shown, by the colour of its chosen row.
-lesson_pause() { paused_at_row 418; }
 
 # 1. Shoots, and edits a file as editors do: a new file renamed over the old one. Then makes it faulty.
 "$thaum" range --seconds 60 >"$folder/said" 2>&1 &
@@ -54,13 +52,13 @@ looks_and_walks() {
 }
 eventually "the first step was not done" looks_and_walks
 presses Escape
-eventually "no pause of the Apprentice" lesson_pause
+eventually "no pause of the Apprentice" pause_menu
 presses Down Return
 eventually "the second step was not skipped" said '^apprentice: 3 of '
 eventually "the pause of the Apprentice is still there" no_pause_menu
 import -window root "${SHOTS:-$folder}/apprentice.png"
 presses Escape
-eventually "no second pause of the Apprentice" lesson_pause
+eventually "no second pause of the Apprentice" pause_menu
 presses q
 wait "$game" || fail "the exit code of the Apprentice"
 said '^apprentice: left at 3 of ' || fail "the end of the Apprentice is not told"

@@ -61,10 +61,9 @@ few_pictures() {
 paused() { xdotool search --name '^Thaum \(paused\)$' >/dev/null 2>&1; }
 no_pause_menu() { xdotool search --name '^Thaum$' >/dev/null 2>&1; }
 
-# paused_at_row Y: tests whether the match is paused and the menu shows its chosen row at this height (screen of 1280x720): a
-# stretch of one colour. The row alone could be one of the start screen, which stays until the match is drawn.
-paused_at_row() {
+# pause_menu: tests whether the match is paused and the menu shows a chosen row, at whatever height: most of a row of 27 lines
+# in its colour. The row alone could be one of the start screen, which stays until the match is drawn.
+pause_menu() {
     paused &&
-        [ "$(import -window root -crop "80x1+900+$1" -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" = 80 ]
+        [ "$(import -window root -crop 80x720+900+0 -depth 8 txt: 2>/dev/null | grep -c '#5[0-9A-F]3[0-9A-F][89][0-9A-F]')" -gt 1600 ]
 }
-pause_menu() { paused_at_row 463; }
