@@ -1,9 +1,6 @@
 #include "game/app/command.h"
 
-#include <cstdio>
 #include <cstdlib>
-
-#include "core/one_line.h"
 
 namespace thaum::app {
 
@@ -13,11 +10,6 @@ bool display_there() {
         if (value != nullptr && *value != '\0') return true;
     }
     return false;
-}
-
-int refuse(const Error& error) {
-    std::fprintf(stderr, "thaum: %s\n", in_one_line(error.message).c_str());
-    return wrong_use;
 }
 
 }  // namespace thaum::app

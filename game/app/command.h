@@ -1,17 +1,12 @@
-// game/app/command.h: the commands of the program, `thaum WORD ...`. Each command is one .cpp file of this
-// folder.
+// game/app/command.h: the commands of the program, `thaum WORD ...`. Each command is one .cpp file of this folder or of a
+// folder in it.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "game/command_line/exit_code.h"
 
 namespace thaum::app {
-
-/// Exit codes of every command.
-inline constexpr int done = 0;
-inline constexpr int does_not_hold = 1;  ///< the checked thing failed its check
-inline constexpr int wrong_use = 2;      ///< wrong usage or input
 
 struct Command {
     std::string_view name;
@@ -37,8 +32,5 @@ Command gesture_command();
 
 /// Tests whether a desktop is there to open a window on.
 bool display_there();
-
-/// Prints "thaum: message" to standard error and returns wrong_use.
-int refuse(const Error& error);
 
 }  // namespace thaum::app

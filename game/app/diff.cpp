@@ -11,8 +11,8 @@
 #include "core/jobs.h"
 #include "core/text.h"
 #include "ecs/diff.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/command_line/arguments.h"
 #include "game/match/playback.h"
 
 extern char** environ;

@@ -9,10 +9,10 @@
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/command.h"
-#include "game/app/end_watch.h"
-#include "game/app/live.h"
 #include "game/app/named_arm.h"
 #include "game/components/hand_state.h"
+#include "game/live/end_watch.h"
+#include "game/live/live.h"
 #include "input/arm_playback.h"
 #include "input/open_arm.h"
 

@@ -11,9 +11,9 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/bots/league.h"
+#include "game/command_line/arguments.h"
 
 namespace thaum::app {
 namespace {

@@ -4,11 +4,11 @@
 #include <random>
 
 #include "core/text.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
-#include "game/app/live.h"
 #include "game/app/offscreen_duel.h"
 #include "game/bots/bot.h"
+#include "game/command_line/arguments.h"
+#include "game/live/live.h"
 
 namespace thaum::app {
 namespace {

@@ -14,8 +14,8 @@
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
-#include "game/app/settings.h"
 #include "game/data/match_data.h"
+#include "game/settings/settings.h"
 #include "input/open_arm.h"
 
 namespace thaum::app {

@@ -4,10 +4,10 @@
 #include <random>
 
 #include "core/text.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
-#include "game/app/live.h"
 #include "game/bots/range.h"
+#include "game/command_line/arguments.h"
+#include "game/live/live.h"
 
 namespace thaum::app {
 namespace {

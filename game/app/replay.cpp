@@ -7,17 +7,17 @@
 #include "core/file_writer.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/feel.h"
-#include "game/app/felt_rows.h"
-#include "game/app/recorded_names.h"
 #include "game/app/replay_body.h"
 #include "game/app/replay_sound.h"
 #include "game/app/shots.h"
 #include "game/app/watch.h"
+#include "game/command_line/arguments.h"
+#include "game/jackets/felt_rows.h"
 #include "game/match/header_text.h"
 #include "game/match/tables.h"
+#include "game/settings/recorded_names.h"
 
 namespace thaum::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "game/app/replay_body.h"
 
 #include "audio/synth.h"
-#include "game/app/felt_rows.h"
+#include "game/jackets/felt_rows.h"
 
 namespace thaum::app {
 

@@ -5,9 +5,9 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/still.h"
+#include "game/command_line/arguments.h"
 #include "game/scenario/runner.h"
 
 namespace thaum::app {

@@ -7,12 +7,12 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/highlight.h"
-#include "game/app/recorded_names.h"
-#include "game/app/settings.h"
+#include "game/command_line/arguments.h"
 #include "game/match/tables.h"
+#include "game/settings/recorded_names.h"
+#include "game/settings/settings.h"
 
 namespace thaum::app {
 namespace {

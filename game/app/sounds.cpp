@@ -8,9 +8,9 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/sound_picture.h"
+#include "game/command_line/arguments.h"
 #include "game/data/match_data.h"
 
 namespace thaum::app {

@@ -6,9 +6,9 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/app/command.h"
-#include "game/app/live.h"
-#include "game/app/recorded_names.h"
 #include "game/app/still.h"
+#include "game/live/live.h"
+#include "game/settings/recorded_names.h"
 #include "render/priority.h"
 
 namespace thaum::app {

@@ -47,7 +47,7 @@ struct SessionVolume {
     LabPlace place{};
 };
 
-/// Place of the eye (game/app/volume_lab_picture.h).
+/// Place of the eye (game/app/lab/volume_lab_picture.h).
 struct SessionView {
     double yaw{}, pitch{};  ///< turn and height of the eye (rad)
     double away{1};         ///< distance of the eye, in lengths of the volume's diagonal

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "game/app/stroke_files.h"
+#include "game/app/gesture/stroke_files.h"
 #include "gesture/evaluation.h"
 #include "gesture/spotting.h"
 

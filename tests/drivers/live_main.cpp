@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "game/app/live.h"
+#include "game/live/live.h"
 
 using namespace thaum;
 using namespace thaum::app;

@@ -1,10 +1,10 @@
 // Readers of data files and settings. Accepted data must make a match that runs.
 #include "core/file.h"
 #include "fuzz/fuzz.h"
-#include "game/app/settings.h"
 #include "game/bots/apprentice.h"
 #include "game/bots/duel.h"
 #include "game/bots/range.h"
+#include "game/settings/settings.h"
 
 namespace thaum::fuzz {
 namespace {

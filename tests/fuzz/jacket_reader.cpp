@@ -1,8 +1,8 @@
 // Readers of a jacket's setting and of a bHaptics Player's replies.
 #include "core/text.h"
 #include "fuzz/fuzz.h"
-#include "game/app/bhaptics_messages.h"
-#include "game/app/jacket.h"
+#include "game/jackets/bhaptics_messages.h"
+#include "game/jackets/jacket.h"
 
 namespace thaum::fuzz {
 namespace {

@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "core/text.h"
-#include "game/app/menu_choices.h"
 #include "game/bots/duel.h"
 #include "game/bots/league.h"
 #include "game/hud/figures.h"
 #include "game/hud/hud.h"
+#include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/match/result.h"
 #include "game/match/tables.h"

@@ -25,19 +25,28 @@ const std::map<std::string, int, std::less<>> floors = {
 
 /// Floor of each folder of the game. A folder may include itself and folders on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
-    {"components", 0},                               // plain data of the World
-    {"arena", 1},                                    // shape of the arena
-    {"brew", 2},                                     // the cauldron's fluid
-    {"data", 3},                                     // contents of data files
-    {"context", 4},                                  // shared by all systems
-    {"cauldron", 5},   {"crystal", 5},               // systems of the stations
-    {"wands", 6},      {"casting", 6},  {"orb", 6},  // what wizards do with fire, with strokes and at the orb
-    {"spells", 7},     {"player", 7},                // what strokes cast; controls
-    {"hand", 8},                                     // forces on hands and arms
-    {"match", 9},                                    // order of the systems, logs, results
-    {"sound", 10},     {"tactile", 10},              // what players hear and feel
-    {"senses", 11},                                  // both together, in words and numbers
-    {"bots", 11},      {"hud", 11},     {"lab", 11}, {"scenario", 12}, {"app", 13},
+    {"components", 0},                      // plain data of the World
+    {"arena", 1},                           // shape of the arena
+    {"brew", 2},                            // the cauldron's fluid
+    {"data", 3},                            // contents of data files
+    {"context", 4},                         // shared by all systems
+    {"cauldron", 5},      {"crystal", 5},   // systems of the stations
+    {"wands", 6},         {"casting", 6},   // what wizards do with fire and with strokes,
+    {"orb", 6},                             // and at the orb
+    {"spells", 7},        {"player", 7},    // what strokes cast; controls
+    {"hand", 8},                            // forces on hands and arms
+    {"match", 9},                           // order of the systems, logs, results
+    {"sound", 10},        {"tactile", 10},  // what players hear and feel
+    {"senses", 11},                         // both together, in words and numbers
+    {"bots", 11},         {"hud", 11},      // opponents; the picture
+    {"lab", 11},                            // brew and volumes alone
+    {"scenario", 12},                       // Lua scenarios
+    {"command_line", 12},                   // a command's words, and how it ends
+    {"jackets", 12},                        // jackets of each maker
+    {"settings", 13},                       // what the settings file and the folders beside it keep
+    {"menu", 14},                           // start screen, pause and pages of settings
+    {"live", 15},                           // a match in real time: windows, devices, threads, sound
+    {"app", 16},                            // the program and its commands
 };
 
 /// Allowed includes between parts on the same floor: from, to.

@@ -5,11 +5,11 @@
 #include <map>
 
 #include "core/text.h"
-#include "game/app/live_practice.h"
 #include "game/bots/aim.h"
 #include "game/bots/senses.h"
 #include "game/bots/stirring.h"
 #include "game/components/cauldron.h"
+#include "game/live/live_practice.h"
 
 namespace thaum::app {
 namespace {

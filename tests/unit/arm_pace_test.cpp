@@ -1,5 +1,5 @@
 // Tests how a match follows the clock of a real arm. Time is computed; no clock of the machine is read.
-#include "game/app/arm_pace.h"
+#include "game/live/arm_pace.h"
 
 #include <gtest/gtest.h>
 

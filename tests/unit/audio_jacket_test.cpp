@@ -1,6 +1,6 @@
 // Shakers on the channels of a sound device: the right channel has the wave, nothing clicks, and it ends after its time
 // to live. OpenAL renders into memory, and a second fake keeps the blocks themselves.
-#include "game/app/audio_jacket.h"
+#include "game/jackets/audio_jacket.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "audio/channels.h"
 #include "audio/detail/block_stream.h"
-#include "game/app/jacket.h"
+#include "game/jackets/jacket.h"
 #include "tactile/layout.h"
 #include "unit/jacket_rig.h"
 #include "unit/loopback_card.h"

@@ -1,6 +1,6 @@
 // A vest of bHaptics: the texts of requests and replies, and the connection to a Player that behaves, is slow, lies, or
 // goes away. The Player is a fake. Tests wait for what it got, not for a time.
-#include "game/app/bhaptics_jacket.h"
+#include "game/jackets/bhaptics_jacket.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "game/app/bhaptics_messages.h"
-#include "game/app/live_tactile.h"
+#include "game/jackets/bhaptics_messages.h"
+#include "game/live/live_tactile.h"
 #include "unit/fake_bhaptics.h"
 #include "unit/jacket_rig.h"
 

@@ -1,5 +1,5 @@
 // Tests of effects that are tried on the mixer's page: which cells they light, faders, and their end.
-#include "game/app/body_trial.h"
+#include "game/live/body_trial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // Tests of the names that prompts have for controls.
-#include "game/app/control_names.h"
+#include "game/settings/control_names.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "game/app/bindings.h"
 #include "game/hud/wand_icon.h"
+#include "game/settings/bindings.h"
 
 namespace thaum::app {
 namespace {

@@ -1,7 +1,7 @@
 // The mouse as a hand that draws strokes outside of a match.
 #include <gtest/gtest.h>
 
-#include "game/app/drawing_hand.h"
+#include "game/app/gesture/drawing_hand.h"
 #include "game/data/match_data.h"
 
 namespace thaum::app {

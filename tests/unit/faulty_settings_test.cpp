@@ -1,6 +1,6 @@
 // Tests of settings files with wrong values: the good values hold, and the file is kept.
 #include "core/file.h"
-#include "game/app/settings.h"
+#include "game/settings/settings.h"
 #include "unit/live_rig.h"
 
 namespace thaum::app {

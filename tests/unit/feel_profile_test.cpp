@@ -1,5 +1,5 @@
 // Tests of profiles of what a player feels: their files, and what counts as the same feel.
-#include "game/app/feel_profile.h"
+#include "game/settings/feel_profile.h"
 
 #include <gtest/gtest.h>
 

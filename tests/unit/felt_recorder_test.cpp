@@ -1,5 +1,5 @@
 // The recorder of what a player feels: its rows, the names of its files, and a full disk.
-#include "game/app/felt_recorder.h"
+#include "game/jackets/felt_recorder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -10,8 +10,8 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/app/felt_rows.h"
-#include "game/app/live_tactile.h"
+#include "game/jackets/felt_rows.h"
+#include "game/live/live_tactile.h"
 #include "unit/jacket_rig.h"
 
 namespace thaum::app {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "game/app/stroke_files.h"
+#include "game/app/gesture/stroke_files.h"
 #include "game/casting/casting.h"
 #include "gesture/generated_users.h"
 #include "unit/game_duel.h"

@@ -1,13 +1,13 @@
 // A HID jacket: its bytes, and that one which is pulled out, refuses, or is slow leaves no motor on. The byte traces in
-// tests/tactile were written by hand from the layout in game/app/hid_report.h.
-#include "game/app/hid_jacket.h"
+// tests/tactile were written by hand from the layout in game/jackets/hid_report.h.
+#include "game/jackets/hid_jacket.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "game/app/hid_report.h"
-#include "game/app/live_tactile.h"
+#include "game/jackets/hid_report.h"
+#include "game/live/live_tactile.h"
 #include "unit/jacket_rig.h"
 
 namespace thaum::app {

@@ -1,6 +1,6 @@
 // The players' jackets: the words of the setting, who has which, and that the jackets of two players get their own
 // frames. Tests wait for what the threads did, not for a time.
-#include "game/app/jacket.h"
+#include "game/jackets/jacket.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/text.h"
-#include "game/app/live_tactile.h"
+#include "game/live/live_tactile.h"
 #include "input/detail/osc_message.h"
 #include "tactile/layout.h"
 #include "unit/felt_output_rig.h"

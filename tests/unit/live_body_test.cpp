@@ -1,12 +1,12 @@
 // What players of a session feel in a match: the figure, a jacket, and sounds on it, each only while it is wanted.
-#include "game/app/live_body.h"
+#include "game/live/live_body.h"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
 #include "audio/synth.h"
-#include "game/app/body_trial.h"
+#include "game/live/body_trial.h"
 #include "unit/felt_output_rig.h"
 #include "unit/game_duel.h"
 

@@ -1,10 +1,10 @@
 // Tests of where the logs of a session's matches lie, and of the data of the next match.
-#include "game/app/live_recording.h"
+#include "game/live/live_recording.h"
 
 #include <gtest/gtest.h>
 
 #include "core/file.h"
-#include "game/app/next_match.h"
+#include "game/live/next_match.h"
 #include "unit/live_rig.h"
 
 namespace thaum::app {

@@ -1,5 +1,5 @@
 // Tests of seats: which devices players get from the command line or the start screen, and what is taken.
-#include "game/app/live_seats.h"
+#include "game/live/live_seats.h"
 
 #include <gtest/gtest.h>
 

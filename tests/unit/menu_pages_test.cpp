@@ -4,7 +4,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
-#include "game/app/menu_rows.h"
+#include "game/menu/menu_rows.h"
 #include "render/font.h"
 #include "unit/menu_rig.h"
 

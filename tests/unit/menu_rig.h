@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "game/app/menu.h"
+#include "game/menu/menu.h"
 
 namespace thaum::app::menu_tests {
 

@@ -1,7 +1,7 @@
 // Tests of menus: the start screen, the pause and the pages of controls. Events in, state and rows out.
 #include "core/file.h"
-#include "game/app/menu_choices.h"
 #include "game/data/match_data.h"
+#include "game/live/menu_choices.h"
 #include "unit/menu_rig.h"
 
 namespace thaum::app::menu_tests {

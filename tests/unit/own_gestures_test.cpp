@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "core/text.h"
-#include "game/app/own_gestures.h"
-#include "game/app/player_name.h"
 #include "game/bots/range.h"
 #include "game/casting/casting.h"
 #include "game/match/playback.h"
+#include "game/settings/own_gestures.h"
+#include "game/settings/player_name.h"
 #include "gesture/gesture_file.h"
 #include "unit/game_duel.h"
 

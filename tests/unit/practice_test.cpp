@@ -1,6 +1,6 @@
 // Tests of the range in a live session: its files, which are read again when they change, the thread that
 // watches them, the messages on the screen, and that a recorded match has neither.
-#include "game/app/live_practice.h"
+#include "game/live/live_practice.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -11,11 +11,11 @@
 
 #include "core/clock.h"
 #include "core/text.h"
-#include "game/app/live_shared.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/hud/layout.h"
 #include "game/hud/stroke_words.h"
+#include "game/live/live_shared.h"
 
 namespace thaum::app {
 namespace {

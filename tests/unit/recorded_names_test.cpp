@@ -1,5 +1,5 @@
 // Tests of the names in a log: a replay names its players as the match did.
-#include "game/app/recorded_names.h"
+#include "game/settings/recorded_names.h"
 
 #include "game/bots/bot.h"
 #include "game/match/record.h"

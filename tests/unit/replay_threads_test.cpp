@@ -2,8 +2,8 @@
 // fills the index.
 #include <thread>
 
-#include "game/app/live_replay.h"
-#include "game/app/live_session.h"
+#include "game/live/live_replay.h"
+#include "game/live/live_session.h"
 #include "unit/live_rig.h"
 #include "unit/replay_rig.h"
 

@@ -1,5 +1,5 @@
 // Tests of what keys and mouse do in a replay, without window, threads and clock.
-#include "game/app/replay_view.h"
+#include "game/live/replay_view.h"
 
 #include "game/hud/layout.h"
 #include "game/hud/overlay.h"

@@ -7,8 +7,8 @@
 #include <cctype>
 #include <functional>
 
-#include "game/app/live_practice.h"
 #include "game/bots/bot.h"
+#include "game/live/live_practice.h"
 #include "unit/live_session_rig.h"
 #include "unit/screen_player.h"
 

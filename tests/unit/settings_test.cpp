@@ -1,5 +1,5 @@
 // Tests of the settings and of the names of logs.
-#include "game/app/settings.h"
+#include "game/settings/settings.h"
 #include "core/utf8.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/app/player_name.h"
+#include "game/settings/player_name.h"
 #include "input/log.h"
 #include "render/context.h"
 #include "render/font.h"

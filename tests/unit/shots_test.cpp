@@ -1,7 +1,7 @@
 // Tests of pictures of a replay: they show what players hear and feel, as the live view does.
 #include "game/app/shots.h"
 
-#include "game/app/recorded_names.h"
+#include "game/settings/recorded_names.h"
 #include "unit/read_png.h"
 #include "unit/replay_rig.h"
 

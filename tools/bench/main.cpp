@@ -3,9 +3,9 @@
 #include <cstdio>
 
 #include "core/text.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/program.h"
+#include "game/command_line/arguments.h"
 #include "tools/bench/bench.h"
 
 namespace thaum::app {

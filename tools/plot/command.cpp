@@ -4,8 +4,8 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "core/write_rule.h"
-#include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/command_line/arguments.h"
 #include "tools/plot/page.h"
 
 namespace thaum::app {

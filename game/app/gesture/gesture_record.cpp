@@ -1,0 +1,135 @@
+// thaum gesture record: writes strokes that a hand draws now, of a recorded match, or of a file of strokes, as a gesture
+// file.
+#include <cstdio>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/command.h"
+#include "game/app/gesture/gesture.h"
+#include "game/app/gesture/stroke_files.h"
+#include "game/app/gesture/stroke_window.h"
+#include "game/command_line/arguments.h"
+#include "game/components/hand_state.h"
+#include "game/match/playback.h"
+#include "gesture/gesture_file.h"
+#include "gesture/recogniser.h"
+#include "gesture/stroke_recorder.h"
+
+namespace thaum::app {
+
+const std::string_view gesture_record_help =
+    R"(usage: thaum gesture record NAME [--device D|--log LOG|--strokes FILE] --out FILE.toml [OPTIONS]
+
+Writes strokes as the file of a gesture, which the recogniser uses as templates. Without --log and
+--strokes a window opens: hold a button of the mouse, or of the arm's stylus, and draw.
+
+  --device D      mouse (default), or an arm by its name or number, such as touch or arm:0
+  --log LOG       a recorded match: a stroke is the way of the hand while Trace is held, in metres
+                  and newtons; the newest strokes are taken
+  --player N      player of the match whose strokes these are (default 1)
+  --strokes FILE  a file of strokes (CSV, gzipped or not): strokes of the gesture NAME are taken
+  --count N       number of strokes (default 3)
+  --closed        the stroke is a closed curve that may start anywhere
+  --any-direction the stroke may be drawn backwards
+  --planar        z does not count
+  --rotation D    largest turn against the templates (degrees, default 0)
+  --out FILE      file of the gesture
+)";
+
+namespace {
+
+using Courses = std::vector<std::vector<gesture::StrokePoint>>;
+
+/// Device of a player in the log; std::nullopt if the player has none.
+std::optional<std::size_t> device_of(const input::LogReader& log, std::uint32_t player) {
+    const auto& devices = log.header().devices;
+    for (std::size_t d = 0; d < devices.size(); ++d) {
+        if (devices[d].player == player) return d;
+    }
+    return std::nullopt;
+}
+
+Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) {
+    auto playback = game::Playback::open(path, game::find_assets());
+    if (!playback) return tl::unexpected(playback.error());
+    const auto device = device_of(playback->log(), player);
+    if (!device) return fail(text(path, ": player ", player + 1, " has no device in this match"));
+    gesture::StrokeRecorder recorder;
+    while (playback->step()) {
+        const auto& world = playback->match().world();
+        const auto& hand = world.get<game::HandState>(game::wizard_of(world, player));
+        const double t = static_cast<double>(playback->match().now()) / 1000;
+        recorder.feed({t, hand.device.position, glm::length(hand.servo.safety.output)},
+                      playback->frame().devices[*device].down(input::Button::trace));
+    }
+    recorder.end();
+    if (recorder.strokes().empty())
+        return fail(text(path, ": player ", player + 1, " never holds Trace in this match"));
+    return recorder.strokes();
+}
+
+Expected<Courses> strokes_of_file(const std::string& path, const std::string& name) {
+    const auto set = load_strokes(path);
+    if (!set) return tl::unexpected(set.error());
+    Courses courses;
+    for (const auto& stroke : set->strokes) {
+        if (stroke.gesture == name) courses.push_back(stroke.points);
+    }
+    if (courses.empty()) return fail(text(path, ": no stroke of the gesture '", name, "'"));
+    return courses;
+}
+
+Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
+    const auto log = arguments.value("--log"), file = arguments.value("--strokes");
+    const bool twice = log.has_value() + file.has_value() + arguments.has("--device") > 1;
+    if (arguments.plain().size() != 1 || twice || !arguments.value("--out"))
+        return fail(
+            "name the gesture, at most one of --device, --log and --strokes, and --out; see `thaum gesture "
+            "record "
+            "--help`");
+    const auto player = arguments.whole("--player", 1, game::players, 1),
+               count = arguments.whole("--count", 1, 100, 3);
+    const auto turn = arguments.number("--rotation", 0, 180, 0);
+    if (!player) return tl::unexpected(player.error());
+    if (!count) return tl::unexpected(count.error());
+    if (!turn) return tl::unexpected(turn.error());
+    gesture::Gesture gesture{.name = arguments.plain()[0], .options = {}, .strokes = {}};
+    gesture.options.closed = arguments.has("--closed");
+    gesture.options.direction_sensitive = !arguments.has("--any-direction");
+    gesture.options.planar = arguments.has("--planar");
+    gesture.options.rotation = *turn * radians_per_degree;
+    const auto courses = log    ? strokes_of_log(*log, static_cast<std::uint32_t>(*player - 1))
+                         : file ? strokes_of_file(*file, gesture.name)
+                                : draw_strokes({.name = gesture.name,
+                                                .count = *count,
+                                                .device = arguments.value("--device").value_or("mouse")});
+    if (!courses) return tl::unexpected(courses.error());
+    const std::size_t first = courses->size() > *count ? courses->size() - *count : 0;
+    gesture.strokes.assign(courses->begin() + static_cast<std::ptrdiff_t>(first), courses->end());
+    // The same check that a reader of the file makes.
+    if (const auto made = gesture::Recogniser::make(std::span(&gesture, 1), {.calibrate = false}); !made)
+        return tl::unexpected(made.error());
+    return gesture;
+}
+
+}  // namespace
+
+int run_gesture_record(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {
+        {"--log", 1}, {"--player", 1}, {"--strokes", 1},    {"--device", 1}, {"--count", 1},
+        {"--out", 1}, {"--closed"},    {"--any-direction"}, {"--planar"},    {"--rotation", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    if (const auto out = arguments->value("--out")) {
+        if (const auto free = check_output(*out); !free) return refuse(free.error());
+    }
+    const auto gesture = read_gesture_words(*arguments);
+    if (!gesture) return refuse(gesture.error());
+    if (const auto written = write_text_file(*arguments->value("--out"), gesture::to_file(*gesture));
+        !written)
+        return refuse(written.error());
+    std::printf("%zu strokes of '%s'\n", gesture->strokes.size(), gesture->name.c_str());
+    return done;
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,44 @@
+#include "game/app/gesture/stroke_files.h"
+
+#include "core/file.h"
+#include "core/gzip.h"
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+tl::unexpected<Error> in_file(const std::filesystem::path& path, const Error& error) {
+    return fail(text(path.string(), ": ", error.message));
+}
+
+}  // namespace
+
+Expected<std::string> load_text(const std::filesystem::path& path) {
+    const auto bytes = read_file(path, most_stroke_bytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (bytes->size() < 2 || (*bytes)[0] != std::byte{0x1f} || (*bytes)[1] != std::byte{0x8b})
+        return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    auto unpacked = unpack_gzip(*bytes, most_stroke_bytes);
+    if (!unpacked) return in_file(path, unpacked.error());
+    return unpacked;
+}
+
+Expected<gesture::StrokeSet> load_strokes(const std::filesystem::path& path) {
+    const auto csv = load_text(path);
+    if (!csv) return tl::unexpected(csv.error());
+    return gesture::read_strokes(*csv, path.string());
+}
+
+Expected<gesture::SessionSet> load_sessions(const std::filesystem::path& path) {
+    const auto csv = load_text(path);
+    if (!csv) return tl::unexpected(csv.error());
+    return gesture::read_sessions(*csv, path.string());
+}
+
+Expected<std::vector<gesture::SessionLabel>> load_labels(const std::filesystem::path& path) {
+    const auto csv = load_text(path);
+    if (!csv) return tl::unexpected(csv.error());
+    return gesture::read_labels(*csv, path.string());
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,138 @@
+#include "game/app/gesture/stroke_window.h"
+
+#include <algorithm>
+
+#include "core/clock.h"
+#include "core/text.h"
+#include "game/app/command.h"
+#include "game/data/match_data.h"
+#include "game/hud/overlay.h"
+#include "game/hud/stroke_picture.h"
+#include "game/live/end_watch.h"
+#include "game/settings/settings.h"
+#include "render/renderer.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::int64_t picture_ns = 16'000'000;
+constexpr double patience_s = 0.002;  // longest wait for an event, so that motion gets its time
+constexpr double shown_m = 0.2;       // height of the window at the hand
+
+bool ends(const StrokeDesk& desk, const render::Window& window) {
+    return desk.complete() || desk.left() || window.should_close() || EndWatch::asked();
+}
+
+render::WindowEvents events_of(StrokeDesk& desk, DrawingHand& hand) {
+    render::WindowEvents events;
+    events.key = [&](int key, int, bool pressed) {
+        if (pressed) desk.key(render::key_name(key));
+    };
+    events.mouse_button = [&](int button, bool pressed) {
+        if (button == 0 || button == 1) hand.press(pressed);
+    };
+    events.mouse_move = [&](double dx, double dy) { hand.move(dx, dy); };
+    events.focus = [&](bool focused) {
+        if (!focused) hand.press(false);
+    };
+    return events;
+}
+
+/// Earlier strokes, the one that is being drawn, and words.
+void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
+    frame.width = size.width;
+    frame.height = size.height;
+    auto& out = frame.overlay;
+    out.items.clear();
+    const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    const float unit = height / 720;
+    const auto& strokes = desk.recorder().strokes();
+    const fvec2 middle(0.5F * width, 0.54F * height);
+    const double scale = static_cast<double>(height) / shown_m;
+    for (const auto& stroke : strokes)
+        game::add_stroke(out, stroke, {stroke.front().at, middle, scale},
+                         {.colour = game::opaque(fvec3(game::paints.soft), 0.35F), .width = 3 * unit});
+    if (const auto open = desk.recorder().open(); !open.empty())
+        game::add_stroke(out, open, {open.front().at, middle, scale}, {.width = 6 * unit, .by_force = true});
+    game::add_text(out, desk.title(), {0.5F * width, 0.05F * height}, 30 * unit, game::paints.white,
+                   render::Align::centre);
+    game::add_text(out, desk.advice(), {0.5F * width, 0.93F * height}, 20 * unit, game::paints.soft,
+                   render::Align::centre);
+}
+
+Expected<void> run(StrokeDesk& desk, DrawingHand& hand, render::Window& window, render::Renderer& renderer) {
+    const EndWatch watch;
+    const auto events = events_of(desk, hand);
+    render::Frame frame;
+    window.capture_cursor(true);
+    auto next_ns = monotonic_ns();
+    while (!ends(desk, window)) {
+        window.poll(events, patience_s);
+        hand.advance(monotonic_ns(), desk.recorder());
+        if (auto fault = hand.fault(); !fault.empty()) return fail(std::move(fault));
+        const auto size = window.size();
+        if (monotonic_ns() < next_ns || window.minimised() || size.width <= 0 || size.height <= 0) continue;
+        next_ns = monotonic_ns() + picture_ns;
+        fill(frame, desk, size);
+        renderer.draw(frame);
+        window.present();
+    }
+    window.capture_cursor(false);
+    if (!desk.complete())
+        return fail("the window was closed before all strokes were drawn; nothing was written");
+    return {};
+}
+
+Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const Settings& settings,
+                                               const std::filesystem::path& assets) {
+    if (device == "mouse") {
+        const auto data = game::load_match_data(assets, {});
+        if (!data) return tl::unexpected(data.error());
+        return std::make_unique<DrawingMouse>(data->device, monotonic_ns());
+    }
+    const auto percent = force_choices[settings.players[0].force].percent;
+    auto arm = DrawingArm::open(device, percent ? *percent / 100.0 : haptics::gentle_share);
+    if (!arm) return tl::unexpected(arm.error());
+    return std::move(*arm);
+}
+
+}  // namespace
+
+void StrokeDesk::key(std::string_view name) {
+    if (name == "Esc") left_ = true;
+    if (name == "Backspace") recorder_.drop_last();
+}
+
+std::string StrokeDesk::title() const {
+    const auto number = std::min(recorder_.strokes().size() + 1, wish_.count);
+    return text(wish_.name, ": stroke ", number, " of ", wish_.count);
+}
+
+std::string StrokeDesk::advice() const {
+    return text(
+        wish_.device == "mouse" ? "Hold a mouse button and draw" : "Hold a button of the stylus and draw",
+        "   Backspace: last stroke again   Esc: leave");
+}
+
+Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const StrokeWish& wish) {
+    if (!display_there())
+        return fail("drawing strokes needs a display; --log and --strokes take recorded ones without it");
+    const auto assets = game::find_assets();
+    const auto settings = settings_to_play_with(settings_file(), assets).settings;
+    auto hand = hand_of(wish.device, settings, assets);
+    if (!hand) return tl::unexpected(hand.error());
+    auto window = render::Window::create({.title = "Thaum: record a gesture"});
+    if (!window) return tl::unexpected(window.error());
+    window->make_current();
+    StrokeDesk desk(wish);
+    Expected<void> went;
+    {
+        auto renderer = render::Renderer::create(assets);
+        went = renderer ? run(desk, **hand, *window, *renderer) : tl::unexpected(renderer.error());
+    }
+    window->release_current();
+    if (!went) return tl::unexpected(went.error());
+    return desk.recorder().strokes();
+}
+
+}  // namespace thaum::app

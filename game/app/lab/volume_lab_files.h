@@ -1,0 +1,20 @@
+// game/app/lab/volume_lab_files.h: files of `thaum lab VOLUME`: no output may be a file that the command reads, or another
+// output.
+#pragma once
+#include <string_view>
+
+#include "core/error.h"
+#include "game/app/lab/volume_lab.h"
+
+namespace thaum::app {
+
+/// True for a name of a volume that the lab makes; any other name is a file.
+bool is_made(std::string_view name);
+
+/// Protects all files that the volumes were read from (core/write_rule.h).
+void protect_volumes(const VolumeLabPlan& plan);
+
+/// Checks that each output has a file of its own, which this command does not read. A saved body has three.
+Expected<void> check_outputs(const VolumeLabPlan& plan);
+
+}  // namespace thaum::app

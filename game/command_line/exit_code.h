@@ -1,0 +1,15 @@
+// game/command_line/exit_code.h: how a command ends.
+#pragma once
+#include "core/error.h"
+
+namespace thaum::app {
+
+/// Exit codes of every command.
+inline constexpr int done = 0;
+inline constexpr int does_not_hold = 1;  ///< the checked thing failed its check
+inline constexpr int wrong_use = 2;      ///< wrong usage or input
+
+/// Prints "thaum: message" to standard error and returns wrong_use.
+int refuse(const Error& error);
+
+}  // namespace thaum::app

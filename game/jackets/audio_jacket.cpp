@@ -1,0 +1,123 @@
+#include "game/jackets/audio_jacket.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "audio/channels.h"
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+/// Blocks that are written at once. A device that wants ever more would keep a core busy.
+constexpr std::size_t most_at_once = 4;
+/// Looks at a device that takes no block before it is given up. The player looks about every 4 ms.
+constexpr int most_idle_looks = 500;
+constexpr Tick longest_life = 500;
+/// At the end: blocks with the end of the waves, and the longest wait for a device that takes them.
+constexpr int last_blocks = 3, most_last_looks = 15;
+constexpr std::chrono::milliseconds between_last_looks{4};
+
+class AudioJacket final : public input::TactileOutput {
+public:
+    AudioJacket(std::string name, std::size_t channels, std::unique_ptr<audio::SoundDevice> device)
+        : name_(std::move(name)), device_(std::move(device)), tones_(channels) {}
+    ~AudioJacket() override { end(); }
+
+    Expected<void> open() override;
+    void write(const tactile::TactileFrame& frame, double now_s) override;
+    void silence() override;
+    bool is_connected() override;
+    std::string fault() override { return fault_; }
+    void close() override { end(); }
+    std::string name() const override { return name_; }
+
+private:
+    std::size_t feed();
+    void end();
+
+    const std::string name_;
+    const std::unique_ptr<audio::SoundDevice> device_;
+    audio::ChannelTones tones_;
+    bool open_ = false;
+    std::size_t blocks_left_ = 0;  ///< blocks until the time to live is over
+    int idle_looks_ = 0;           ///< looks since the device last took a block
+    std::string fault_{};
+};
+
+Expected<void> AudioJacket::open() {
+    end();
+    if (auto opened = device_->open(); !opened) return opened;
+    open_ = true;
+    idle_looks_ = 0;
+    tones_ = audio::ChannelTones(tones_.channels());
+    return {};
+}
+
+void AudioJacket::write(const tactile::TactileFrame& frame, double) {
+    const auto known = std::min<std::size_t>(frame.count, tactile::frame_capacity);
+    for (std::size_t i = 0; i < tones_.channels(); ++i)
+        tones_.set(i, i < known ? audio::ChannelTone{frame.amplitude[i], frame.carrier_hz[i]}
+                                : audio::ChannelTone{});
+    blocks_left_ = std::min(frame.time_to_live, longest_life) / audio::frame_ticks;
+    feed();
+}
+
+void AudioJacket::silence() {
+    tones_.silence();
+    feed();
+}
+
+/// Writes the blocks that the device wants. Returns their number.
+std::size_t AudioJacket::feed() {
+    if (!open_) return 0;
+    std::array<float, audio::most_channels * audio::frame_samples> block{};
+    const auto values = std::span(block).first(tones_.channels() * audio::frame_samples);
+    const auto wanted = std::min(device_->wanted(), most_at_once);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        if (blocks_left_ == 0)
+            tones_.silence();
+        else
+            --blocks_left_;
+        tones_.mix(values);
+        device_->write(values);
+    }
+    return wanted;
+}
+
+bool AudioJacket::is_connected() {
+    if (!open_) return false;
+    if (!device_->is_connected()) {
+        fault_ = "the sound device is gone";
+        return false;
+    }
+    idle_looks_ = feed() > 0 ? 0 : idle_looks_ + 1;
+    if (idle_looks_ < most_idle_looks) return true;
+    fault_ = "the sound device takes no sound";
+    return false;
+}
+
+/// Lets the waves end before the device is closed.
+void AudioJacket::end() {
+    if (!open_) return;
+    const bool fade = !tones_.is_silent() && device_->is_connected();
+    blocks_left_ = 0;
+    int written = 0;
+    for (int i = 0; fade && i < most_last_looks && written < last_blocks; ++i) {
+        written += static_cast<int>(feed());
+        std::this_thread::sleep_for(between_last_looks);
+    }
+    device_->close();
+    open_ = false;
+}
+
+}  // namespace
+
+std::unique_ptr<input::TactileOutput> audio_jacket(std::string name, std::size_t channels,
+                                                   std::unique_ptr<audio::SoundDevice> device) {
+    return std::make_unique<AudioJacket>(std::move(name), channels, std::move(device));
+}
+
+}  // namespace thaum::app

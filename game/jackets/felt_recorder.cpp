@@ -1,0 +1,101 @@
+#include "game/jackets/felt_recorder.h"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "core/file_writer.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "game/jackets/felt_rows.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr int most_names = 10'000;
+constexpr std::size_t most_of_path_shown = 200;
+constexpr int rows_between_flushes = 125;  ///< so a full disk is noticed within seconds
+
+class FeltRecorder final : public input::TactileOutput {
+public:
+    FeltRecorder(std::filesystem::path file, std::uint32_t player)
+        : wanted_(std::move(file)), player_(player) {}
+    ~FeltRecorder() override { end(); }
+
+    Expected<void> open() override;
+    void write(const tactile::TactileFrame& frame, double now_s) override;
+    void silence() override {}
+    bool is_connected() override { return file_ && file_->is_whole(); }
+    std::string fault() override { return fault_; }
+    bool wants_every_frame() const override { return true; }
+    void close() override { end(); }
+    std::string name() const override {
+        return text("recording of what is felt, ", printable(path_.string(), most_of_path_shown));
+    }
+
+private:
+    void end();
+
+    const std::filesystem::path wanted_;
+    const std::uint32_t player_;
+    std::filesystem::path path_ = wanted_;
+    std::optional<FileWriter> file_{};
+    std::string rows_{};
+    int unflushed_ = 0;
+    std::string fault_{};  ///< why the recording was given up; empty: it was not
+};
+
+/// The first name that no file has: FILE.csv, FILE_2.csv, ...
+std::optional<std::filesystem::path> free_name(const std::filesystem::path& wanted) {
+    for (int i = 1; i < most_names; ++i) {
+        auto name = wanted;
+        if (i > 1) name.replace_filename(text(wanted.stem().string(), "_", i, wanted.extension().string()));
+        std::error_code unknown;
+        if (std::filesystem::symlink_status(name, unknown).type() == std::filesystem::file_type::not_found)
+            return name;
+    }
+    return std::nullopt;
+}
+
+Expected<void> FeltRecorder::open() {
+    if (!fault_.empty()) return fail(fault_);  // a full disk is not tried again
+    end();
+    auto name = free_name(wanted_);
+    if (!name) return fail("there are too many recordings of this name; choose another");
+    path_ = std::move(*name);
+    auto made = FileWriter::create(path_);
+    if (!made) return tl::unexpected(made.error());
+    file_.emplace(std::move(*made));
+    file_->write(felt_header());
+    return {};
+}
+
+void FeltRecorder::write(const tactile::TactileFrame& frame, double) {
+    if (!file_) return;
+    rows_.clear();
+    append_felt(rows_, player_, frame);
+    file_->write(rows_);
+    if (++unflushed_ < rows_between_flushes) return;
+    unflushed_ = 0;
+    file_->flush();
+    if (!file_->is_whole()) fault_ = "it cannot be written, such as on a full disk; nothing is kept";
+}
+
+/// Completes the file. A fault is told here, because nobody asks a closed output.
+void FeltRecorder::end() {
+    if (!file_) return;
+    const bool told = !fault_.empty();
+    const auto closed = file_->close();
+    file_.reset();
+    if (closed || told) return;
+    fault_ = in_one_line(closed.error().message);
+    std::fprintf(stderr, "player %u: recording of what is felt: %s\n", player_ + 1, fault_.c_str());
+}
+
+}  // namespace
+
+std::unique_ptr<input::TactileOutput> felt_recorder(std::filesystem::path file, std::uint32_t player) {
+    return std::make_unique<FeltRecorder>(std::move(file), player);
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,114 @@
+#include "game/jackets/hid_jacket.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "core/text.h"
+#include "game/jackets/hid_report.h"
+#include "input/tactile_playback.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr double longest_report_s = 0.1;  ///< longest time that a device may take for a report
+
+class HidJacket final : public input::TactileOutput {
+public:
+    HidJacket(const HidId& id, OpenHidPort open, ClockSeconds clock)
+        : id_(id), open_(std::move(open)), clock_(std::move(clock)) {}
+    ~HidJacket() override { end(); }
+
+    Expected<void> open() override;
+    void write(const tactile::TactileFrame& frame, double now_s) override;
+    void silence() override;
+    bool is_connected() override;
+    std::string fault() override { return fault_; }
+    void close() override { end(); }
+    std::string name() const override { return text("HID jacket ", words_of(id_)); }
+
+private:
+    bool send(const HidReport& report);
+    void give_up(std::string fault);
+    void end();
+
+    const HidId id_;
+    const OpenHidPort open_;
+    const ClockSeconds clock_;
+    const HidReport silent_ = hid_report({});
+    std::unique_ptr<HidPort> port_{};
+    std::string fault_{};
+    HidReport last_{};       ///< the last report that the device took
+    double again_at_s_ = 0;  ///< when the last report goes out again
+};
+
+Expected<void> HidJacket::open() {
+    end();
+    auto port = open_(id_);
+    if (!port) return tl::unexpected(port.error());
+    port_ = std::move(*port);
+    // Motors that an earlier program left on stop.
+    if (!send(silent_)) return fail(fault_);
+    return {};
+}
+
+/// Returns false, and closes the device, if the report did not go out in time.
+bool HidJacket::send(const HidReport& report) {
+    const double began_s = clock_();
+    if (!port_->write(report)) {
+        give_up("it is gone, or takes no report of 20 bytes");
+        return false;
+    }
+    last_ = report;
+    const double taken_s = clock_() - began_s;
+    if (taken_s <= longest_report_s) return true;
+    if (report != silent_) port_->write(silent_);
+    give_up(text("it took ", fixed(1e3 * taken_s, 0), " ms for a report, more than ",
+                 fixed(1e3 * longest_report_s, 0), " ms; plug it in directly"));
+    return false;
+}
+
+void HidJacket::give_up(std::string fault) {
+    fault_ = std::move(fault);
+    port_.reset();
+}
+
+void HidJacket::write(const tactile::TactileFrame& frame, double now_s) {
+    if (port_ == nullptr) return;
+    const auto report = hid_report(frame);
+    if (report == last_ && (report == silent_ || now_s < again_at_s_)) return;
+    if (!send(report)) return;
+    const double life_s = 1e-3 * static_cast<double>(frame.time_to_live);
+    again_at_s_ = now_s + std::min(life_s, input::TactilePlayback::longest_life_s) / 2;
+}
+
+void HidJacket::silence() {
+    if (port_ != nullptr) send(silent_);
+}
+
+bool HidJacket::is_connected() {
+    if (port_ != nullptr && !port_->is_there()) give_up("it is gone");
+    return port_ != nullptr;
+}
+
+void HidJacket::end() {
+    silence();
+    port_.reset();
+}
+
+}  // namespace
+
+std::string words_of(const HidId& id) {
+    const auto digits = [](std::uint16_t number) { return hex(number).substr(hex(number).size() - 4); };
+    return text(digits(id.vendor), ":", digits(id.product));
+}
+
+double steady_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort open, ClockSeconds clock) {
+    return std::make_unique<HidJacket>(id, std::move(open), std::move(clock));
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,98 @@
+// The devices of the system as HidPorts, by hidapi.
+#include <hidapi.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <string>
+
+#include "core/text.h"
+#include "game/jackets/hid_jacket.h"
+
+namespace thaum::app {
+namespace {
+
+/// Pages of usage from here on are of a maker's own kind (HID Usage Tables, 3.1).
+constexpr unsigned first_vendor_page = 0xFF00;
+
+/// The library lists, opens and closes devices in one thread at a time.
+std::mutex& library_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+class LibraryPort final : public HidPort {
+public:
+    explicit LibraryPort(hid_device* device) : device_(device) {}
+    ~LibraryPort() override {
+        const std::lock_guard lock(library_mutex());
+        hid_close(device_);
+    }
+
+    bool write(std::span<const std::uint8_t> report) override {
+        return hid_write(device_, report.data(), report.size()) >= 0;
+    }
+    bool is_there() override {
+        constexpr int most_reports = 16;  // a device that talks without end must not hold up the caller
+        std::array<unsigned char, 64> thrown_away{};
+        int got = 1;
+        for (int i = 0; i < most_reports && got > 0; ++i)
+            got = hid_read_timeout(device_, thrown_away.data(), thrown_away.size(), 0);
+        return got >= 0;
+    }
+
+private:
+    hid_device* device_;
+};
+
+struct FoundDevices {
+    std::string path{};  ///< the first interface with reports of the maker's own kind; empty: none
+    bool any{};          ///< a device with these numbers is plugged in
+};
+
+FoundDevices find_devices(const HidId& id) {
+    FoundDevices found;
+    hid_device_info* const all = hid_enumerate(id.vendor, id.product);
+    for (const auto* one = all; one != nullptr; one = one->next) {
+        found.any = true;
+        if (one->usage_page >= first_vendor_page && found.path.empty()) found.path = one->path;
+    }
+    hid_free_enumeration(all);
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::pair<HidId, std::string>> hid_devices() {
+    const std::lock_guard lock(library_mutex());
+    std::vector<std::pair<HidId, std::string>> found;
+    if (hid_init() != 0) return found;
+    hid_device_info* const all = hid_enumerate(0, 0);
+    for (const auto* one = all; one != nullptr; one = one->next) {
+        if (one->usage_page < first_vendor_page) continue;
+        // Names beyond ASCII are rare, and the number says which device it is.
+        std::string name;
+        for (const wchar_t* c = one->product_string; c != nullptr && *c != L'\0'; ++c)
+            name += *c > 0 && *c < 128 ? static_cast<char>(*c) : '?';
+        found.emplace_back(HidId{one->vendor_id, one->product_id}, std::move(name));
+    }
+    hid_free_enumeration(all);
+    return found;
+}
+
+Expected<std::unique_ptr<HidPort>> open_hid_port(const HidId& id) {
+    const std::lock_guard lock(library_mutex());
+    if (hid_init() != 0) return fail("the system lists no HID devices");
+    const auto found = find_devices(id);
+    if (!found.any) return fail("it is not plugged in");
+    if (found.path.empty()) return fail("it takes no reports of its maker's own kind, so it is no jacket");
+    hid_device* const device = hid_open_path(found.path.c_str());
+    if (device == nullptr)
+        return fail(
+            text("you may not write to ", found.path,
+                 R"(; add to /etc/udev/rules.d/60-thaum.rules: SUBSYSTEM=="hidraw", ATTRS{idVendor}==")",
+                 words_of(id).substr(0, 4), R"(", TAG+="uaccess")"));
+    return std::make_unique<LibraryPort>(device);
+}
+
+}  // namespace thaum::app

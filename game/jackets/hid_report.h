@@ -1,0 +1,30 @@
+// game/jackets/hid_report.h: the report that a HID jacket of 40 motors gets.
+//
+//     byte 0        0: reports of the device have no numbers
+//     bytes 1 - 20  40 strengths of 4 bits, 0 (off) to 15; the first of two motors in the high half of a byte
+//
+// The order of the motors goes by columns of two, each from the top row to the lowest, the wearer's left one first:
+//
+//     motors 0 - 9    front, two columns on the left       motors 10 - 19  back, two columns on the left
+//     motors 30 - 39  front, two columns on the right      motors 20 - 29  back, two columns on the right
+//
+// Source: the 20 bytes are those which a bHaptics TactSuit X40 takes by Bluetooth, as senseshift-firmware reads them.
+// No maker documents a HID jacket, so this is our own use of those bytes, for jackets that people build.
+//
+// A report is absolute. It has no time to live: a jacket must stop its motors by itself when it has had no report for
+// half a second. The program sends one at least every quarter of a second while a motor is on.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "tactile/frame.h"
+
+namespace thaum::app {
+
+inline constexpr std::size_t hid_motors = 40;
+using HidReport = std::array<std::uint8_t, 1 + hid_motors / 2>;
+
+/// Report that plays a frame of the layout `x40`. Amplitudes may be anything; they become 0 to 15.
+HidReport hid_report(const tactile::TactileFrame& frame);
+
+}  // namespace thaum::app

@@ -1,0 +1,21 @@
+#include "game/live/body_sound.h"
+
+namespace thaum::app {
+
+Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
+                                              const std::filesystem::path& assets) {
+    const auto bands = game::load_felt_bands(assets / "tactile" / "sound.toml");
+    if (!bands) return tl::unexpected(bands.error());
+    return game::felt_courses(bank, *bands);
+}
+
+void BodySound::take(const game::Simulation& match) {
+    // Both players listen, so a listener's number is the player's.
+    constexpr std::array<std::uint32_t, game::players> both{0, 1};
+    if (!follower_.goes_on(match)) felt_.stop();
+    follower_.look(match);
+    scene_.take(match, both, frame_);
+    felt_.follow(frame_);
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,33 @@
+// game/live/body_sound.h: the sounds of one match as both players feel them on their jackets. It hears the match for
+// itself, apart from the loudspeakers: so it is the same in a session and in `thaum replay --tactile`, at any loudness
+// and without a sound device.
+#pragma once
+#include "game/sound/sound_scene.h"
+#include "game/tactile/felt_sound.h"
+
+namespace thaum::app {
+
+/// The bands of assets/tactile/sound.toml, and the courses of a bank's sounds. The error is one line.
+Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
+                                              const std::filesystem::path& assets);
+
+class BodySound {
+public:
+    /// Keeps the reference to the courses.
+    BodySound(game::MatchSounds sounds, const game::FeltCourses& courses)
+        : scene_(std::move(sounds)), felt_(courses) {}
+
+    /// Takes the eight ticks that have passed, at every eighth tick.
+    void take(const game::Simulation& match);
+    game::BandStrengths strengths(std::uint32_t player, const game::FeltSoundWish& wish) const {
+        return felt_.strengths(player, wish);
+    }
+
+private:
+    game::SoundScene scene_;
+    game::FeltSound felt_;
+    game::MatchFollower follower_{};
+    audio::AudioFrame frame_{};
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,32 @@
+// game/live/hand_over.h: hands one value at a time from one thread to another. A value that was not taken is replaced.
+#pragma once
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace thaum::app {
+
+template <class T>
+class HandOver {
+public:
+    void put(T value) {
+        const std::lock_guard lock(mutex_);
+        value_ = std::move(value);
+        full_ = true;
+    }
+    /// The newest value, once. Takes no lock while there is none.
+    std::optional<T> take() {
+        if (!full_) return {};
+        const std::lock_guard lock(mutex_);
+        full_ = false;
+        return std::exchange(value_, std::nullopt);
+    }
+
+private:
+    std::atomic<bool> full_{false};
+    std::mutex mutex_;
+    std::optional<T> value_{};
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,219 @@
+#include "game/live/live.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "core/random.h"
+#include "core/text.h"
+#include "core/threads.h"
+#include "game/command_line/exit_code.h"
+#include "game/live/end_watch.h"
+#include "game/live/live_replay.h"
+#include "game/live/live_window.h"
+
+namespace thaum::app {
+
+// Shared ----------------------------------------------------------------------------------------------------
+
+void Staller::pass(Stall::Thread thread) {
+    if (stall.thread != thread) return;
+    const auto now = monotonic_ns();
+    if (next_ns == 0) next_ns = now + stall.every_ms * std::int64_t{1'000'000};
+    if (now < next_ns) return;
+    sleep_until_ns(now + stall.ms * std::int64_t{1'000'000});
+    next_ns = monotonic_ns() + stall.every_ms * std::int64_t{1'000'000};
+}
+
+double Timings::at(double share) {
+    if (values_.empty()) return 0;
+    std::sort(values_.begin(), values_.end());
+    return values_[static_cast<std::size_t>(share * static_cast<double>(values_.size() - 1))];
+}
+
+// Matches ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// A live session with the window and the data that its threads share.
+struct Live {
+    const LivePlan& plan;
+    LiveShared& shared;
+    LiveSession& session;
+    LiveWindow window;
+};
+
+/// Opens the record of the session's match `number`. The range's files belong to its only match, and no log is
+/// opened beside them.
+Expected<Recording> open_recording(Live& live, std::uint64_t seed, std::uint64_t number) {
+    auto& session = live.session;
+    if (auto range = session.next().take_range()) return Recording(std::move(*range));
+    if (live.plan.demo && number > 1) return Recording();
+    return record_match({.named = live.plan.log,
+                         .folder = live.plan.logs_folder,
+                         .kept = session.menu().settings().logs_kept},
+                        number, session.log_header(seed));
+}
+
+/// Time from now to the start of the next match (s): none in the range, in a replay, and in a session that measures
+/// itself.
+int countdown_of(const Live& live) {
+    const bool none = live.plan.replay != nullptr || live.plan.probe || live.plan.practice ||
+                      live.session.next().is_practice();
+    return none ? 0 : live.session.menu().settings().countdown_s;
+}
+
+/// Words that match `number` begins with. The start screen has shown them already.
+std::string fault_at_start(const LivePlan& plan, std::uint64_t number) {
+    return number == 1 && !plan.start_screen ? plan.settings_fault : std::string();
+}
+
+/// Plays one match. The error: the simulation thread could not be started.
+Expected<void> play_match(Live& live, MatchStart start) {
+    auto& shared = live.shared;
+    shared.progress.ended = shared.requests.end = shared.requests.rematch = false;
+    shared.progress.state = PlayState::playing;
+    shared.requests.pause = shared.requests.go_on = game::no_player;
+    for (auto& lost : shared.pad_lost) lost = false;
+    auto& window = live.window.window;
+    auto simulating = start_thread([&] {
+        const auto wake = [&] { window.wake(); };
+        if (live.plan.replay != nullptr)
+            run_replay(live.plan, shared, wake);
+        else
+            run_simulation(live.plan, shared, std::move(start), wake);
+    });
+    if (!simulating) return tl::unexpected(simulating.error());
+    run_match(live.session, shared, live.window);
+    return {};
+}
+
+/// Plays one match after another until the players leave.
+Expected<void> play_matches(Live& live) {
+    auto& session = live.session;
+    auto seed = live.plan.seed;
+    bool again = false;
+    if (live.plan.practice) {
+        auto& next = session.next();
+        if (auto opened = live.plan.apprentice ? next.open_apprentice() : next.open_range(); !opened)
+            return opened;
+    }
+    for (std::uint64_t number = 1; !live.shared.stop; ++number) {
+        if (live.plan.start_screen && !again && !run_start_screen(session, live.shared, live.window)) break;
+        session.take_seats(live.window.window.pads());
+        const int countdown = countdown_of(live);
+        auto recording = open_recording(live, seed, number);
+        // A log that the user named must be opened. If the default folder fails, the match is played without
+        // a log.
+        if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
+        if (!recording)
+            std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
+        auto played = play_match(
+            live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown,
+                   fault_at_start(live.plan, number), session.next().take_lessons(), session.profile()});
+        if (!played) return played;
+        again = session.take_restart() || live.shared.requests.rematch;
+        if (!again && !live.plan.start_screen) break;
+        Random next = random_stream(seed, number);
+        seed = next.next() >> 1U;
+    }
+    return {};
+}
+
+/// Opens the arms of the seats that want one. The arms give forces from the first match on.
+Expected<LiveArms> open_arms_of(const LivePlan& plan) {
+    if (plan.replay != nullptr) return LiveArms();
+    return open_arms(plan.seats, plan.data->device);
+}
+
+/// Loads the layouts that players have written for their jackets. A fault is told, and then the usual one is used.
+void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
+    for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
+        const auto& player = plan.settings.players.at(p);
+        const auto jacket = parse_jacket(player.jacket);
+        if (player.jacket_layout.empty() || !jacket || jacket->link == Jacket::Link::none) continue;
+        auto layout = load_own_layout(player.jacket_layout, *jacket, plan.assets);
+        if (!layout) {
+            std::fprintf(stderr, "player %u: the jacket has its usual layout: %s\n", p + 1,
+                         layout.error().message.c_str());
+            continue;
+        }
+        shared.tactile.use_own_layout(p, layout->actuators.size());
+        shared.body->own.at(p) = std::move(*layout);
+    }
+}
+
+/// Loads what is felt on the body. A fault is told, and then nothing is felt.
+std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
+    auto body = LiveBody::load(assets);
+    if (body) return std::move(*body);
+    std::fprintf(stderr, "nothing is felt on the body: %s\n", body.error().message.c_str());
+    return std::nullopt;
+}
+
+// The report ------------------------------------------------------------------------------------------------
+
+/// Prints how an arm did, with its name if there are several.
+void tell_arm(const LiveArm& arm, bool name_it) {
+    const auto faults = arm.servo.faults();
+    std::fprintf(stderr,
+                 "arm%s: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
+                 "forces differ from the match's\n",
+                 name_it ? text(" ", input::name_of(arm.keeper->facts())).c_str() : "",
+                 told(arm.keeper->times()).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
+                 static_cast<unsigned long long>(faults.poses.backwards),
+                 static_cast<unsigned long long>(faults.poses.unusable), arm.keeper->losses(),
+                 static_cast<unsigned long long>(faults.differing));
+}
+
+void fill_report(LiveShared& shared, LiveReport& report) {
+    report = shared.report;
+    report.late_us_median = shared.late.at(0.5);
+    report.late_us_p99 = shared.late.at(0.99);
+    report.late_us_worst = shared.late.at(1);
+    report.tick_us_median = shared.ticks.at(0.5);
+    report.tick_us_p99 = shared.ticks.at(0.99);
+}
+
+}  // namespace
+
+std::string told(const input::TickReport& arm) {
+    return text(arm.ticks, " ticks, ", arm.missed, " missed; uneven by ", fixed(arm.jitter_median, 0),
+                " us in the middle, ", fixed(arm.jitter_p99, 0), " us at 99 %, ", fixed(arm.jitter_worst, 0),
+                " us at worst; from pose to force ", fixed(arm.answer_median, 0), " us, ",
+                fixed(arm.answer_p99, 0), " us, ", fixed(arm.answer_worst, 0), " us");
+}
+
+int run_live(const LivePlan& plan) {
+    // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
+    // hangs.
+    auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
+    if (!window) return refuse(window.error());
+    const EndWatch watch;
+    LiveShared shared;
+    auto arms = open_arms_of(plan);
+    if (!arms) return refuse(arms.error());
+    shared.arms = std::move(*arms);
+    audio::prepare_openal();
+    shared.body = load_body(plan.assets);
+    load_own_layouts(plan, shared);
+    LiveSession session(shared, plan);
+    auto drawing = start_thread([&] { run_render(plan, shared, *window); });
+    if (!drawing) return refuse(drawing.error());
+    // Sounds are made while the other thread makes the arena's scene.
+    shared.sound = LiveSound::start(plan.assets, plan.settings);
+    Live live{plan, shared, session, {*window, plan.settings.fullscreen}};
+    const auto played = play_matches(live);
+    shared.stop = true;
+    drawing->join();
+    if (plan.report != nullptr) fill_report(shared, *plan.report);
+    follow_arms(shared.arms);  // tells of changes during the last wait for events
+    for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);
+    if (!played) return refuse(played.error());
+    if (shared.render_error) return refuse(*shared.render_error);
+    if (shared.simulation_error) return refuse(*shared.simulation_error);
+    if (EndWatch::asked()) std::fprintf(stderr, "ended by a signal\n");
+    return done;
+}
+
+}  // namespace thaum::app

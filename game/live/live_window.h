@@ -1,0 +1,21 @@
+// game/live/live_window.h: the loops of a live session's main thread. They pass the events of the window, the
+// states of its pads and the time to the session.
+#pragma once
+#include "game/live/live_session.h"
+
+namespace thaum::app {
+
+/// Window of a session, with the mode that was set last.
+struct LiveWindow {
+    render::Window& window;
+    bool fullscreen = false;
+    bool tells_pause = false;  ///< the title says that the match is paused
+};
+
+/// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).
+bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window);
+
+/// Handles input until the match of the simulation thread has ended.
+void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window);
+
+}  // namespace thaum::app

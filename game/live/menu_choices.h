@@ -1,0 +1,15 @@
+// game/live/menu_choices.h: choices that the menu offers because the data folder has files for them: levels of
+// bots, lengths of a match, and arenas.
+#pragma once
+#include "game/live/live.h"
+#include "game/menu/menu.h"
+
+namespace thaum::app {
+
+/// Choices of the menu. A match of the command line, and its arena, are among them.
+MenuContext find_menu_context(const LivePlan& plan);
+
+/// Index of a name in a list of the menu; 0 if it is missing.
+std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name);
+
+}  // namespace thaum::app

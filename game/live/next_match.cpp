@@ -1,0 +1,34 @@
+#include "game/live/next_match.h"
+
+namespace thaum::app {
+
+Expected<void> NextMatch::choose(const std::string& match, const std::string& arena) {
+    auto choice = data_->choice;
+    choice.match = match;
+    choice.arena = arena;
+    auto data = game::load_match_data(assets_, choice);
+    if (!data) return tl::unexpected(data.error());
+    data_ = std::make_shared<const game::MatchData>(std::move(*data));
+    return {};
+}
+
+Expected<void> NextMatch::open_range(const game::DataChoice& choice) {
+    auto files = game::RangeFiles::open(assets_, choice);
+    if (!files) return tl::unexpected(files.error());
+    range_ = std::move(*files);
+    return {};
+}
+
+Expected<void> NextMatch::open_range() { return open_range(data_->choice); }
+
+Expected<void> NextMatch::open_apprentice() {
+    auto lessons = game::load_lessons(assets_);
+    if (!lessons) return tl::unexpected(lessons.error());
+    auto choice = data_->choice;
+    choice.arena = lessons->arena;
+    if (auto opened = open_range(choice); !opened) return opened;
+    lessons_ = std::move(*lessons);
+    return {};
+}
+
+}  // namespace thaum::app

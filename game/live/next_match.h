@@ -1,0 +1,45 @@
+// game/live/next_match.h: data of the next match of a live session: a duel of the menu's choice, or the range.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "game/bots/apprentice.h"
+#include "game/bots/range_files.h"
+
+namespace thaum::app {
+
+class NextMatch {
+public:
+    NextMatch(std::filesystem::path assets, std::shared_ptr<const game::MatchData> data)
+        : assets_(std::move(assets)), data_(std::move(data)) {}
+
+    const std::shared_ptr<const game::MatchData>& data() const { return data_; }
+    /// Whether the next match is practice on the range.
+    bool is_practice() const { return range_.has_value(); }
+
+    /// Reads the data of a match with these files of assets/rules and assets/arenas. The files may have changed
+    /// on the range. After an error, which names file, line and key, the old data stays.
+    Expected<void> choose(const std::string& match, const std::string& arena);
+    /// Makes the next match practice on the range. The error names file, line and key.
+    Expected<void> open_range();
+    /// Makes the next match the Apprentice, on the range of its own arena. The error names file, line and key.
+    Expected<void> open_apprentice();
+    /// Hands over the lessons of the Apprentice, for one match; std::nullopt: the next match has none.
+    std::optional<game::Lessons> take_lessons() { return std::exchange(lessons_, std::nullopt); }
+    /// Whether the next match is the Apprentice.
+    bool is_apprentice() const { return lessons_.has_value(); }
+    /// Hands over the range's files, for one match; std::nullopt: the next match is no practice.
+    std::optional<game::RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
+
+private:
+    std::filesystem::path assets_;
+    std::shared_ptr<const game::MatchData> data_;
+    Expected<void> open_range(const game::DataChoice& choice);
+
+    std::optional<game::RangeFiles> range_{};
+    std::optional<game::Lessons> lessons_{};
+};
+
+}  // namespace thaum::app

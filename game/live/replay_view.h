@@ -1,0 +1,90 @@
+// game/live/replay_view.h: what a viewer of a replay can do with keys and mouse, apart from window, threads and clock.
+#pragma once
+#include <atomic>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "game/hud/hud.h"
+
+namespace thaum::app {
+
+enum class ReplayDeed : std::uint8_t {
+    pause,  ///< pauses or goes on; at the end starts again
+    back,
+    forward,
+    slower,
+    faster,
+    begin,
+    end,
+    previous_kill,
+    next_kill,
+    step,
+    step_back,
+    eyes,  ///< changes whose views are shown
+};
+
+/// The deed of a key; std::nullopt: none. These keys cannot be bound: they act in replays only.
+std::optional<ReplayDeed> replay_deed_of(int key);
+/// Words for the screen on what the keys do.
+std::string replay_keys();
+
+/// Choices of the viewer.
+struct ReplayView {
+    Tick at{};  ///< place of the replay, or the place that it is on its way to
+    double speed = 1;
+    bool paused = false;
+    game::Watch watch = game::Watch::both;
+    bool operator==(const ReplayView&) const = default;
+};
+
+inline constexpr double slowest_replay = 0.25, fastest_replay = 16;
+inline constexpr Tick replay_jump = 5000;  ///< length of a jump (ticks)
+inline constexpr Tick replay_step = 16;    ///< a picture at 60 in a second (ticks)
+inline constexpr Tick before_kill = 2000;  ///< a jump to a kill ends so much before it (ticks)
+inline constexpr Tick same_kill = 1000;  ///< a jump back from so close behind goes to the kill before (ticks)
+
+/// The view after a deed. `length`: ticks of the log; `kills`: those known, by rising tick.
+ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const game::Kill> kills);
+
+/// Requests of the main thread to the simulation thread.
+struct ReplayRequests {
+    static constexpr Tick nowhere = ~Tick{0};
+    /// Tick to go to. The simulation thread sets it to `nowhere` once it is there.
+    std::atomic<Tick> target{nowhere};
+    std::atomic<double> speed{1};
+    std::atomic<bool> paused{false};
+    std::atomic<Tick> now{0};  ///< tick of the newest picture, from the simulation thread
+};
+
+/// The main thread's side of a shown replay: turns keys and mouse into requests.
+class ReplayViewer {
+public:
+    /// `length`: ticks of the log; `names`: the players' names on the screen.
+    ReplayViewer(const game::ReplayIndex& index, Tick length, ReplayRequests& requests,
+                 game::PlayerNames names = {});
+
+    const game::PlayerNames& names() const { return names_; }
+
+    void key(int key);
+    void mouse_button(int button, bool pressed, render::Size window, double text_scale);
+    /// `place`: from the top left of the window (px).
+    void cursor(fvec2 place, render::Size window, double text_scale);
+
+    game::Watch watch() const { return watch_; }
+    game::ReplayBar bar() const;
+
+private:
+    void go_to_cursor(render::Size window, double text_scale);
+
+    const game::ReplayIndex& index_;
+    Tick length_;
+    ReplayRequests& requests_;
+    game::PlayerNames names_;
+    game::Watch watch_ = game::Watch::both;
+    fvec2 cursor_{};
+    bool drags_ = false;  ///< the mouse button went down on the bar and is held
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,157 @@
+// game/menu/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
+// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.h)
+// passes on MenuState::request and changed settings.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/bots/range.h"
+#include "game/hud/menu.h"
+#include "game/settings/bindings.h"
+#include "game/settings/feel_profile.h"
+
+namespace thaum::app {
+
+/// Device that a player uses: the keyboard and mouse, half of the keyboard, or one of the window's pads.
+struct Device {
+    input::DeviceKind kind{};
+    int pad = 0;
+    bool operator==(const Device&) const = default;
+};
+
+enum class Page : std::uint8_t {
+    start,
+    pause,
+    sheets,    ///< list of the sheets of bindings
+    bindings,  ///< bindings of one sheet
+    settings,
+    sound,     ///< settings of the sounds
+    player,    ///< settings of one player
+    mixer,     ///< what one player feels: faders for forces, motors and jacket
+    cauldron,  ///< faders for the cauldron's forces on one hand
+};
+
+struct MenuEvent {
+    enum class Kind : std::uint8_t {
+        up,
+        down,
+        page_up,
+        page_down,
+        left,
+        right,
+        confirm,
+        other,  ///< a press without a meaning in menus: joins, and starts the match
+        back,
+        point,      ///< the mouse points at a row
+        control,    ///< any control, while the menu waits for one
+        gone,       ///< the device was unplugged
+        character,  ///< a typed character, while a name is typed
+        erase,      ///< takes the last typed character away
+    };
+    Kind kind{};
+    Device device{};
+    std::optional<std::size_t>
+        row{};  ///< row of confirm, left, right and point; std::nullopt: the chosen row
+    input::Control control{};
+    char32_t typed{};  ///< character of Kind::character
+};
+
+/// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
+struct MenuContext {
+    /// A data file: its name without folder and extension, and its label in the menu.
+    struct Named {
+        std::string name, label;
+    };
+    std::vector<int> levels{};
+    std::vector<Named> rules{};
+    std::vector<Named> arenas{};
+    WandNames wands{};
+    std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
+    /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
+    std::array<std::string, game::players> arms{};
+    bool practice = false;     ///< true: the pause belongs to the range
+    bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
+    bool first_start = false;  ///< true: the start screen offers the Apprentice first
+    bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
+    std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
+    std::array<std::string, game::players>
+        jackets{};                         ///< state of each player's jacket; empty: the player has none
+    std::vector<std::string> gestures{};   ///< gestures of the match; empty: the rule set has none
+    std::vector<FeelProfile> profiles{};   ///< what players have saved on the mixer's page
+    std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
+    /// words of the start screen on a faulty settings file; empty: there is no fault
+    std::string settings_fault{};
+};
+
+enum class MenuRequest : std::uint8_t {
+    none,
+    start,
+    range,
+    apprentice,
+    go_on,
+    skip_step,
+    repeat_step,
+    find_force,
+    feel_force,
+    draw_gesture,
+    forget_gesture,
+    restart,
+    leave,
+    quit
+};
+
+/// A press that plays an effect, to feel how strong it is.
+struct BodyTrialWish {
+    std::size_t player = 0;
+    tactile::Purpose purpose{};
+};
+
+/// What is typed.
+enum class Typing : std::uint8_t { name, profile };
+
+struct MenuState {
+    struct Open {
+        Page page{};
+        std::size_t cursor = 0;
+        std::size_t middle = 0;  ///< row about which the page is scrolled; the mouse moves the cursor alone
+    };
+    std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
+    std::array<std::optional<Device>, game::players> seats;
+    std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
+    std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
+    std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
+    game::RangeChanges range{};                   ///< changes of the range's rules
+    std::size_t gesture = 0;                      ///< index into MenuContext::gestures
+    std::size_t sheet = 0;                        ///< sheet on the bindings page
+    std::size_t player = 0;                       ///< player whose settings or faders a page shows
+    std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
+    std::size_t profile = 0;                      ///< index of the chosen profile in MenuContext
+    std::optional<std::string> typing;            ///< words that are being typed; std::nullopt: none
+    Typing typed{};                               ///< what they are
+    Settings settings;
+    std::optional<Settings> undo;          ///< settings before the last change of bindings
+    std::string head, line;                ///< title and reason of the pause: who paused, and why
+    std::string note;                      ///< result of the last event, or the reason why it had none
+    MenuRequest request{};                 ///< request of the last event to the caller
+    std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
+    input::HandFader feels{};              ///< fader of MenuRequest::feel_force
+    std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
+};
+
+/// Opens a page on a menu that is closed.
+MenuState opened(MenuState state, Page page);
+
+MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context);
+
+/// Tests whether Esc ends the wait for a control. Esc does not end the wait for the pause's control, because
+/// Esc may be the wanted key.
+bool esc_ends_waiting(const MenuState& state);
+
+/// Picture of the menu.
+game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
+
+/// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".
+std::string name_of(const Device& device, const MenuContext& context);
+
+}  // namespace thaum::app

@@ -1,0 +1,73 @@
+// game/menu/menu_rows.h: the rows of the menu's pages, with their words and values. menu.cpp acts on them, and
+// menu_picture.cpp shows them.
+#pragma once
+#include "game/menu/menu.h"
+
+namespace thaum::app {
+
+enum class RowKind : std::uint8_t {
+    duel,
+    level,
+    rules,
+    arena,
+    range,
+    apprentice,
+    skip_step,
+    repeat_step,
+    dummy,
+    energy,
+    brew,
+    controls,
+    settings,
+    sound,
+    quit,
+    go_on,
+    restart,
+    leave,
+    sheet,
+    action,
+    toggle,
+    defaults,
+    undo,
+    setting,
+    player_page,
+    player,
+    name,
+    player_setting,
+    jacket,
+    mixer,
+    preset,
+    profile,
+    save_profile,
+    draw_gesture,
+    forget_gesture,
+    find_force,
+    body_fader,
+    cauldron,
+    fader,
+    back,
+};
+
+struct Row {
+    RowKind kind{};
+    std::size_t index = 0;  ///< index of the setting, action, sheet, fader or tactile::Purpose
+    game::MenuRow look;
+    bool next_match = false;  ///< true: a change takes effect with the next match
+};
+
+/// Rows of the page that is shown.
+std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
+
+/// Whether the player of the page can find the largest force by feel: it is the one who practises on the range.
+bool can_find_force(const MenuState& state, const MenuContext& context);
+
+/// Fader of the forces that a row sets and that can be felt on the range; none for other rows.
+input::HandFader felt_fader_of(const Row& row);
+
+/// Number of players who have joined.
+std::size_t joined(const MenuState& state);
+
+/// Whether a press on the row starts the range or the Apprentice for the player who presses, because nobody has joined.
+bool starts_at_once(const MenuState& state, const Row& row);
+
+}  // namespace thaum::app

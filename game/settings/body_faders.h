@@ -1,0 +1,17 @@
+// game/settings/body_faders.h: strengths of what jacket and motors play, one fader for each purpose of an effect.
+#pragma once
+#include <string_view>
+
+#include "core/config.h"
+#include "tactile/mixer.h"
+
+namespace thaum::app {
+
+/// Name of a purpose's fader ("Hits"), and what it changes in one sentence.
+std::string_view label_of(tactile::Purpose purpose);
+std::string_view effect_of(tactile::Purpose purpose);
+
+/// Reads a player's table of the settings file: a number for each purpose. Purposes without a line keep their value.
+tactile::Faders read_body_faders(const ConfigTable& table, tactile::Faders faders);
+
+}  // namespace thaum::app

@@ -1,0 +1,37 @@
+// game/settings/feel_profile.h: everything that a player feels, as one set of values: the faders for forces, motors and
+// jacket. The game has three presets. Players keep sets of their own under a name, each in a file of the folder
+// `feel` beside the settings file.
+#pragma once
+#include "game/settings/settings.h"
+
+namespace thaum::app {
+
+struct FeelProfile {
+    std::string name{};
+    /// Only the settings of SettingPage::mixer and the faders of the body count; the rest has defaults.
+    PlayerSettings felt{};
+    Faders cauldron{};
+};
+
+/// Presets: "gentle" (the defaults), "full" (all that devices can do), "silent" (nothing is felt).
+const std::vector<FeelProfile>& feel_presets();
+
+/// Gives a player the values of a profile.
+void use(const FeelProfile& profile, Settings& settings, std::size_t player);
+/// The values of a player, as a profile without a name.
+FeelProfile feel_of(const Settings& settings, std::size_t player);
+/// Whether both have the same values. Names do not count.
+bool feels_alike(const FeelProfile& a, const FeelProfile& b);
+
+/// Text of a profile's file, and back. Keys that are missing have their defaults. Messages call the file `file`.
+std::string written(const FeelProfile& profile);
+Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::string& file);
+
+/// All profiles of a folder, sorted by name. Files that cannot be read are left out; `faults` receives
+/// one line for each.
+std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
+                                            std::vector<std::string>& faults);
+/// Writes a profile, replacing one of the same name.
+Expected<void> save_feel_profile(const std::filesystem::path& folder, const FeelProfile& profile);
+
+}  // namespace thaum::app

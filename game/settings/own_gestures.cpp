@@ -1,0 +1,117 @@
+#include "game/settings/own_gestures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/settings/player_name.h"
+#include "gesture/collisions.h"
+#include "gesture/gesture_file.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::size_t largest_own_gesture = std::size_t{1} << 20U;  // bytes of a file
+
+std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& name) {
+    return folder / (file_name_of(name) + ".toml");
+}
+
+/// Why an own gesture does not fit the match's data, or not beside the player's other ones; std::nullopt if it does.
+std::optional<std::string> fault_of(const game::MatchData& data, std::vector<input::ProfileData> others,
+                                    const input::ProfileData& item) {
+    game::MatchSetup scratch;
+    if (const auto used = game::use_profile(data, {item}, scratch); !used) return used.error().message;
+    others.push_back(item);
+    const auto used = game::use_profile(data, std::move(others), scratch);
+    if (used) return {};
+    return text("it is left out, since it does not fit beside the other own gestures (", used.error().message,
+                "): record it anew with shorter strokes");
+}
+
+/// How alike two gestures are: "v (12 % of such strokes are taken for it)".
+std::string words_of(const gesture::Pair& pair, bool first, std::string_view other) {
+    const double mistaken = std::max(pair.a_as_b, pair.b_as_a);
+    if (mistaken <= gesture::most_confused) return text(other, ", their shapes are too near");
+    const bool as_other = (first ? pair.a_as_b : pair.b_as_a) >= mistaken;
+    return text(other, ", ", std::lround(100 * mistaken),
+                as_other ? " % of such strokes are taken for it" : " % of its strokes are taken for this");
+}
+
+}  // namespace
+
+std::filesystem::path own_gestures_folder(const std::filesystem::path& settings_file,
+                                          const Settings& settings, std::size_t player) {
+    if (settings_file.empty()) return {};
+    const auto& name = settings.players.at(player).name;
+    const auto words = name.empty() ? text("player-", player + 1) : name;
+    return settings_file.parent_path() / "gestures" / file_name_of(words);
+}
+
+std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& folder,
+                                                  const game::MatchData& data, std::uint32_t player,
+                                                  std::vector<std::string>& faults) {
+    std::vector<input::ProfileData> own;
+    if (folder.empty() || !data.gestures) return own;
+    for (const auto& shipped : data.gestures->gestures()) {
+        const auto file = file_of(folder, shipped.name);
+        std::error_code error;
+        if (!std::filesystem::exists(file, error)) continue;
+        const auto toml = read_text_file(file, largest_own_gesture);
+        if (!toml) {
+            faults.push_back(toml.error().message);
+            continue;
+        }
+        const auto bytes = std::as_bytes(std::span(*toml));
+        input::ProfileData item{.kind = std::string(game::gesture_kind),
+                                .name = shipped.name,
+                                .player = player,
+                                .bytes = {bytes.begin(), bytes.end()}};
+        if (const auto fault = fault_of(data, own, item))
+            faults.push_back(text(file.string(), ": ", *fault));
+        else
+            own.push_back(std::move(item));
+    }
+    return own;
+}
+
+Expected<void> save_own_gesture(const std::filesystem::path& folder, const gesture::Gesture& gesture) {
+    if (folder.empty()) return fail("there is no home folder to save it in");
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    return write_text_file(file_of(folder, gesture.name), gesture::to_file(gesture));
+}
+
+bool forget_own_gesture(const std::filesystem::path& folder, const std::string& name) {
+    std::error_code error;
+    return !folder.empty() && std::filesystem::remove(file_of(folder, name), error);
+}
+
+std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData> profile,
+                                                 const gesture::Gesture& gesture, std::uint32_t player) {
+    std::erase_if(profile,
+                  [&](const auto& item) { return item.name == gesture.name && item.player == player; });
+    profile.push_back(game::profile_of(gesture, player));
+    return profile;
+}
+
+Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
+                                 const std::vector<input::ProfileData>& profile, std::uint32_t player) {
+    game::MatchSetup setup;
+    if (auto used = game::use_profile(data, with_own_gesture(profile, gesture, player), setup); !used)
+        return used;
+    const auto set = setup.gestures[player]->gestures();
+    const auto pairs = gesture::compare_gestures(set);
+    if (!pairs) return tl::unexpected(pairs.error());
+    for (const auto& pair : *pairs) {
+        const auto &a = set[pair.a].name, &b = set[pair.b].name;
+        const bool first = a == gesture.name;
+        if (pair.collides() && (first || b == gesture.name))
+            return fail(text("too like ", words_of(pair, first, first ? b : a)));
+    }
+    return {};
+}
+
+}  // namespace thaum::app
