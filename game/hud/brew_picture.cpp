@@ -100,6 +100,7 @@ void take_boon(const BoonRules& rules, const Cauldron& cauldron, Tick played, Ca
     const auto due = cauldron.mixed_since + rules.after;
     out.well_mixed = 1 / (1 + (1 - rules.mixed) * (1 - rules.mixed));
     out.boon_in_s = waits && due > played ? seconds(due - played) : 0;
+    out.boon_open = cauldron.begun != 0 && cauldron.boon_given == 0;
     out.boon_for = played < cauldron.boon_until ? cauldron.boon_for : no_player;
 }
 

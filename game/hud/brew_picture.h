@@ -58,6 +58,7 @@ struct CauldronPicture {
     double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
     double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
     double boon_in_s{};   ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
+    bool boon_open{};     ///< the brew can still heal its owner
     std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
     Tick mixed_at{};                    ///< fluid step of which `mixed` tells (ticks of play)
     bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it

@@ -12,6 +12,7 @@ struct Offer {
     PromptKind kind{};
     const std::string* control{};
     std::string what;
+    std::string before{};  ///< what must be done before, with its control
 };
 
 /// The first spell, for a player who is hurt, has no shield and has the focus for it; null for others.
@@ -30,21 +31,38 @@ bool would_spoil(std::string_view carried, const RecipePicture& recipe) {
            (recipe.step == RecipeStep::ingredient && recipe.next != carried);
 }
 
+/// Whether the next step waits until the newest ingredient is mixed.
+bool is_too_soon(const RecipePicture& recipe) {
+    return recipe.step == RecipeStep::ingredient && recipe.reached < recipe.least;
+}
+
+/// What a player at the rim is told, who has no ladle in hand yet. Without it "use wand" shoots, so who carries an
+/// ingredient is told both controls.
+Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
+    const bool strays = p.recipe.step == RecipeStep::ingredient && !p.recipe.secret;
+    if (!p.carries.empty() && strays && would_spoil(p.carries, p.recipe))
+        return {PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
+    const bool drops = p.recipe.step != RecipeStep::stroke && p.recipe.step != RecipeStep::spoilt;
+    if (p.carries.empty() || !drops || is_too_soon(p.recipe) || controls.stir.empty())
+        return {PromptKind::stir, &controls.stir, "Stir"};
+    return {PromptKind::drop, &controls.fire, text("Drop ", p.carries),
+            text(controls.stir_toggles ? "Press [" : "Hold [", controls.stir, "], then ")};
+}
+
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
     if (p.dead) return std::nullopt;
     if (p.stirs && !p.carries.empty() && would_spoil(p.carries, p.recipe))
         return Offer{PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
     if (p.stirs) {
-        const bool too_soon = p.recipe.step == RecipeStep::ingredient && p.recipe.reached < p.recipe.least;
-        if (p.carries.empty() || too_soon) return std::nullopt;
+        if (p.carries.empty() || is_too_soon(p.recipe)) return std::nullopt;
         return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.carries)};
     }
     if (p.scrying.scries && !p.scrying.draws && !p.scrying.told && p.scrying.newest < most_orb_modes)
         return Offer{PromptKind::draw_curve, &controls.trace,
                      text("Draw the strength of ", p.scrying.modes.at(p.scrying.newest))};
     if (p.scrying.scries || p.carving.carves) return std::nullopt;
-    if (p.at_rim) return Offer{PromptKind::stir, &controls.stir, "Stir"};
+    if (p.at_rim) return offer_at_rim(p, controls);
     if (p.scrying.near && p.scrying.faces) return Offer{PromptKind::scry, &controls.stir, "Scry"};
     if (p.carving.near && p.carving.faces) return Offer{PromptKind::carve, &controls.stir, "Carve"};
     if (p.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
@@ -143,7 +161,7 @@ std::string with_controls(std::string_view words, const ControlNames& controls, 
 std::optional<Prompt> prompt_of(const PlayerPicture& player, const ControlNames& controls) {
     const auto offer = offer_to(player, controls);
     if (!offer || offer->control->empty()) return std::nullopt;
-    return Prompt{offer->kind, text("[", *offer->control, "] ", offer->what)};
+    return Prompt{offer->kind, text(offer->before, "[", *offer->control, "] ", offer->what)};
 }
 
 std::string_view words_of_missed_station(Tick now, std::uint32_t player, const PromptUses& uses) {

@@ -67,6 +67,14 @@ std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const Contr
     return text(stirs ? "hold " : "stir, then hold ", trace, " and draw: ", how, count);
 }
 
+/// How to drop the carried ingredient: "drop salt now with [Left mouse]". Without the ladle "use wand" would shoot.
+std::string words_of_drop(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
+    const auto fire = text("[", controls.fire.empty() ? "use wand" : controls.fire, "]");
+    if (stirs) return text("drop ", recipe.next, " now with ", fire);
+    return text(controls.stir_toggles ? "press [" : "hold [", controls.stir.empty() ? "Stir" : controls.stir,
+                "], then drop ", recipe.next, " with ", fire);
+}
+
 /// The wanted force: "gently", "hard", "any force".
 std::string words_of_band(const RecipePicture& recipe) {
     const auto words = words_of_force(recipe);
@@ -112,13 +120,15 @@ std::string words_of_step(const PlayerPicture& player, const ControlNames& contr
     switch (recipe.step) {
         case RecipeStep::none: return {};
         case RecipeStep::choose: return words_of_choices(recipe);
-        case RecipeStep::spoilt: return "Nothing comes of this brew any more";
+        case RecipeStep::spoilt:
+            return "Nothing comes of this brew any more: stand back until it has boiled over";
         case RecipeStep::ingredient:
             if (recipe.secret) return "What comes next, only the orb tells";
             if (player.stirs && !recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
-            return text(potion, player.carries == recipe.next ? ": drop " : ": fetch ", recipe.next,
-                        player.carries == recipe.next ? " now" : " next", recipe.choices > 0 ? "   " : "",
-                        words_of_choices(recipe, "or "));
+            return text(potion, ": ",
+                        player.carries == recipe.next ? words_of_drop(recipe, player.stirs, controls)
+                                                      : text("fetch ", recipe.next, " next"),
+                        recipe.choices > 0 ? "   " : "", words_of_choices(recipe, "or "));
         case RecipeStep::stroke:
             if (!recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
             return text(potion, ": ", words_of_stroke(recipe, player.stirs, controls));

@@ -27,6 +27,13 @@ constexpr float readable = 12;                   // em of words that are not to 
 
 std::string whole_seconds(double seconds) { return text(std::lround(std::ceil(seconds)), " s"); }
 
+/// Whether the brew has ingredients that recipes judge. Then words and gauge have the number by which recipes go, also
+/// once the recipe is spoilt: another measure in its place would look as if the brew had come apart.
+bool has_recipe(const RecipePicture& recipe) {
+    return recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke ||
+           recipe.step == RecipeStep::spoilt;
+}
+
 /// The pure brew in words, with what a player must know before the first ingredient.
 std::string words_of_pure_brew(const CauldronPicture& cauldron, const RecipePicture& recipe) {
     if (recipe.step != RecipeStep::choose || cauldron.whole_time_s <= 0) return "Pure brew";
@@ -49,15 +56,17 @@ std::string words_of_brew(const CauldronPicture& cauldron, const RecipePicture& 
         return words;
     }
     if (words.empty()) return words_of_pure_brew(cauldron, recipe);
-    const bool open = recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke;
     words = text(capitalised(words), ", mixed ",
-                 static_cast<int>(100 * (open ? recipe.reached : cauldron.mixed)), " %");
+                 static_cast<int>(100 * (has_recipe(recipe) ? recipe.reached : cauldron.mixed)), " %");
     if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", your foe's";
     if (cauldron.slows) words += ", slows";
     if (cauldron.lifts) words += ", lifts";
     if (cauldron.boon_for == player) words += ", heals you";
     if (cauldron.boon_in_s > 0 && cauldron.owner == player)
         words += text(", heals in ", whole_seconds(cauldron.boon_in_s));
+    if (recipe.step == RecipeStep::spoilt && cauldron.owner == player && cauldron.boon_open)
+        words += text(", even ", static_cast<int>(100 * cauldron.mixed), " % (heals you from ",
+                      std::lround(100 * cauldron.well_mixed), " %)");
     if (cauldron.spoils_in_s > 0) words += text(", boils over in ", whole_seconds(cauldron.spoils_in_s));
     return words;
 }
@@ -66,11 +75,13 @@ BrewGauge gauge_of(const CauldronPicture& cauldron, const RecipePicture& recipe)
     const bool owned = cauldron.owner < players;
     const auto paint = owned ? opaque(team_colours(cauldron.owner).glow) : paints.white;
     const auto fresh = static_cast<float>(std::clamp(cauldron.fresh, 0.0, 1.0));
-    if (recipe.step == RecipeStep::ingredient || recipe.step == RecipeStep::stroke)
+    if (has_recipe(recipe)) {
+        const bool waits = recipe.step != RecipeStep::spoilt && !recipe.begun;
         return {.mixed = static_cast<float>(recipe.reached),
                 .fresh = fresh,
-                .window = recipe.begun ? std::optional<fvec2>() : fvec2(vec2(recipe.least, recipe.most)),
+                .window = waits ? std::optional<fvec2>(vec2(recipe.least, recipe.most)) : std::nullopt,
                 .paint = paint};
+    }
     return {.mixed = static_cast<float>(std::clamp(cauldron.mixed, 0.0, 1.0)),
             .fresh = fresh,
             .goal = static_cast<float>(std::clamp(cauldron.well_mixed, 0.0, 1.0)),

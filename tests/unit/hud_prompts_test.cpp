@@ -57,6 +57,28 @@ TEST(Prompts, SayHowToPutAwayWhatWouldSpoilTheRecipe) {
     EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
 }
 
+TEST(Prompts, AtTheRimSayThatStirMustBeHeldForADrop) {
+    PlayerPicture p;
+    p.at_rim = true;
+    p.carries = "iron";
+    for (const auto step : {RecipeStep::none, RecipeStep::choose}) {
+        p.recipe.step = step;
+        EXPECT_EQ(said_to(p), "Hold [E], then [Left mouse] Drop iron");
+    }
+    auto toggling = names;
+    toggling.stir_toggles = true;
+    EXPECT_EQ(said_to(p, toggling), "Press [E], then [Left mouse] Drop iron");
+    p.recipe.step = RecipeStep::ingredient;
+    p.recipe.next = "salt";
+    EXPECT_EQ(said_to(p), "[F] Put away iron");
+    p.recipe.next = "iron";
+    EXPECT_EQ(said_to(p), "Hold [E], then [Left mouse] Drop iron");
+    p.recipe.least = 0.2;
+    EXPECT_EQ(said_to(p), "[E] Stir") << "it is too soon for the drop";
+    p.recipe.step = RecipeStep::spoilt;
+    EXPECT_EQ(said_to(p), "[E] Stir");
+}
+
 TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
     const auto data = picture_of(*new_match()).shown;
     const auto filled = [&](std::string_view words) { return with_controls(words, names, *data); };

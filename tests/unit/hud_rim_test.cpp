@@ -107,6 +107,39 @@ TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
     }
 }
 
+TEST(RimCard, ASpoiltRecipeKeepsTheMeasureOfItsBrew) {
+    auto picture = busy_at(RecipeStep::stroke);
+    picture.cauldron.mixed = 0.69;
+    picture.cauldron.well_mixed = 0.92;
+    auto& recipe = picture.wizards[0].recipe;
+    recipe.reached = 0.9;
+    const auto before = rim_card_of(picture, {}, 0);
+    EXPECT_NEAR(before.gauge.mixed, 0.9, 1e-6);
+    recipe.step = RecipeStep::spoilt;  // "Too late"
+    const auto after = rim_card_of(picture, {}, 0);
+    EXPECT_EQ(after.gauge.mixed, before.gauge.mixed) << "the brew has not come apart";
+    EXPECT_FALSE(after.gauge.window);
+    EXPECT_EQ(after.gauge.goal, 0) << "the mark of another measure";
+    EXPECT_NE(after.brew.find("mixed 90 %"), std::string::npos) << after.brew;
+    EXPECT_EQ(after.brew.find("heals"), std::string::npos) << "it has healed already";
+    picture.cauldron.boon_open = true;
+    EXPECT_NE(rim_card_of(picture, {}, 0).brew.find("even 69 % (heals you from 92 %)"), std::string::npos);
+    EXPECT_EQ(rim_card_of(picture, {}, 1).brew.find("heals"), std::string::npos) << "for the owner";
+}
+
+TEST(RimCard, SaysWhichControlsDropAnIngredient) {
+    PlayerPicture p;
+    p.recipe = recipe_at(RecipeStep::ingredient);
+    p.recipe.reached = 0.7;
+    p.recipe.choices = 0;
+    p.carries = p.recipe.next;
+    const ControlNames controls{.fire = "Left mouse", .stir = "E"};
+    EXPECT_EQ(words_of_step(p, controls), "Ironhide: hold [E], then drop resin with [Left mouse]");
+    p.stirs = true;
+    EXPECT_EQ(words_of_step(p, controls), "Ironhide: drop resin now with [Left mouse]");
+    EXPECT_EQ(words_of_step(p, {}), "Ironhide: drop resin now with [use wand]");
+}
+
 TEST(RimCard, AStrokeInWordsHidesNeitherTheStepNorTheClock) {
     const auto picture = busy_at(RecipeStep::stroke);
     each_view([&](const HudSettings& settings, const std::string& name) {
