@@ -130,6 +130,14 @@ Reading chord_reading(const MatchContext& context, const GestureSet& gestures, c
     return reading;
 }
 
+/// Casts by a key chord, and keeps its key for the picture.
+void act_by_chord(MatchContext& context, const Caster& caster, const Reading& chord, std::uint32_t slot) {
+    auto& ended = context.output.strokes.write()[caster.player];
+    ended.chord_at = std::max<Tick>(caster.tick, 1);
+    ended.chord_slot = slot;
+    act_on(context, caster, chord, *gestures_of(context, caster.player));
+}
+
 /// Keeps the finished stroke for the picture.
 void keep(MatchContext& context, const Caster& caster, const DrawnStroke& trace) {
     const auto& reading = context.world.get<LastReading>(caster.wizard);
@@ -162,7 +170,8 @@ void follow(MatchContext& context, ReadingSpace& space, const Caster& caster, Dr
     if (!dead && held && controls.wand_pressed != 0 && trace.over == 0) {
         const auto chord = chord_reading(context, *gestures, controls);
         trace.over = by_chord;
-        if (chord.stroke.gesture != no_gesture) act_on(context, caster, chord, *gestures);
+        if (chord.stroke.gesture != no_gesture)
+            act_by_chord(context, caster, chord, controls.wand_pressed - 1);
     }
     if (held && !dead) return;
     if (!dead && trace.over == 0 && trace.on_orb == 0 && !is_slip(*context.data.casting, trace))

@@ -95,13 +95,15 @@ double mean_force_of(const DrawnStroke& stroke) {
     return length > 0 ? sum / length : 0;
 }
 
-bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
+Slip slip_of(const CastingRules& rules, const DrawnStroke& trace) {
+    constexpr double least_move = 0.0015;  // m; a hand that only presses the button moves less
     double length = 0;
     for (std::uint32_t i = 1; i < trace.count; ++i) {
         length += glm::distance(place_of(trace.points[i - 1]), place_of(trace.points[i]));
     }
     const Tick lasts = Tick{trace.count} * trace.every * gameplay_period;
-    return lasts < rules.shortest || length < rules.smallest;
+    if (length >= rules.smallest) return lasts < rules.shortest ? Slip::too_quick : Slip::none;
+    return lasts < rules.shortest || length < least_move ? Slip::tap : Slip::too_small;
 }
 
 bool is_too_fast(const CastingRules& rules, double force) { return force >= 2 * rules.harsh_from; }

@@ -26,12 +26,23 @@ std::vector<gesture::StrokePoint> points_of(const DrawnStroke& stroke);
 double mean_force_of(const DrawnStroke& stroke);
 
 /// Whether the stroke is too short to mean anything, such as a slip of the finger.
-bool is_slip(const CastingRules& rules, const DrawnStroke& trace);
+inline bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
+    return slip_of(rules, trace) != Slip::none;
+}
 
 /// Whether a stroke of this mean force (N) was drawn so fast that a hand can no longer follow sharp corners. If such a
 /// stroke could not be read, its pace is the reason. A star 10 cm wide is this fast if it lasts 0.5 s, and is still read
 /// if it lasts 0.3 s.
 bool is_too_fast(const CastingRules& rules, double force);
+/// Why a stroke is not read at all.
+enum class Slip : std::uint8_t {
+    none,       ///< it is read
+    tap,        ///< a press of Trace without a stroke
+    too_small,  ///< the hand moved, but not far enough
+    too_quick   ///< Trace was let go too soon
+};
+Slip slip_of(const CastingRules& rules, const DrawnStroke& trace);
+
 
 /// Reads a stroke. Several turns of a closed gesture in one stroke are read one by one: all must be the gesture.
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space);

@@ -18,12 +18,16 @@ namespace thaum::game {
 /// Force magnitudes of the last ticks (N), ring buffer indexed by tick.
 using ForceTrace = std::array<float, 2048>;
 
-/// The last stroke that a player has finished.
+/// The last stroke that a player has finished, the last key chord in place of one, and what came of them.
 struct EndedStroke {
     DrawnStroke stroke;
     Tick at{};                   ///< tick of play at which it ended; 0: there is none
     bool read{};                 ///< true: it was a gesture
     std::string_view refusal{};  ///< why the spell that fizzled last did nothing (SpellRules::refusal)
+    Tick outcome_at{};           ///< tick of play of `outcome`; 0: never
+    std::string_view outcome{};  ///< how a spell has ended after its cast, in words for its wizard
+    Tick chord_at{};             ///< tick of play of the last key chord; 0: there was none
+    std::uint32_t chord_slot{};  ///< its wand's key: slot of the spell
 };
 
 namespace resource {

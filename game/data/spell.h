@@ -68,7 +68,7 @@ public:
     SpellRules& operator=(const SpellRules&) = delete;
     virtual ~SpellRules() = default;
 
-    /// Why the spell would do nothing now, in words for the wizard ("lift a thing first"); empty if it can be cast. The
+    /// Why the spell would do nothing now, in words for the wizard ("the thing is too far away"); empty if it can be cast. The
     /// words must live as long as the rules.
     virtual std::string_view refusal(const MatchContext&, ecs::Entity) const { return {}; }
     /// Casts the spell. The focus is already paid.

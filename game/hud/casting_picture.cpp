@@ -91,6 +91,8 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     out.probability = last->probability;
     out.force = last->force;
     out.turns = last->turns;
+    const auto& ended = match.context().output.strokes.read()[player];
+    if (ended.chord_at == last->at) out.chord = ended.chord_slot;
     if (out.age_s > reading_seconds) return;
     const auto& events = match.events();
     for (auto i = events.count(); i > events.first() && events[i - 1].tick + 1 >= last->at; --i) {
@@ -103,6 +105,30 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
             out.refusal = match.context().output.strokes.read()[player].refusal;
         return;
     }
+}
+
+/// Takes a stroke that was too small or too quick to be read. A key chord, or a ladle that comes or goes, ends a stroke
+/// that was none.
+void take_slip(const Simulation& match, std::uint32_t player, CastingPicture& out) {
+    out.slip = Slip::none;
+    out.slip_age_s = 1e6;
+    const auto& ended = match.context().output.strokes.read()[player];
+    const auto played = match.match().played;
+    if (ended.at == 0 || played < ended.at || ended.stroke.over != 0) return;
+    if (match.context().input.strokes_unread[player]) return;
+    out.slip_age_s = seconds(played - ended.at);
+    if (out.slip_age_s <= reading_seconds) out.slip = slip_of(*match.data().casting, ended.stroke);
+}
+
+/// Takes what became of a spell that was cast before.
+void take_outcome(const Simulation& match, std::uint32_t player, CastingPicture& out) {
+    out.outcome.clear();
+    out.outcome_age_s = 1e6;
+    const auto& ended = match.context().output.strokes.read()[player];
+    const auto played = match.match().played;
+    if (ended.outcome_at == 0 || played < ended.outcome_at) return;
+    out.outcome_age_s = seconds(played - ended.outcome_at);
+    if (out.outcome_age_s <= reading_seconds) out.outcome = ended.outcome;
 }
 
 /// Takes the way of a hand that may cast without a button, and its last near miss.
@@ -188,7 +214,9 @@ void take_casting(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
     out.gestures = own ? own : data.gestures;
     take_ward(match, match.world().get<Health>(wizard), player, out);
     take_stroke(match, wizard, player, out.stroke);
+    take_slip(match, player, out);
     take_reading(match, wizard, player, out.reading);
+    take_outcome(match, player, out);
     take_free(match, wizard, out.free);
     out.recalled = recalled_thing(match, wizard, out.reading);
 }

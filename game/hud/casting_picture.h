@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/components/free_hand.h"
 #include "game/components/match.h"
@@ -59,8 +60,9 @@ struct ReadingPicture {
     StrokeOutcome outcome{};
     std::uint32_t gesture{no_gesture}, nearest{no_gesture};  ///< numbers in CastingPicture::gestures
     double probability{}, force{}, turns{};                  ///< see LastReading
-    Event event{};          ///< the event of the outcome; unused for StrokeOutcome::none
-    std::string refusal{};  ///< why the spell has nothing to act on; empty: unknown
+    std::optional<std::uint32_t> chord{};  ///< slot of the key chord; std::nullopt: a stroke was read
+    Event event{};                         ///< the event of the outcome; unused for StrokeOutcome::none
+    std::string refusal{};                 ///< why the spell has nothing to act on; empty: unknown
 };
 
 /// The hand of a wizard who casts without a button.
@@ -81,7 +83,11 @@ struct CastingPicture {
     double since_flash_s{1e6};       ///< time since the shield began to flash because it took harm
     std::optional<vec3> recalled{};  ///< place of a thing that flies to the wizard (m)
     StrokePicture stroke;
+    Slip slip{};             ///< why the last stroke was not read at all
+    double slip_age_s{1e6};  ///< time since the end of that stroke
     ReadingPicture reading;
+    std::string outcome{};      ///< how a spell has ended after its cast, in words; empty: nothing to tell
+    double outcome_age_s{1e6};  ///< time since that end
     FreePicture free;
     std::shared_ptr<const GestureSet> gestures;  ///< the wizard's own gestures, or those of the match
     const SpellStats* first_spell{};             ///< the spell of the first chord; null without spells

@@ -1,5 +1,6 @@
 #include "game/hud/stroke_words.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -34,11 +35,28 @@ std::string words_of_miss(const CastingPicture& casting) {
     return text(why, "; nearest: ", gesture_and_percent(casting, reading.nearest));
 }
 
+/// The key of a chord: "[1]".
+std::string key_of(std::uint32_t slot, const ControlNames& controls) {
+    const bool named = slot < controls.wands.size() && !controls.wands[slot].empty();
+    return named ? text("[", controls.wands[slot], "]") : text("[", slot + 1, "]");
+}
+
+/// What the wizard did to cast a spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
+std::string words_of_cast(const CastingPicture& casting, const Presentation& shown,
+                          const ControlNames& controls) {
+    const auto& reading = casting.reading;
+    const auto spell = spell_of(casting, shown);
+    if (reading.chord) return text(key_of(*reading.chord, controls), " ", spell);
+    return text(gesture_and_percent(casting, reading.gesture), ": ", spell);
+}
+
 /// Words of a stroke on the brew: "Circle 97 %, 2 turns, gentle".
-std::string words_on_brew(const CastingPicture& casting) {
+std::string words_on_brew(const CastingPicture& casting, const ControlNames& controls) {
     const auto& reading = casting.reading;
     if (reading.gesture == no_gesture) return words_of_miss(casting);
-    auto words = gesture_and_percent(casting, reading.gesture);
+    auto words = reading.chord
+                     ? text(key_of(*reading.chord, controls), " ", shown_gesture(casting, reading.gesture))
+                     : gesture_and_percent(casting, reading.gesture);
     const auto turns = std::lround(std::abs(reading.turns));
     if (turns > 0)
         words += text(", ", turns, turns == 1 ? " turn " : " turns ",
@@ -50,7 +68,7 @@ std::string words_on_brew(const CastingPicture& casting) {
 std::string_view words_of(Miss reason) {
     switch (reason) {
         case Miss::none: break;
-        case Miss::unclear: return "unclear";
+        case Miss::unclear: return "not clear enough";
         case Miss::too_fast: return "too fast";
         case Miss::too_small: return "too small";
         case Miss::too_soon: return "too soon after the last spell";
@@ -58,7 +76,17 @@ std::string_view words_of(Miss reason) {
     return {};
 }
 
-/// Words for a gesture that a hand without a button nearly cast: "almost: Star 60 %, unclear".
+std::string_view words_of(Slip slip) {
+    switch (slip) {
+        case Slip::none:
+        case Slip::tap: break;
+        case Slip::too_small: return "too small to be read: draw it larger";
+        case Slip::too_quick: return "too short to be read: draw it more slowly";
+    }
+    return {};
+}
+
+/// Words for a gesture that a hand without a button nearly cast: "almost: Star 60 %, not clear enough".
 std::string words_of_near_miss(const CastingPicture& casting) {
     const auto& miss = casting.free.miss;
     return text("almost: ", shown_gesture(casting, miss.gesture), " ", whole_percent(miss.probability),
@@ -77,16 +105,22 @@ std::string_view force_word(const CastingRules& rules, double force) {
     return force < rules.harsh_from ? "normal" : "harsh";
 }
 
-StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown) {
+StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown,
+                             const ControlNames& controls) {
     const auto& reading = casting.reading;
     if (!casting.there || casting.rules == nullptr) return {};
     const double missed_s = casting.free.miss_age_s;
+    const auto slip = words_of(casting.slip);
+    const double slip_s = slip.empty() ? reading_seconds : casting.slip_age_s;
+    const double newest_s = std::min({missed_s, reading.age_s, reading_seconds});
+    if (!casting.outcome.empty() && casting.outcome_age_s < std::min(newest_s, slip_s))
+        return {casting.outcome, true};
+    if (slip_s < newest_s) return {std::string(slip), true};
     if (missed_s < reading.age_s && missed_s <= reading_seconds) return {words_of_near_miss(casting), true};
     if (reading.age_s > reading_seconds) return {};
-    const auto spell = spell_of(casting, shown);
-    const auto about = text(gesture_and_percent(casting, reading.gesture), ": ", spell);
+    const auto about = words_of_cast(casting, shown, controls);
     switch (reading.outcome) {
-        case StrokeOutcome::none: return {words_on_brew(casting), reading.gesture == no_gesture};
+        case StrokeOutcome::none: return {words_on_brew(casting, controls), reading.gesture == no_gesture};
         case StrokeOutcome::cast:
             return {text(about, ", ", force_word(*casting.rules, reading.force)), false};
         case StrokeOutcome::unread: return {words_of_miss(casting), true};

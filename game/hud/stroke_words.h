@@ -1,11 +1,13 @@
 // game/hud/stroke_words.h: the caption after a stroke. It says what was read, how sure that is, and what came of it:
-// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A hand without
-// a button has a caption where it nearly cast something: "almost: Star 60 %, unclear".
+// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A key
+// chord draws nothing, so its caption has the key: "[1] Shield, gentle". A stroke that is too small or too quick is not
+// read, and says so. A hand without a button has a caption where it nearly cast something.
 #pragma once
 #include <string>
 
 #include "game/data/presentation.h"
 #include "game/hud/casting_picture.h"
+#include "game/hud/prompts.h"
 
 namespace thaum::game {
 
@@ -19,6 +21,7 @@ struct StrokeCaption {
     std::string words;  ///< empty: no stroke was read just now
     bool failed{};      ///< the stroke did not do what was wanted
 };
-StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown);
+StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& shown,
+                             const ControlNames& controls = {});
 
 }  // namespace thaum::game

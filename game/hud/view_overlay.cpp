@@ -318,7 +318,7 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     if (captions && fault.empty()) add(std::string(caption_of(p.force)), paints.white);
     add(device_message, paints.light_red);
     if (p.dead) return all;
-    const auto stroke = stroke_caption(p.casting, *picture.shown);
+    const auto stroke = stroke_caption(p.casting, *picture.shown, settings.controls[player]);
     add(stroke.words, stroke.failed ? paints.light_red : paints.white);
     const bool given = captions && p.since_gift_s <= gift_seconds;
     auto gift = given ? event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift,

@@ -119,11 +119,45 @@ void clear_way(MatchContext& context, const RecallData& data, ecs::Entity wizard
     }
 }
 
+/// Why the wand in hand has not caught a thing that has come, in words for the wizard.
+std::string_view words_of_miss(const MatchContext& context, ecs::Entity wizard, const LoadedWand* wand,
+                               double mass) {
+    const auto grasp = wand == nullptr ? std::nullopt : wand->rules->grasp();
+    if (!grasp) return "it lies before you: only a wand that lifts can catch it";
+    if (wand->rules->held_thing(context.world, wizard)) return "it lies before you: your hand was full";
+    if (mass > grasp->mass_max) return "it lies before you: it is too heavy to catch";
+    return "it lies before you: the wand has no energy to catch it";
+}
+
+/// Tells the wizard in words how a recall has ended, for display.
+void tell(MatchContext& context, ecs::Entity wizard, std::string_view words, Tick tick) {
+    auto& shown = context.output.strokes.write()[std::as_const(context.world).get<Wizard>(wizard).player];
+    shown.outcome = words;
+    shown.outcome_at = std::max<Tick>(tick, 1);
+}
+
 /// Lets the wand in hand catch the thing, or else the thing fall to the ground.
 void arrive(MatchContext& context, ecs::Entity wizard, ecs::Entity thing, Tick tick) {
     const auto* wand = wand_in_hand(context.data, std::as_const(context.world).get<WandBelt>(wizard));
     context.physics.write().set_velocity(thing.index, vec3(0));
-    if (wand != nullptr) wand->rules->catch_thing({context, wizard, tick, wand->stats}, thing);
+    const double mass = context.physics.read().desc(thing.index).mass;
+    const auto miss = words_of_miss(context, wizard, wand, mass);
+    if (wand == nullptr || !wand->rules->catch_thing({context, wizard, tick, wand->stats}, thing))
+        tell(context, wizard, miss, tick);
+}
+
+/// Whether the flight has ended before the thing has arrived. Tells the wizard why.
+bool is_over(MatchContext& context, ecs::Entity wizard, const Recalled& recalled, Tick tick) {
+    if (context.world.has<Dead>(wizard)) return true;
+    if (!is_loose(context, recalled.thing)) {
+        const auto foe =
+            wizard_of(context.world, 1 - std::as_const(context.world).get<Wizard>(wizard).player);
+        if (holds(context, foe, recalled.thing)) tell(context, wizard, "your foe has caught it", tick);
+        return true;
+    }
+    if (tick < recalled.until) return false;
+    tell(context, wizard, "something is in its way", tick);
+    return true;
 }
 
 /// One step of the flight. Returns false when it has ended.
@@ -131,7 +165,7 @@ bool fly(MatchContext& context, const RecallData& data, ecs::Entity wizard, cons
          Tick tick) {
     auto& world = context.world;
     const auto thing = recalled.thing;
-    if (tick >= recalled.until || world.has<Dead>(wizard) || !is_loose(context, thing)) return false;
+    if (is_over(context, wizard, recalled, tick)) return false;
     auto& physics = context.physics.write();
     const auto key = thing.index;
     const auto state = physics.state(key);
@@ -149,9 +183,8 @@ bool fly(MatchContext& context, const RecallData& data, ecs::Entity wizard, cons
 /// What the flight writes, and what a wand that catches the thing writes.
 ecs::Mask writes_of_flight(const MatchContext& context) {
     const auto& world = context.world;
-    auto all =
-        world
-            .mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal, resource::Physics>();
+    auto all = world.mask<Recalled, Prop, Stance, Health, WandBelt, EventLog, resource::Journal,
+                          resource::Physics, resource::Strokes>();
     for (const auto& wand : context.data.wands) all |= wand.rules->writes(world);
     return all;
 }
@@ -174,12 +207,12 @@ public:
     std::string_view refusal(const MatchContext& context, ecs::Entity wizard) const override {
         const auto& world = context.world;
         const auto thing = world.get<LastProp>(wizard).thing;
-        if (!is_there(world, thing)) return "lift a thing first";
+        if (!is_there(world, thing)) return "it calls the thing that you lifted last: lift one first";
         if (holds(context, wizard, thing)) return "you hold the thing already";
-        if (!is_loose(context, thing)) return "your foe holds the thing";
+        if (!is_loose(context, thing)) return "your foe holds the thing that you lifted last";
         const vec3 eye = sight_of(context, wizard).eye;
         const bool near = glm::distance(world.get<Motion>(thing).position, eye) <= data_.reach;
-        return near ? "" : "the thing is too far away";
+        return near ? "" : "the thing that you lifted last is too far away";
     }
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;

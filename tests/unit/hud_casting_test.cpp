@@ -36,8 +36,62 @@ TEST(StrokeWords, SayWhatWasReadHowSureAndHowHard) {
     EXPECT_EQ(said(StrokeOutcome::cast, 0.971, 0.6).words, "Circle 97 %: Shield, gentle");
     EXPECT_EQ(said(StrokeOutcome::cast, 0.971, 1.2).words, "Circle 97 %: Shield, normal");
     EXPECT_EQ(said(StrokeOutcome::cast, 0.9999, 1.5).words, "Circle 99 %: Shield, harsh");
-    EXPECT_EQ(said(StrokeOutcome::cast, 1, 0.6).words, "Circle 100 %: Shield, gentle") << "a key chord";
     EXPECT_FALSE(said(StrokeOutcome::cast, 1, 0.6).failed);
+}
+
+/// Presses buttons and a wand's key for some ticks, while the mouse moves by `counts` to the right in each.
+void press(Simulation& match, std::initializer_list<input::Button> buttons, std::uint8_t wand,
+           std::int32_t counts, Tick lasts) {
+    input::InputFrame frame;
+    for (const auto button : buttons) frame.devices[0].press(button);
+    frame.devices[0].wand = wand;
+    frame.devices[0].counts[input::hand::look_right] = counts;
+    for (Tick t = 0; t < lasts; ++t) match.tick(frame);
+}
+
+std::string caption_in(const Simulation& match, const ControlNames& controls = {}) {
+    const auto picture = picture_of(match);
+    return stroke_caption(picture.wizards[0].casting, *picture.shown, controls).words;
+}
+
+TEST(StrokeWords, OfAKeyChordHaveItsKeyAndClaimNoReading) {
+    using enum input::Button;
+    const auto match = new_match();
+    press(*match, {trace}, 0, 0, 40);
+    press(*match, {trace}, 1, 0, 30);
+    press(*match, {}, 0, 0, 40);
+    EXPECT_EQ(caption_in(*match), "[1] Shield, gentle");
+    EXPECT_EQ(caption_in(*match, {.wands = {"Insert"}}), "[Insert] Shield, gentle");
+    EXPECT_EQ(picture_of(*match).wizards[0].casting.slip, Slip::none) << "a chord is no stroke";
+    press(*match, {trace, fire}, 0, 0, 40);
+    press(*match, {trace, fire}, 2, 0, 30);
+    press(*match, {}, 0, 0, 40);
+    EXPECT_EQ(caption_in(*match), "[2] Push, harsh");
+    press(*match, {trace}, 3, 0, 40);
+    press(*match, {}, 0, 0, 40);
+    press(*match, {trace}, 4, 0, 40);
+    press(*match, {}, 0, 0, 40);
+    EXPECT_EQ(caption_in(*match), "[4] Recall: it calls the thing that you lifted last: lift one first");
+    press(*match, {trace}, 0, 5, 400);  // 20 cm to the right
+    press(*match, {}, 0, 0, 40);
+    EXPECT_EQ(caption_in(*match).substr(0, 1), "n") << "a line is not read; the chord is over";
+}
+
+TEST(StrokeWords, TellOfAStrokeThatIsTooSmallOrTooShortButNotOfATap) {
+    using enum input::Button;
+    const auto after = [](std::int32_t counts, Tick lasts) {
+        const auto match = new_match();
+        press(*match, {}, 0, 0, 40);
+        press(*match, {trace}, 0, counts, lasts);
+        press(*match, {}, 0, 0, 40);
+        return caption_in(*match);
+    };
+    EXPECT_EQ(after(0, 60), "") << "a tap";
+    EXPECT_EQ(after(0, 600), "") << "a hand that waits";
+    EXPECT_EQ(after(1, 40), "") << "a tap of a hand that shakes";
+    EXPECT_NE(after(1, 120).find("too small"), std::string::npos) << "a centimetre";
+    EXPECT_NE(after(10, 60).find("too short"), std::string::npos) << "6 cm in a moment";
+    EXPECT_EQ(after(1, 300).find("too "), std::string::npos) << "long enough to be read";
 }
 
 TEST(StrokeWords, TellWhyAStrokeDidNothing) {
@@ -72,7 +126,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
         const auto picture = picture_of(*match);
         return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
     };
-    EXPECT_EQ(recall(), "Star 100 %: Recall: lift a thing first");
+    EXPECT_EQ(recall(), "[4] Recall: it calls the thing that you lifted last: lift one first");
     // A thing that lies beyond the spell's reach.
     auto& world = match->world_to_change();
     ecs::Entity thing;
@@ -81,7 +135,37 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
     world.get<LastProp>(wizard_of(world, 0)).thing = thing;
     world.get<Motion>(thing).position = {0, 500, 0};
     match->physics().set_state(thing.index, std::as_const(world).get<Motion>(thing));
-    EXPECT_EQ(recall(), "Star 100 %: Recall: the thing is too far away");
+    EXPECT_EQ(recall(), "[4] Recall: the thing that you lifted last is too far away");
+}
+
+TEST(StrokeWords, TellWhyARecalledThingWasNotCaught) {
+    const auto match = new_match();
+    press(*match, {}, 0, 0, 400);
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    ecs::Entity thing;
+    world.view<const Prop, const Body>().each([&](ecs::Entity e, const Prop&, const Body& body) {
+        if (body.mass < 20) thing = e;
+    });
+    ASSERT_TRUE(thing);
+    const auto recall = [&](std::uint32_t wand) {
+        world.get<WandBelt>(wizard).selected = wand;
+        world.get<LastProp>(wizard).thing = thing;
+        world.get<Focus>(wizard).points = 100;
+        Motion motion;
+        motion.position = world.get<Motion>(wizard).position + vec3(4, 1, 0);
+        match->physics().set_state(thing.index, motion);
+        press(*match, {input::Button::trace}, 0, 0, 40);
+        press(*match, {input::Button::trace}, 4, 0, 30);
+        std::string said = caption_in(*match);
+        for (int i = 0; i < 40 && said.starts_with("[4] Recall, gentle"); ++i) {
+            press(*match, {}, 0, 0, 80);
+            said = caption_in(*match);
+        }
+        return said;
+    };
+    EXPECT_EQ(recall(0), "it lies before you: only a wand that lifts can catch it");
+    EXPECT_EQ(recall(3), "") << "Lift catches it: " << caption_in(*match);
 }
 
 TEST(StrokeWords, OnTheBrewSayHowManyTurns) {
@@ -178,7 +262,7 @@ TEST(FreeCaption, SaysWhatWasAlmostCastAndWhyNot) {
     miss = {.at = 1, .probability = 0.6, .gesture = gesture_number(casting, "star"), .reason = Miss::unclear};
     casting.free.miss_age_s = 0.3;
     const auto said = [&] { return stroke_caption(casting, *picture.shown).words; };
-    EXPECT_EQ(said(), "almost: Star 60 %, unclear");
+    EXPECT_EQ(said(), "almost: Star 60 %, not clear enough");
     EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
     miss.reason = Miss::too_fast;
     EXPECT_EQ(said(), "almost: Star 60 %, too fast");
