@@ -33,10 +33,10 @@ fvec3 place_of(const FreeHand& hand, std::uint32_t number) {
 
 /// The place smoothed over three points. Steps of a mouse would else count as turns, and the corners of figures that a
 /// program draws would have no slow part.
-vec3 smooth_place(const FreeHand& hand, std::uint32_t number, std::uint32_t first, std::uint32_t last) {
-    const auto before = place_of(hand, number > first ? number - 1 : number);
-    const auto after = place_of(hand, number < last ? number + 1 : number);
-    return 0.25 * (vec3(before) + 2.0 * vec3(place_of(hand, number)) + vec3(after));
+vec3 smooth_place(std::span<const vec3> places, std::size_t number) {
+    const vec3 before = places[number > 0 ? number - 1 : number];
+    const vec3 after = places[number + 1 < places.size() ? number + 1 : number];
+    return 0.25 * (before + 2.0 * places[number] + after);
 }
 
 FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpace& space) {
@@ -44,12 +44,16 @@ FreeMotion motion_of(const CastingRules& rules, const FreeHand& hand, ReadingSpa
     const auto last = hand.count - 1 - std::min(rested, hand.count - 1);
     const auto first = hand.count - std::min(hand.count, std::max(hand.moving, rested + 1));
     FreeMotion motion;
+    const std::size_t count = last - first + 1;
+    std::array<vec3, free_points> all;
+    const auto places = std::span(all).first(count);
+    for (auto i = first; i <= last; ++i) places[i - first] = vec3(place_of(hand, i));
+    spread_jumps(places, gameplay_dt);
     auto& points = space.stroke;
-    std::size_t count = 0;
-    for (auto i = first; i <= last; ++i, ++count) {
-        const vec3 at = smooth_place(hand, i, first, last);
-        const double way = count > 0 ? glm::distance(at, points[count - 1].at) : 0;
-        points[count] = {static_cast<double>(count) * gameplay_dt, at, rules.viscosity * way / gameplay_dt};
+    for (std::size_t i = 0; i < count; ++i) {
+        const vec3 at = smooth_place(places, i);
+        const double way = i > 0 ? glm::distance(at, points[i - 1].at) : 0;
+        points[i] = {static_cast<double>(i) * gameplay_dt, at, rules.viscosity * way / gameplay_dt};
     }
     motion.points = std::span(points).first(count);
     for (std::size_t i = count - 1; i-- > 0;)

@@ -16,13 +16,27 @@ constexpr double several_turns = 1.5;
 
 vec3 place_of(const DrawnPoint& p) { return {p.x, p.y, p.z}; }
 
-StrokePoint point_of(const DrawnStroke& stroke, std::uint32_t i) {
-    const auto& p = stroke.points[i];
-    return {i * (stroke.every * gameplay_dt), place_of(p), p.force};
+/// Calls the function with the number, place, time and force of each point of a stroke, its jumps spread. Each part of a
+/// jump has its share of the force.
+template <class Take>
+void each_point(const DrawnStroke& stroke, Take&& take) {
+    const double apart = stroke.every * gameplay_dt;
+    std::array<vec3, most_drawn_points> places;
+    for (std::uint32_t i = 0; i < stroke.count; ++i) places[i] = place_of(stroke.points[i]);
+    spread_jumps(std::span(places).first(stroke.count), apart);
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+        // A point that the jump has moved belongs to it, as does the point at its end.
+        const auto moved = [&](std::uint32_t k) { return places[k] != place_of(stroke.points[k]); };
+        std::uint32_t begin = i, end = i;
+        while (end + 1 < stroke.count && moved(end)) ++end;
+        while (begin > 0 && moved(begin - 1)) --begin;
+        const double force = stroke.points[end].force;
+        take(i, StrokePoint{i * apart, places[i], end > begin ? force / (end - begin + 1) : force});
+    }
 }
 
 Points put_points(const DrawnStroke& stroke, ReadingSpace& space) {
-    for (std::uint32_t i = 0; i < stroke.count; ++i) space.stroke[i] = point_of(stroke, i);
+    each_point(stroke, [&](std::uint32_t i, const StrokePoint& p) { space.stroke[i] = p; });
     return Points(space.stroke).first(stroke.count);
 }
 
@@ -78,20 +92,36 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 
 }  // namespace
 
+void spread_jumps(std::span<vec3> places, double apart) {
+    constexpr double least_jump = 0.0015;   // m; the next step of a slow hand is shorter
+    constexpr double longest_rest = 0.064;  // s
+    std::size_t rest = 0;                   // number of the first point of the rest
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (places[i] == places[rest]) continue;
+        const auto steps = static_cast<double>(i - rest);
+        const vec3 jump = places[i] - places[rest];
+        const bool spreads = steps * apart < longest_rest && glm::length(jump) >= least_jump;
+        for (std::size_t k = rest + 1; spreads && k < i; ++k)
+            places[k] = places[rest] + jump * (static_cast<double>(k - rest) / steps);
+        rest = i;
+    }
+}
+
 std::vector<StrokePoint> points_of(const DrawnStroke& stroke) {
     std::vector<StrokePoint> points(stroke.count);
-    for (std::uint32_t i = 0; i < stroke.count; ++i) points[i] = point_of(stroke, i);
+    each_point(stroke, [&](std::uint32_t i, const StrokePoint& p) { points[i] = p; });
     return points;
 }
 
 double mean_force_of(const DrawnStroke& stroke) {
     double length = 0, sum = 0;
-    for (std::uint32_t i = 1; i < stroke.count; ++i) {
-        const auto &a = stroke.points[i - 1], &b = stroke.points[i];
-        const double step = glm::distance(place_of(a), place_of(b));
+    StrokePoint before;
+    each_point(stroke, [&](std::uint32_t i, const StrokePoint& p) {
+        const double step = i == 0 ? 0 : glm::distance(before.at, p.at);
         length += step;
-        sum += step * (static_cast<double>(a.force) + static_cast<double>(b.force)) / 2;
-    }
+        sum += step * (before.force + p.force) / 2;
+        before = p;
+    });
     return length > 0 ? sum / length : 0;
 }
 

@@ -88,6 +88,61 @@ TEST(Casting, AStarIsNotTwoCircles) {
     EXPECT_GE(right, 38);
 }
 
+std::string_view name_of(Figure figure) { return gesture::figure_names()[static_cast<std::size_t>(figure)]; }
+
+/// The stroke of a device that tells the hand's place only in every so many points.
+DrawnStroke told_seldom(DrawnStroke stroke, std::uint32_t every) {
+    const double viscosity = data()->casting->viscosity;
+    const auto place = [&](std::uint32_t i) {
+        return vec3(stroke.points[i].x, stroke.points[i].y, stroke.points[i].z);
+    };
+    for (std::uint32_t i = 1; i < stroke.count; ++i) {
+        auto& p = stroke.points[i];
+        if (i % every != 0) p = stroke.points[i - 1];
+        p.force = static_cast<float>(viscosity * glm::distance(place(i - 1), place(i)) / gameplay_dt);
+    }
+    return stroke;
+}
+
+TEST(Casting, ReadsAStrokeOfADeviceThatTellsItsPlaceSeldom) {
+    Random random{5};
+    ReadingSpace space;
+    for (const auto figure : {Figure::circle, Figure::v, Figure::s, Figure::star}) {
+        std::size_t smooth = 0;
+        std::array<std::size_t, 2> seldom{};
+        for (int i = 0; i < 20; ++i) {
+            auto style = gesture::random_style(random);
+            style.flat = true;
+            const auto stroke = drawn(gesture::draw_figure(figure, style, gesture::Effort::gentle, random));
+            const auto is_read = [&](const DrawnStroke& one) {
+                const auto read = read_drawn(shipped(), one, space).stroke.gesture;
+                return read != no_gesture && shipped().gestures()[read].name == name_of(figure) ? 1U : 0U;
+            };
+            smooth += is_read(stroke);
+            for (const std::uint32_t k : {0U, 1U}) {
+                const auto told = told_seldom(stroke, k + 3);  // 24 and 32 ms
+                seldom.at(k) += is_read(told);
+                EXPECT_NEAR(mean_force_of(told), mean_force_of(stroke), 0.25 * mean_force_of(stroke));
+            }
+        }
+        for (const auto right : seldom) EXPECT_GE(right + 2, smooth) << name_of(figure);
+    }
+}
+
+TEST(Casting, SpreadsJumpsButNeitherSlowMotionNorRests) {
+    const auto spread = [](std::vector<vec3> places) {
+        spread_jumps(places, 0.008);
+        return places;
+    };
+    const vec3 a(0), b(0.004, 0, 0);
+    EXPECT_EQ(spread({a, a, a, a, b, b})[3], 0.75 * b);
+    const std::vector<vec3> slow{a, a, a, vec3(1e-4, 0, 0), vec3(1e-4, 0, 0), vec3(2e-4, 0, 0)};
+    EXPECT_EQ(spread(slow), slow);
+    const std::vector<vec3> rest{a, a, a, a, a, a, a, a, b, b};
+    EXPECT_EQ(spread(rest), rest);
+    EXPECT_TRUE(spread({}).empty());
+}
+
 TEST(Casting, BadStrokesMeanNothing) {
     ReadingSpace space;
     const CastingRules& rules = *data()->casting;
@@ -103,8 +158,10 @@ TEST(Casting, BadStrokesMeanNothing) {
     EXPECT_TRUE(is_slip(rules, still));
     EXPECT_EQ(read_drawn(shipped(), still, space).stroke.gesture, no_gesture);
     auto broken = circles(1);
-    broken.points[40].x = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(read_drawn(shipped(), broken, space).stroke.gesture, no_gesture);
+    for (const std::uint32_t i : {40U, broken.count - 1}) {
+        broken.points[i].x = std::numeric_limits<float>::quiet_NaN();
+        EXPECT_EQ(read_drawn(shipped(), broken, space).stroke.gesture, no_gesture);
+    }
     auto huge = circles(1);
     for (auto& p : huge.points) p.x *= 1e30F, p.y *= 1e30F;
     EXPECT_NO_FATAL_FAILURE(read_drawn(shipped(), huge, space));

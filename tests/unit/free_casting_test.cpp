@@ -187,12 +187,12 @@ vec2 figure_at(std::string_view name, double share) {
     return glm::mix(corner(side), corner(side + 1), 5 * share - side);
 }
 
-/// Draws a figure at an even pace in steps of 10 ms, as a program does that moves the mouse.
-void draw_by_program(Free& play, std::string_view name, double half, double s, vec2 begin) {
-    const auto steps = static_cast<int>(s / 0.01);
+/// Draws a figure at an even pace in steps of some ticks, as a program does that moves the mouse.
+void draw_by_program(Free& play, std::string_view name, double half, double s, vec2 begin, int step = 10) {
+    const auto steps = static_cast<int>(s * 1000 / step);
     for (int i = 1; i <= steps; ++i) {
         const vec2 way = half * (figure_at(name, static_cast<double>(i) / steps) - figure_at(name, 0));
-        for (int k = 0; k < 10; ++k) play.move_to(begin.x + way.x, begin.y + way.y);
+        for (int k = 0; k < step; ++k) play.move_to(begin.x + way.x, begin.y + way.y);
     }
 }
 
@@ -206,6 +206,22 @@ TEST(FreeCasting, FindsFiguresOfAnEvenPaceInJumps) {
                     play, name, [&](vec2 begin) { draw_by_program(play, name, half, s, begin); }, tally);
     EXPECT_GE(tally.right, tally.drawn * 9 / 10) << "of " << tally.drawn;
     EXPECT_EQ(tally.wrong, 0U);
+}
+
+TEST(FreeCasting, FindsFiguresOfAMouseThatIsSeldomHeard) {
+    for (const int step : {16, 24, 32}) {
+        Free play;
+        Tally tally;
+        for (const double half : {250.0, 400.0})
+            for (const double s : {0.7, 1.1, 1.5})
+                for (const auto* name : {"circle", "v", "s", "star"})
+                    count_stroke(
+                        play, name, [&](vec2 begin) { draw_by_program(play, name, half, s, begin, step); },
+                        tally);
+        EXPECT_GE(tally.right, tally.drawn * 9 / 10)
+            << "of " << tally.drawn << " in steps of " << step << " ms";
+        EXPECT_EQ(tally.wrong, 0U);
+    }
 }
 
 const NearMiss& miss_of(const Simulation& match) {
