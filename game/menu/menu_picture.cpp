@@ -77,10 +77,8 @@ std::string hint_of(const MenuState& s, const Row& row) {
                          "button"
                        : "less, more: arrows    confirm: Enter, A, click    back: Esc, B, right button";
         default:
-            return row.next_match
-                       ? "applies from the next match"
-                       : "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: "
-                         "Esc, B, right button";
+            return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    back: Esc, B, right "
+                   "button";
     }
 }
 
@@ -92,6 +90,12 @@ std::string name_of_seat(const MenuState& s, const MenuContext& context, const D
     const auto name = name_of(device, context);
     const bool second = mouse && device.kind != DeviceKind::keyboard_mouse && !context.arms[1].empty();
     return second ? text(name, " and ", context.arms[1]) : name;
+}
+
+/// Tells the players of a match that a change of the row does not act in it; empty for other rows and without a match.
+std::string words_of_delay(const MenuState& s, const MenuContext& context, const Row& row) {
+    if (!row.next_match || s.pages.front().page != Page::pause) return {};
+    return text("Applies from the next match, or after \"", label_of_restart(context), "\"");
 }
 
 std::string head_of_seat(const MenuState& s, std::size_t player) {
@@ -127,6 +131,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     picture.hint = hint_of(s, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
+    if (s.note.empty()) picture.note = words_of_delay(s, context, rows[picture.cursor]);
     if (s.note.empty() && s.pages.back().page == Page::start) picture.note = context.settings_fault;
     return picture;
 }

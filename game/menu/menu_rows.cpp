@@ -201,6 +201,14 @@ std::string_view name_of_play(const MenuContext& context) {
     return context.practice ? "range" : "match";
 }
 
+}  // namespace
+
+std::string label_of_restart(const MenuContext& context) {
+    return text("Restart the ", name_of_play(context));
+}
+
+namespace {
+
 void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     const bool match = !context.apprentice && !context.practice;
     rows.push_back(
@@ -220,7 +228,7 @@ void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
     rows.push_back(
         {RowKind::restart,
          0,
-         {.label = text("Restart the ", name_of_play(context)),
+         {.label = label_of_restart(context),
           .help = context.practice ? "Puts the arena and the score back to their beginning."
                                    : "Gives up this match and begins another with the same players."}});
     const auto leave =

@@ -58,6 +58,9 @@ struct Row {
 /// Rows of the page that is shown.
 std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
 
+/// Words of the pause's row that begins the match again: "Restart the match".
+std::string label_of_restart(const MenuContext& context);
+
 /// Whether the player of the page can find the largest force by feel: it is the one who practises on the range.
 bool can_find_force(const MenuState& state, const MenuContext& context);
 

@@ -98,6 +98,20 @@ TEST(PlayerPage, ResetsThePlayerShown) {
     EXPECT_EQ(value_of(s, "Whose settings"), "Tide");
 }
 
+TEST(PlayerPage, TellsOfARowThatWaitsForTheNextMatch) {
+    const auto note_at = [](MenuState s, std::string_view row) {
+        return picture_of(choose(std::move(s), row, Kind::right), context()).note;
+    };
+    auto during = opened(start_page(), Page::pause);
+    during.pages.push_back({Page::player, 0, 0});
+    EXPECT_EQ(note_at(during, "Cast without a button"),
+              "Applies from the next match, or after \"Restart the match\"");
+    EXPECT_EQ(note_at(during, "Mouse speed"), "") << "acts at once";
+    auto before = opened(start_page(), Page::start);
+    before.pages.push_back({Page::player, 0, 0});
+    EXPECT_EQ(note_at(before, "Cast without a button"), "") << "the next match is the first one";
+}
+
 TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     auto s = choose(player_page(), "Name");
     for (const char32_t c : std::u32string(U"Zoë"))
