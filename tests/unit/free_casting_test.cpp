@@ -209,7 +209,7 @@ TEST(FreeCasting, FindsFiguresOfAnEvenPaceInJumps) {
 }
 
 TEST(FreeCasting, FindsFiguresOfAMouseThatIsSeldomHeard) {
-    for (const int step : {16, 24, 32}) {
+    for (const int step : {16, 24, 32, 40}) {
         Free play;
         Tally tally;
         for (const double half : {250.0, 400.0})
