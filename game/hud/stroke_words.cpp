@@ -31,7 +31,8 @@ std::string words_of_miss(const CastingPicture& casting) {
     if (reading.gesture != no_gesture)
         return text(gesture_and_percent(casting, reading.gesture), ": no spell");
     const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
-    if (shown_gesture(casting, reading.nearest).empty()) return why;
+    const bool is_like_none = whole_percent(reading.probability) == 0;
+    if (is_like_none || shown_gesture(casting, reading.nearest).empty()) return why;
     return text(why, "; nearest: ", gesture_and_percent(casting, reading.nearest));
 }
 
@@ -128,9 +129,8 @@ StrokeCaption stroke_caption(const CastingPicture& casting, const Presentation& 
             return {text(about, " needs ", std::lround(std::ceil(reading.event.amount)), " more focus"),
                     true};
         case StrokeOutcome::fizzled:
-            return {
-                reading.refusal.empty() ? about + " does nothing here" : text(about, ": ", reading.refusal),
-                true};
+            return {text(about, reading.refusal.empty() ? " does nothing here" : ", but ", reading.refusal),
+                    true};
     }
     return {};
 }

@@ -207,12 +207,12 @@ public:
     std::string_view refusal(const MatchContext& context, ecs::Entity wizard) const override {
         const auto& world = context.world;
         const auto thing = world.get<LastProp>(wizard).thing;
-        if (!is_there(world, thing)) return "it calls the thing that you lifted last: lift one first";
+        if (!is_there(world, thing)) return "it calls the thing lifted last; lift one first";
         if (holds(context, wizard, thing)) return "you hold the thing already";
-        if (!is_loose(context, thing)) return "your foe holds the thing that you lifted last";
+        if (!is_loose(context, thing)) return "your foe holds the thing lifted last";
         const vec3 eye = sight_of(context, wizard).eye;
         const bool near = glm::distance(world.get<Motion>(thing).position, eye) <= data_.reach;
-        return near ? "" : "the thing that you lifted last is too far away";
+        return near ? "" : "the thing lifted last is too far away";
     }
     void cast(const SpellCast& cast) const override {
         auto& world = cast.context.world;

@@ -71,7 +71,7 @@ TEST(StrokeWords, OfAKeyChordHaveItsKeyAndClaimNoReading) {
     press(*match, {}, 0, 0, 40);
     press(*match, {trace}, 4, 0, 40);
     press(*match, {}, 0, 0, 40);
-    EXPECT_EQ(caption_in(*match), "[4] Recall: it calls the thing that you lifted last: lift one first");
+    EXPECT_EQ(caption_in(*match), "[4] Recall, but it calls the thing lifted last; lift one first");
     press(*match, {trace}, 0, 5, 400);  // 20 cm to the right
     press(*match, {}, 0, 0, 40);
     EXPECT_EQ(caption_in(*match).substr(0, 1), "n") << "a line is not read; the chord is over";
@@ -104,12 +104,14 @@ TEST(StrokeWords, TellWhyAStrokeDidNothing) {
     casting.reading = reading_of(casting, StrokeOutcome::unread, "s", 0.31, 0.6);
     casting.reading.gesture = no_gesture;
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read; nearest: S 31 %");
+    casting.reading.probability = 0.004;
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read") << "0 % is near to nothing";
     casting.reading.nearest = no_gesture;
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read");
     casting.reading = reading_of(casting, StrokeOutcome::fizzled, "circle", 0.97, 0.6);
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield does nothing here");
     casting.reading.refusal = "there is a reason";
-    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield: there is a reason");
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "Circle 97 %: Shield, but there is a reason");
     EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
 }
 
@@ -126,7 +128,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
         const auto picture = picture_of(*match);
         return stroke_caption(picture.wizards[0].casting, *picture.shown).words;
     };
-    EXPECT_EQ(recall(), "[4] Recall: it calls the thing that you lifted last: lift one first");
+    EXPECT_EQ(recall(), "[4] Recall, but it calls the thing lifted last; lift one first");
     // A thing that lies beyond the spell's reach.
     auto& world = match->world_to_change();
     ecs::Entity thing;
@@ -135,7 +137,7 @@ TEST(StrokeWords, TellTheReasonOfTheSpellItself) {
     world.get<LastProp>(wizard_of(world, 0)).thing = thing;
     world.get<Motion>(thing).position = {0, 500, 0};
     match->physics().set_state(thing.index, std::as_const(world).get<Motion>(thing));
-    EXPECT_EQ(recall(), "[4] Recall: the thing that you lifted last is too far away");
+    EXPECT_EQ(recall(), "[4] Recall, but the thing lifted last is too far away");
 }
 
 TEST(StrokeWords, TellWhyARecalledThingWasNotCaught) {
