@@ -11,17 +11,22 @@ namespace {
 
 constexpr std::size_t variations = 100;  // number of variations of each gesture
 
-using Shares = std::vector<std::vector<double>>;
+using Shares = std::vector<std::vector<Mistaken>>;
 
-/// Share of the variations of each gesture that is taken for each other one.
-Shares confusion_of(const Recogniser& recogniser, std::span<const Gesture> gestures, RecogniserSpace& space) {
-    Shares shares(gestures.size(), std::vector<double>(gestures.size()));
+/// How the variations of each gesture are read: [drawn][read].
+Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> gestures,
+                       const ReadStroke& read, RecogniserSpace& space) {
+    Shares shares(gestures.size(), std::vector<Mistaken>(gestures.size()));
     for (std::size_t g = 0; g < gestures.size(); ++g) {
         Random random = random_stream(recogniser.settings().seed, 0xc0 + g);
         for (std::size_t v = 0; v < variations; ++v) {
             const auto& strokes = gestures[g].strokes;
-            const auto r = recogniser.recognise(variation_of(strokes[v % strokes.size()], random), space);
-            if (r.gesture != Recognition::none) shares[g][r.gesture] += 1.0 / variations;
+            const auto stroke = variation_of(strokes[v % strokes.size()], random);
+            const auto r = read ? read(recogniser, stroke, space) : recogniser.recognise(stroke, space);
+            if (r.gesture == Recognition::none) continue;
+            auto& mistaken = shares[g][r.gesture];
+            mistaken.nearer += 1.0 / variations;
+            if (r.accepted) mistaken.taken += 1.0 / variations;
         }
     }
     return shares;
@@ -45,11 +50,11 @@ Expected<double> distance_between(const Gesture& from, const Gesture& to, const 
 }  // namespace
 
 Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
-                                             const RecogniserSettings& settings) {
+                                             const RecogniserSettings& settings, const ReadStroke& read) {
     const auto recogniser = Recogniser::make(gestures, settings);
     if (!recogniser) return tl::unexpected(recogniser.error());
     RecogniserSpace space;
-    const auto shares = confusion_of(*recogniser, gestures, space);
+    const auto shares = read_variations(*recogniser, gestures, read, space);
     const auto& usual = recogniser->calibration().usual;
     std::vector<Pair> pairs;
     for (std::uint32_t a = 0; a < gestures.size(); ++a) {
@@ -63,7 +68,8 @@ Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
         }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
-        return std::tie(p.separation, p.a, p.b) < std::tie(q.separation, q.a, q.b);
+        const double nearer_p = -p.nearer(), nearer_q = -q.nearer();
+        return std::tie(nearer_p, p.separation, p.a, p.b) < std::tie(nearer_q, q.separation, q.a, q.b);
     });
     return pairs;
 }

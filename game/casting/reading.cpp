@@ -138,20 +138,25 @@ Slip slip_of(const CastingRules& rules, const DrawnStroke& trace) {
 
 bool is_too_fast(const CastingRules& rules, double force) { return force >= 2 * rules.harsh_from; }
 
-Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
-    const auto& recogniser = gestures.recogniser();
-    const auto stroke = put_points(trace, space);
-    auto found = recogniser.recognise(stroke, space.recogniser);
+gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, Points stroke,
+                                     gesture::RecogniserSpace& space) {
+    auto found = recogniser.recognise(stroke, space);
     const double turns = turns_of(stroke);
     if (std::abs(turns) >= several_turns) {
-        const auto turn = read_turns(recogniser, stroke, turns, space.recogniser);
+        const auto turn = read_turns(recogniser, stroke, turns, space);
         if (turn.accepted && (!found.accepted || turn.probability > found.probability)) found = turn;
     }
+    return found;
+}
+
+Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
+    const auto stroke = put_points(trace, space);
+    const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_of(trace)}, .nearest = found.gesture};
     reading.stroke.probability = found.probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;
-    if (gestures.gestures()[found.gesture].options.closed) reading.stroke.turns = turns;
+    if (gestures.gestures()[found.gesture].options.closed) reading.stroke.turns = turns_of(stroke);
     return reading;
 }
 

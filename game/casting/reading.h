@@ -51,6 +51,11 @@ inline bool is_slip(const CastingRules& rules, const DrawnStroke& trace) {
 /// if it lasts 0.3 s.
 bool is_too_fast(const CastingRules& rules, double force);
 
+/// Reads the points of a stroke as a match does, with any recogniser: as a whole, and turn by turn where it goes round
+/// several times.
+gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, gesture::Points stroke,
+                                     gesture::RecogniserSpace& space);
+
 /// Reads a stroke. Several turns of a closed gesture in one stroke are read one by one: all must be the gesture.
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space);
 

@@ -6,6 +6,8 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/casting/reading.h"
+#include "game/hud/event_words.h"
 #include "game/settings/player_name.h"
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
@@ -31,13 +33,17 @@ std::optional<std::string> fault_of(const game::MatchData& data, std::vector<inp
                 "): record it anew with shorter strokes");
 }
 
-/// How alike two gestures are: "v (12 % of such strokes are taken for it)".
-std::string words_of(const gesture::Pair& pair, bool first, std::string_view other) {
-    const double mistaken = std::max(pair.a_as_b, pair.b_as_a);
-    if (mistaken <= gesture::most_confused) return text(other, ", their shapes are too near");
-    const bool as_other = (first ? pair.a_as_b : pair.b_as_a) >= mistaken;
-    return text(other, ", ", std::lround(100 * mistaken),
-                as_other ? " % of such strokes are taken for it" : " % of its strokes are taken for this");
+/// Words for the more frequent of two mistakes: "Star: 12 % of such strokes are taken for it".
+std::string words_of(const gesture::Pair& pair, bool own_is_first, std::string_view other) {
+    const auto &own = own_is_first ? pair.a_as_b : pair.b_as_a,
+               &others = own_is_first ? pair.b_as_a : pair.a_as_b;
+    // Of a copy hardly any stroke is taken for the other, since the recogniser is sure of neither.
+    const bool taken = 2 * std::max(own.taken, others.taken) >= std::max(own.nearer, others.nearer);
+    const double of_own = taken ? own.taken : own.nearer, of_others = taken ? others.taken : others.nearer;
+    const auto percent = text(other, ": ", std::lround(100 * std::max(of_own, of_others)), " % of ");
+    if (of_own >= of_others)
+        return text(percent, taken ? "such strokes are taken for it" : "such strokes are nearer to it");
+    return text(percent, taken ? "its strokes are taken for this" : "its strokes are nearer to this");
 }
 
 }  // namespace
@@ -103,13 +109,13 @@ Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::Ma
     if (auto used = game::use_profile(data, with_own_gesture(profile, gesture, player), setup); !used)
         return used;
     const auto set = setup.gestures[player]->gestures();
-    const auto pairs = gesture::compare_gestures(set);
+    const auto pairs = gesture::compare_gestures(set, {}, game::recognise_drawn);
     if (!pairs) return tl::unexpected(pairs.error());
     for (const auto& pair : *pairs) {
         const auto &a = set[pair.a].name, &b = set[pair.b].name;
         const bool first = a == gesture.name;
         if (pair.collides() && (first || b == gesture.name))
-            return fail(text("too like ", words_of(pair, first, first ? b : a)));
+            return fail(text("it is too like ", words_of(pair, first, game::capitalised(first ? b : a))));
     }
     return {};
 }

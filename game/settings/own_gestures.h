@@ -14,10 +14,18 @@
 
 namespace thaum::app {
 
+/// What became of a gesture that the player of the range has drawn.
+enum class Verdict : std::uint8_t {
+    none,    ///< nothing was drawn
+    kept,    ///< it counts from now on
+    refused  ///< the player may draw it again
+};
+
 /// Own gestures with which the range goes on, and words for its player.
 struct OwnGestures {
     std::vector<input::ProfileData> profile{};
     std::vector<std::string> words{};
+    Verdict verdict{};
 };
 
 /// Folder of a player's own gestures; empty if there is no settings file.
@@ -40,7 +48,8 @@ std::vector<input::ProfileData> with_own_gesture(std::vector<input::ProfileData>
                                                  const gesture::Gesture& gesture, std::uint32_t player);
 
 /// Refuses a gesture that does not fit beside the player's other gestures, or is so like one of them that strokes would be
-/// mistaken (gesture/collisions.h). The error names the other one: "too like v, 12 % of such strokes are taken for it".
+/// mistaken (gesture/collisions.h). The error names the other one: "it is too like V: 12 % of such strokes are
+/// taken for it".
 /// `profile`: own gestures so far.
 Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::MatchData& data,
                                  const std::vector<input::ProfileData>& profile, std::uint32_t player);

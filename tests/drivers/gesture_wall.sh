@@ -53,7 +53,7 @@ own=$XDG_CONFIG_HOME/thaum/gestures/player-1/circle.toml
 game=$!
 eventually "no window" drawn
 record 1 8 22 22 8 -22 22
-grep -q '^gesture wall: not saved: too like v, [0-9]* %' "$folder/said" || fail "a copy of V is not refused"
+grep -q '^gesture wall: not saved: it is too like V: [0-9]* % of ' "$folder/said" || fail "a copy of V is not refused"
 [ ! -e "$own" ] || fail "a copy of V is saved"
 record 2 0 -22 30 -16 0 30
 grep -q '^gesture wall: saved: this is your circle' "$folder/said" || fail "a corner is not saved"

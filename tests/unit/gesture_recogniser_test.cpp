@@ -205,5 +205,31 @@ TEST(GestureCollisions, TwoGesturesThatAreAlikeCollide) {
     EXPECT_FALSE((*pairs)[2].collides());
 }
 
+TEST(GestureCollisions, ACopyCollidesAlthoughTheRecogniserIsSureOfNeither) {
+    const std::vector<Gesture> gestures{gesture_of("vee", {vee()}), gesture_of("ess", {ess()}),
+                                        gesture_of("copy", {vee()})};
+    const auto pairs = compare_gestures(gestures);
+    ASSERT_TRUE(pairs);
+    EXPECT_TRUE((*pairs)[0].collides());
+    EXPECT_EQ((*pairs)[0].b, 2U);
+    EXPECT_GT((*pairs)[0].nearer(), 0.3);
+    EXPECT_FALSE((*pairs)[1].collides());
+    EXPECT_FALSE((*pairs)[2].collides());
+}
+
+TEST(GestureCollisions, AreMeasuredByTheReadingOfStrokesAndNotByDistance) {
+    const auto gestures = std::vector<Gesture>{gesture_of("vee", {vee()}), gesture_of("ess", {ess()})};
+    const auto pairs = compare_gestures(gestures, {}, [](const Recogniser&, Points, RecogniserSpace&) {
+        return Recognition{.gesture = 0, .probability = 1, .accepted = true};
+    });
+    ASSERT_TRUE(pairs);
+    EXPECT_DOUBLE_EQ((*pairs)[0].a_as_b.nearer, 0);
+    EXPECT_NEAR((*pairs)[0].b_as_a.taken, 1, 1e-9) << "strokes are read as the caller reads them";
+    EXPECT_TRUE((*pairs)[0].collides());
+    EXPECT_FALSE((Pair{.a_as_b = {0.02, 0.1}, .b_as_a = {}, .separation = 0.5}.collides()));
+    EXPECT_TRUE((Pair{.a_as_b = {0.03, 0.03}, .b_as_a = {}, .separation = 5}.collides()));
+    EXPECT_TRUE((Pair{.a_as_b = {}, .b_as_a = {0, 0.11}, .separation = 5}.collides()));
+}
+
 }  // namespace
 }  // namespace thaum::gesture
