@@ -10,7 +10,8 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t compared_points = 48;
-constexpr double least_size = 0.03;                      // size below which a stroke is too small (m)
+constexpr double least_size = 0.03;                      // size below which an unread stroke is too small (m)
+constexpr double same_shape = 0.08;                      // deviation below which a shape is the gesture's
 constexpr double widest_gap = 0.25;                      // share of the size
 constexpr double told_tilt = 12 * pi / 180;              // tilt from which on it is told (rad)
 constexpr double told_deviation = 0.16, central = 0.12;  // share of the size
@@ -115,11 +116,13 @@ Comparison compare(Points stroke, const Gesture& gesture) {
     for (const auto& recorded : gesture.strokes) {
         Outline wanted;
         if (!resample(recorded, wanted)) continue;
+        const double size_of_recorded = size_of_box(wanted);
         normalise(wanted);
         const auto fit = fit_outlines(drawn, wanted, gesture.options);
         if (fit.sum >= least) continue;
         least = fit.sum;
         const double size = size_of_box(wanted);
+        c.scale = c.size / size_of_recorded;
         c.tilt = fit.angle;
         c.backwards = fit.reversed && gesture.options.direction_sensitive;
         c.deviation = std::sqrt(std::max(fit.sum, 0.0) / compared_points) / size;
@@ -148,12 +151,27 @@ std::string place_words(vec3 from_middle) {
     return words.empty() ? "middle" : words;
 }
 
-std::vector<std::string> advice_on(const Comparison& c, const Gesture& gesture, double force) {
+namespace {
+
+bool is_turned_too_far(const Comparison& c, const GestureOptions& o) {
+    return o.rotation < 3 && std::abs(c.tilt) > std::max(told_tilt, o.rotation);
+}
+
+}  // namespace
+
+bool is_turned_copy(const Comparison& c, const Gesture& gesture) {
+    return c.size > 0 && c.deviation < same_shape && (c.backwards || is_turned_too_far(c, gesture.options));
+}
+
+std::vector<std::string> advice_on(const Comparison& c, const Gesture& gesture, double force, bool read) {
     std::vector<std::string> lines;
     const auto& o = gesture.options;
-    if (c.size < least_size) lines.push_back(text("draw it larger: it has ", fixed(100 * c.size, 1), " cm"));
+    if (!read && (c.size < least_size || c.scale < o.smallest_scale))
+        lines.push_back(text("draw it larger: it has ", fixed(100 * c.size, 1), " cm"));
+    if (!read && c.scale > o.largest_scale)
+        lines.push_back(text("draw it smaller: it has ", fixed(100 * c.size, 1), " cm"));
     if (c.backwards) lines.emplace_back("draw it from the other end");
-    if (o.rotation < 3 && std::abs(c.tilt) > std::max(told_tilt, o.rotation))
+    if (is_turned_too_far(c, o))
         lines.push_back(text("turn it ", fixed(std::abs(c.tilt) * 180 / pi, 0), " degrees to the ",
                              c.tilt > 0 ? "right" : "left"));
     if (o.closed && c.gap > widest_gap) lines.emplace_back("end where you began");

@@ -13,6 +13,7 @@ namespace thaum::gesture {
 
 struct Comparison {
     double size{};       ///< longer edge of the stroke's box (m)
+    double scale{};      ///< size of the stroke, as a multiple of the gesture's
     double gap{};        ///< distance from the stroke's end to its start (share of the size)
     double tilt{};       ///< angle by which the stroke is turned against the gesture, counterclockwise (rad)
     double deviation{};  ///< root mean square distance of its points (share of the size)
@@ -25,8 +26,12 @@ struct Comparison {
 Comparison compare(Points stroke, const Gesture& gesture);
 
 /// What to do better, the gravest first, at most three lines: "draw it larger", "end where you began". Empty if there is
-/// nothing. `force` is the mean force (N).
-std::vector<std::string> advice_on(const Comparison& comparison, const Gesture& gesture, double force);
+/// nothing. `force` is the mean force (N). `read`: the stroke was read as this gesture; then it was large enough.
+std::vector<std::string> advice_on(const Comparison& comparison, const Gesture& gesture, double force,
+                                   bool read);
+
+/// Whether a stroke has the shape of the gesture and is left unread only by its direction or its turn.
+bool is_turned_copy(const Comparison& comparison, const Gesture& gesture);
 
 /// Words for a direction from the middle: "upper left", "right", "middle".
 std::string place_words(vec3 from_middle);

@@ -154,7 +154,7 @@ constexpr std::uint32_t wall_player = 0;  // the only person on the range
 
 /// Box of the gesture wall: on the left, between the notices and the name.
 Panel wall_box(const HudLayout& layout) {
-    constexpr float wide = 330, beside = 12;  // units
+    constexpr float wide = 390, beside = 12;  // units
     const float u = layout.unit;
     const auto& view = *layout.views[wall_player];
     const float left = static_cast<float>(view.view.x) + beside * u;
@@ -192,7 +192,12 @@ void add_play(Overlay& out, const Picture& picture, const HudSettings& settings,
         add_lesson(out, lesson, *layout.lesson, layout.unit);
         size = std::min(title_size * layout.unit, lesson.words.size);
     }
-    if (shows_wall(picture, layout)) add_gesture_wall(out, practice.wall, wall_box(layout), layout.unit);
+    if (shows_wall(picture, layout)) {
+        std::vector<std::string> lines;
+        for (const auto& line : practice.wall.lines)
+            lines.push_back(with_controls(line, controls, *picture.shown));
+        add_gesture_wall(out, practice.wall, lines, wall_box(layout), layout.unit);
+    }
     if (practice.on)
         add_practice(out, picture, controls, layout.score, layout.unit, size);
     else

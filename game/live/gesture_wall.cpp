@@ -9,6 +9,7 @@
 #include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
+#include "game/hud/event_words.h"
 #include "game/hud/stroke_words.h"
 #include "gesture/comparison.h"
 
@@ -48,7 +49,7 @@ void GestureWall::list(const game::Simulation& match) {
     if (set != nullptr) {
         const auto& profile = match.setup().profile;
         for (const auto& g : set->gestures())
-            gestures.push_back({.name = g.name,
+            gestures.push_back({.name = game::capitalised(g.name),
                                 .spell = spell_shown(match.data(), g.name),
                                 .ghost = g.strokes.front(),
                                 .own = std::any_of(profile.begin(), profile.end(), [&](const auto& item) {
@@ -64,15 +65,36 @@ std::string GestureWall::words_of_haste() const {
     return text("too fast: ", fixed(stroke_.back().t, 1), " s; take a second");
 }
 
+/// Why a stroke was not even read, or does not count for a recorded gesture: too small or too fast.
+std::string GestureWall::words_of_slip(const game::CastingRules& rules, double shortest) const {
+    double way = 0;
+    for (std::size_t i = 1; i < stroke_.size(); ++i) way += glm::distance(stroke_[i - 1].at, stroke_[i].at);
+    const bool small = way < rules.smallest;
+    if (!small || stroke_.back().t < shortest) return words_of_haste();
+    return "too small: draw 5 to 10 cm with the hand";
+}
+
 /// Shows why a stroke was not even read.
 void GestureWall::refuse(const game::Simulation& match) {
     lines_.clear();
-    chosen_ = -1;
     if (stroke_.empty()) return;
-    if (stroke_.back().t < seconds(match.data().casting->shortest))
-        lines_.push_back(words_of_haste());
-    else
-        lines_.emplace_back("too small: draw 5 to 10 cm with the hand");
+    const auto& rules = *match.data().casting;
+    lines_.push_back(words_of_slip(rules, seconds(rules.shortest)));
+}
+
+/// Number of the gesture that an unread stroke has the shape of, but for its direction or its turn; otherwise of the
+/// gesture that the recogniser took for the nearest, if that is likely at all. no_gesture: none.
+std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const {
+    std::uint32_t tried = score > 0 ? nearest : game::no_gesture;
+    double least = 1;
+    for (std::uint32_t g = 0; !chord_ && g < listed_->gestures().size(); ++g) {
+        const auto& gesture = listed_->gestures()[g];
+        const auto difference = gesture::compare(stroke_, gesture);
+        if (!gesture::is_turned_copy(difference, gesture) || difference.deviation >= least) continue;
+        least = difference.deviation;
+        tried = g;
+    }
+    return tried;
 }
 
 /// Shows the newest reading: the gesture, its score, and what to do better.
@@ -80,64 +102,107 @@ void GestureWall::read(const game::Simulation& match) {
     const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
     read_at_ = reading.at;
     lines_.clear();
-    chosen_ = -1;
-    if (reading.nearest >= listed_->gestures().size()) {
-        lines_.emplace_back("no gesture: draw one of these");
+    const auto& rules = *match.data().casting;
+    const bool meant = reading.gesture < listed_->gestures().size();
+    const int score = game::whole_percent(reading.probability);
+    const auto number = meant ? reading.gesture : gesture_tried(reading.nearest, score);
+    if (number >= listed_->gestures().size()) {
+        lines_.emplace_back("not read: it is like none of these");
+        if (!chord_ && game::is_too_fast(rules, reading.force)) lines_.push_back(words_of_haste());
         return;
     }
-    const auto& nearest = listed_->gestures()[reading.nearest];
-    chosen_ = static_cast<int>(reading.nearest);
-    const int score = game::whole_percent(reading.probability);
-    const bool meant = reading.gesture != game::no_gesture;
-    scores_[reading.nearest] = score;
-    const auto& spell = (*gestures_)[reading.nearest].spell;
+    chosen_ = static_cast<int>(number);
+    if (number == reading.nearest && score > 0) scores_[number] = score;
+    const auto& shown = (*gestures_)[number];
     if (meant)
-        lines_.push_back(text(spell.empty() ? nearest.name : spell, ", ", score, " % sure, ",
-                              words_of_force(*match.data().casting, reading.force)));
+        lines_.push_back(text(shown.spell.empty() ? shown.name : shown.spell, ", ", score, " % sure, ",
+                              words_of_force(rules, reading.force)));
+    else if (number == reading.nearest && score > 0)
+        lines_.push_back(text("not sure: the nearest is ", shown.name, ", ", score, " %"));
     else
-        lines_.push_back(text("not sure: the nearest is ", nearest.name, ", ", score, " %"));
+        lines_.push_back(text("not read, but it has the shape of ", shown.name));
     if (chord_) return lines_.emplace_back("a key chord: nothing was drawn"), void();
-    if (!meant && !stroke_.empty() && game::is_too_fast(*match.data().casting, reading.force))
-        lines_.push_back(words_of_haste());
-    for (auto& line : gesture::advice_on(gesture::compare(stroke_, nearest),
-                                         by_bands_of(*match.data().casting, nearest), reading.force))
-        lines_.push_back(std::move(line));
-    if (meant && lines_.size() == 1) lines_.emplace_back("well drawn");
+    advise(rules, listed_->gestures()[number], reading.force, meant);
 }
 
+/// Adds what to do better.
+void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture& gesture, double force,
+                         bool meant) {
+    if (!meant && game::is_too_fast(rules, force)) lines_.push_back(words_of_haste());
+    for (auto& line :
+         gesture::advice_on(gesture::compare(stroke_, gesture), by_bands_of(rules, gesture), force, meant))
+        lines_.push_back(std::move(line));
+    if (lines_.size() == 1) lines_.emplace_back(meant ? "well drawn" : "draw it slower, along the pale line");
+}
+
+/// Says which stroke of the recorded gesture comes next, and how to give up.
 void GestureWall::tell_recording() {
-    lines_ = {text("Your own ", recording_.name, ": draw stroke ", recording_.strokes.size() + 1, " of ",
-                   recorded_strokes),
-              "draw it the same way each time"};
+    lines_.push_back(text("Your own ", game::capitalised(recording_.name), ": draw stroke ",
+                          recording_.strokes.size() + 1, " of ", recorded_strokes));
+    lines_.emplace_back(recording_.strokes.empty() ? "in any shape" : "the same way each time");
+    lines_.emplace_back("to give up: {pause}, then Give up drawing");
 }
 
 /// Keeps a stroke for the gesture that is recorded.
 void GestureWall::keep(const game::Simulation& match) {
-    chosen_ = -1;
+    if (checked_ || stroke_.empty()) return;
+    const auto& rules = *match.data().casting;
     double way = 0;
     for (std::size_t i = 1; i < stroke_.size(); ++i) way += glm::distance(stroke_[i - 1].at, stroke_[i].at);
-    if (way < match.data().casting->smallest || stroke_.back().t < shortest_recorded) return;
+    lines_.clear();
+    if (way < rules.smallest || stroke_.back().t < shortest_recorded) {
+        lines_.push_back(text("not counted, ", words_of_slip(rules, shortest_recorded)));
+        return tell_recording();
+    }
     recording_.strokes.push_back(stroke_);
     if (recording_.strokes.size() < recorded_strokes) return tell_recording();
     if (!match.data().gestures->number(recording_.name)) {  // its file was deleted meanwhile
-        lines_ = {text("there is no gesture ", recording_.name, " any more")};
-        recording_ = {};
-        return;
+        lines_ = {text("there is no gesture ", game::capitalised(recording_.name), " any more")};
+        return record({});
     }
     recording_.options = {.rotation = 15 * radians_per_degree, .planar = true};
-    recorded_ = by_bands_of(*match.data().casting, std::move(recording_));
-    recording_ = {};
+    recorded_ = by_bands_of(rules, recording_);
+    checked_ = true;
     lines_ = {"three strokes: they are compared with the other gestures"};
 }
 
 void GestureWall::record(const std::string& name) {
     recording_ = {.name = name, .options = {}, .strokes = {}};
+    checked_ = false;
     chosen_ = -1;
     stroke_.clear();
-    if (!name.empty()) tell_recording();
+    if (name.empty()) return;
+    lines_.clear();
+    tell_recording();
 }
 
-void GestureWall::say(std::vector<std::string> lines) { lines_ = std::move(lines); }
+void GestureWall::draw_again(std::vector<std::string> why) {
+    if (!records()) return;  // the player has given up meanwhile
+    record(recording_.name);
+    why.push_back(text("try another shape: draw stroke 1 of ", recorded_strokes));
+    why.push_back(lines_.back());
+    lines_ = std::move(why);
+}
+
+void GestureWall::give_up(const game::Simulation& match) {
+    if (!records()) return;
+    const auto name = game::capitalised(recording_.name);
+    recorded_.reset();
+    record({});
+    say(match, {text("given up: ", name, " is as it was before")});
+}
+
+void GestureWall::say(const game::Simulation& match, std::vector<std::string> lines) {
+    lines_ = std::move(lines);
+    shown_until_ = match.match().played + shown_after;
+}
+
+/// Clears what belongs to the stroke before. What is recorded, and how, stays in words.
+void GestureWall::begin_stroke() {
+    chosen_ = -1;
+    stroke_.clear();
+    if (!records()) lines_.clear();
+}
 
 void GestureWall::follow(const game::Simulation& match) {
     list(match);
@@ -149,6 +214,7 @@ void GestureWall::follow(const game::Simulation& match) {
     if (drawn != nullptr) {
         // At the cauldron the card guides the strokes (hud/rim_card.h).
         if (drawn->on_brew != 0) return;
+        if (!drawing_) begin_stroke();
         if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
         chord_ = drawn->over == game::by_chord;
         drawing_ = true;

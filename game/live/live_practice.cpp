@@ -14,6 +14,12 @@ constexpr auto look_period = std::chrono::milliseconds(200);
 constexpr Tick welcome_shown = ticks(8.0), reading_shown = ticks(4.0);
 constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
 
+/// The score in words that fit on one line of the screen: "12 of 64 hit, 72 HP, 1 kill".
+std::string short_words_of(const game::RangeScore& score) {
+    return text(score.hits, " of ", score.shots, " hit, ", std::llround(score.damage), " HP, ", score.kills,
+                score.kills == 1 ? " kill" : " kills");
+}
+
 }  // namespace
 
 DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)) {
@@ -127,8 +133,10 @@ void Practice::follow_gestures() {
 }
 
 void Practice::use_gestures(OwnGestures own) {
+    if (own.verdict == Verdict::refused) return wall_.draw_again(std::move(own.words));
+    if (own.verdict == Verdict::kept) wall_.record({});
     if (auto used = range_.use_gestures(std::move(own.profile)); !used) own.words = {used.error().message};
-    wall_.say(std::move(own.words));
+    wall_.say(match(), std::move(own.words));
 }
 
 std::string Practice::step_words() const {
@@ -168,7 +176,7 @@ void Practice::show(game::Picture& picture) {
     const auto health =
         dummy.dead ? std::string("comes back") : text(std::lround(std::ceil(dummy.health)), " HP");
     picture.practice.on = true;
-    picture.practice.score = score();
+    picture.practice.score = short_words_of(scorer_.score(match()));
     picture.practice.below =
         text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
     if (apprentice_)

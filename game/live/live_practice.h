@@ -79,7 +79,8 @@ public:
     void follow_gestures();
     /// The wall; the Apprentice has none.
     GestureWall& wall() { return wall_; }
-    /// Continues with other own gestures of the player; match() is then another object.
+    /// Continues with other own gestures of the player; match() is then another object. After a refusal the same ones
+    /// stay, and the wall goes on recording.
     void use_gestures(OwnGestures own);
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "game/hud/event_words.h"
 #include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/settings/control_names.h"
@@ -205,6 +206,7 @@ void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_n
     if (const auto found = shared_.progress.found_force.exchange(0); found != 0)
         menu_.set_own_force(game::practising, found);
     take_drawn_gesture();
+    menu_.set_drawn_gesture(shared_.progress.drawn_number);
     menu_.repeat(now_ns);
     apply_settings();
     play_trial(now_ns);
@@ -334,10 +336,11 @@ std::filesystem::path LiveSession::folder_of_gestures() const {
 void LiveSession::take_drawn_gesture() {
     const auto drawn = shared_.progress.drawn_gesture.take();
     if (!drawn) return;
-    std::vector<std::string> words{text("saved: this is your ", drawn->name, " from now on")};
+    std::vector<std::string> words{
+        text("saved: this is your ", game::capitalised(drawn->name), " from now on")};
     const auto fits = check_own_gesture(*drawn, *next_.data(), profile_, game::practising);
     if (!fits) {
-        words = {text("not saved: ", fits.error().message), "record it anew in another shape"};
+        words = {text("not saved, since ", fits.error().message)};
     } else if (const auto saved = save_own_gesture(folder_of_gestures(), *drawn); saved) {
         load_profile();
     } else {
@@ -346,7 +349,8 @@ void LiveSession::take_drawn_gesture() {
     }
     std::printf("gesture wall: %s\n", words.front().c_str());
     std::fflush(stdout);
-    shared_.requests.own_gestures.put({profile_, std::move(words)});
+    const auto verdict = fits ? Verdict::kept : Verdict::refused;
+    shared_.requests.own_gestures.put({profile_, std::move(words), verdict});
 }
 
 /// Forgets the player's own strokes for the gesture that the menu has chosen.
@@ -356,8 +360,9 @@ void LiveSession::forget_gesture() {
     const auto& name = names[menu_.state().gesture % names.size()];
     const bool had = forget_own_gesture(folder_of_gestures(), name);
     load_profile();
-    shared_.requests.own_gestures.put(
-        {profile_, {text(had ? "the game's " : "you have no own ", name, had ? " counts again" : "")}});
+    shared_.requests.own_gestures.put({profile_,
+                                       {text(had ? "the game's " : "you have no own ",
+                                             game::capitalised(name), had ? " counts again" : "")}});
 }
 
 /// Plays the effect that somebody on the mixer's page wants to feel.
@@ -386,6 +391,7 @@ void LiveSession::carry_out_request() {
         case MenuRequest::draw_gesture:
             requests.gesture = static_cast<std::uint32_t>(menu_.state().gesture) + 1;
             break;
+        case MenuRequest::stop_drawing: requests.gesture = no_gesture_wanted; break;
         case MenuRequest::forget_gesture: forget_gesture(); break;
         case MenuRequest::none:
         case MenuRequest::start:

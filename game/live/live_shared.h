@@ -62,6 +62,9 @@ private:
     std::size_t count_ = 0;
 };
 
+/// Value of MatchRequests::gesture: the player gives up drawing a gesture.
+inline constexpr std::uint32_t no_gesture_wanted = 0xffffffff;
+
 /// Requests of the main thread to the simulation thread about the present match.
 struct MatchRequests {
     std::atomic<bool> end{false};  ///< true: the match must end
@@ -79,8 +82,8 @@ struct MatchRequests {
     /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0:
     /// none.
     std::atomic<std::uint8_t> felt_fader{0};
-    /// Number of the gesture that the player of the range wants to draw anew, plus 1, until the simulation thread takes
-    /// it; 0: none.
+    /// Number of the gesture that the player of the range wants to draw anew, plus 1, or no_gesture_wanted, until the
+    /// simulation thread takes it; 0: nothing new.
     std::atomic<std::uint32_t> gesture{0};
     HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
     std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
@@ -96,6 +99,8 @@ struct MatchProgress {
     std::atomic<std::uint32_t> found_force{0};
     /// Gesture that a player of the range has drawn, for the main thread to check and to save.
     HandOver<gesture::Gesture> drawn_gesture{};
+    /// Number of the gesture that the player of the range draws anew at present, plus 1; 0: none.
+    std::atomic<std::uint32_t> drawn_number{0};
 };
 
 struct LiveShared {

@@ -115,6 +115,8 @@ bool start_round(SimulationThread& s, MatchStart start) {
     s.skips_seen = s.shared.requests.lesson_skips;
     s.repeats_seen = s.shared.requests.lesson_repeats;
     s.trials_seen = s.shared.requests.force_trials;
+    s.shared.requests.gesture = 0;
+    s.shared.progress.drawn_number = 0;
     s.countdown = start.countdown;
     s.fault = std::move(start.fault);
     for (auto& seat : s.shared.seats)
@@ -158,15 +160,25 @@ void follow_lessons(Round& round) {
     round.told_step = std::move(step);
 }
 
+/// Number of the gesture that the player draws anew, plus 1; 0: none.
+std::uint32_t number_of_drawn(const GestureWall& wall, const game::GestureSet* gestures) {
+    if (!wall.records() || gestures == nullptr) return 0;
+    const auto number = gestures->number(wall.recorded_name());
+    return number ? *number + 1 : 0;
+}
+
 /// Lets the gesture wall look at the tick, and hands a gesture that the player has drawn to the main thread.
 void follow_gestures(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
     const auto wanted = s.shared.requests.gesture.exchange(0);
     const auto& gestures = practice->match().data().gestures;
-    if (wanted != 0 && gestures && wanted <= gestures->gestures().size())
+    if (wanted == no_gesture_wanted)
+        practice->wall().give_up(practice->match());
+    else if (wanted != 0 && gestures && wanted <= gestures->gestures().size())
         practice->wall().record(gestures->gestures()[wanted - 1].name);
     practice->follow_gestures();
+    s.shared.progress.drawn_number = number_of_drawn(practice->wall(), gestures.get());
     auto drawn = practice->wall().take_recorded();
     if (!drawn) return;
     s.shared.progress.drawn_gesture.put(std::move(*drawn));

@@ -1,6 +1,7 @@
 #include "game/menu/menu.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/text.h"
 #include "game/bots/dummy.h"
@@ -268,6 +269,12 @@ void undo(MenuState& s) {
 
 // Events ----------------------------------------------------------------------------------------------------
 
+/// Asks for something about own gestures. The next pause opens at this row.
+void ask_about_gestures(MenuState& s, MenuRequest request) {
+    s.request = request;
+    s.pause_row = s.pages.back().cursor;
+}
+
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
     if (only_joins(s, row, event)) return join(s, event.device);
     switch (row.kind) {
@@ -295,8 +302,9 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
         case RowKind::profile: load_profile(s, context); break;
         case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
-        case RowKind::draw_gesture: s.request = MenuRequest::draw_gesture; break;
-        case RowKind::forget_gesture: s.request = MenuRequest::forget_gesture; break;
+        case RowKind::draw_gesture: ask_about_gestures(s, MenuRequest::draw_gesture); break;
+        case RowKind::stop_drawing: ask_about_gestures(s, MenuRequest::stop_drawing); break;
+        case RowKind::forget_gesture: ask_about_gestures(s, MenuRequest::forget_gesture); break;
         case RowKind::find_force: find_force(s, context); break;
         case RowKind::body_fader: try_body(s, static_cast<tactile::Purpose>(row.index)); break;
         case RowKind::cauldron: open(s, Page::cauldron); break;
@@ -392,7 +400,9 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
 }  // namespace
 
 MenuState opened(MenuState state, Page page) {
-    state.pages = {{page, 0, 0}};
+    const auto last_row = std::exchange(state.pause_row, 0);
+    const auto row = page == Page::pause ? last_row : 0;
+    state.pages = {{page, row, row}};
     state.chooser.reset();
     state.typing.reset();
     state.note.clear();

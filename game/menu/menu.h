@@ -76,9 +76,10 @@ struct MenuContext {
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     std::array<std::string, game::players>
-        jackets{};                         ///< state of each player's jacket; empty: the player has none
-    std::vector<std::string> gestures{};   ///< gestures of the match; empty: the rule set has none
-    std::vector<FeelProfile> profiles{};   ///< what players have saved on the mixer's page
+        jackets{};                        ///< state of each player's jacket; empty: the player has none
+    std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
+    std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
+    std::vector<FeelProfile> profiles{};  ///< what players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     /// words of the start screen on a faulty settings file; empty: there is no fault
     std::string settings_fault{};
@@ -95,6 +96,7 @@ enum class MenuRequest : std::uint8_t {
     find_force,
     feel_force,
     draw_gesture,
+    stop_drawing,
     forget_gesture,
     restart,
     leave,
@@ -118,6 +120,9 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
+    /// Row at which the next pause opens: that of a gesture which was drawn or forgotten, since such a choice is often
+    /// made again.
+    std::size_t pause_row = 0;
     std::optional<Device> chooser;  ///< device that chose the row; std::nullopt: none has chosen one yet
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
     std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy

@@ -5,6 +5,7 @@
 #include "core/text.h"
 #include "game/bots/dummy.h"
 #include "game/bots/range.h"
+#include "game/hud/event_words.h"
 #include "game/hud/layout.h"
 
 namespace thaum::app {
@@ -171,15 +172,23 @@ void add_range_rows(const MenuState& s, Rows& rows) {
 
 void add_gesture_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     if (context.gestures.empty()) return;
-    const auto& name = context.gestures[s.gesture % context.gestures.size()];
-    rows.push_back(
-        {RowKind::draw_gesture,
-         0,
-         {.label = "Own gesture",
-          .help = "Left and right choose a gesture. A press lets you draw it your way, three times.",
-          .value = name,
-          .longest_value = longest(context.gestures),
-          .adjustable = true}});
+    std::vector<std::string> names;
+    for (const auto& gesture : context.gestures) names.push_back(game::capitalised(gesture));
+    const auto& name = names[s.gesture % names.size()];
+    if (context.drawn_gesture > 0 && context.drawn_gesture <= names.size())
+        rows.push_back({RowKind::stop_drawing,
+                        0,
+                        {.label = text("Give up drawing ", names[context.drawn_gesture - 1]),
+                         .help = "Ends the drawing of an own gesture. Nothing is saved."}});
+    else
+        rows.push_back(
+            {RowKind::draw_gesture,
+             0,
+             {.label = "Own gesture",
+              .help = "Left and right choose a gesture. A press lets you draw it your way, three times.",
+              .value = name,
+              .longest_value = longest(names),
+              .adjustable = true}});
     rows.push_back({RowKind::forget_gesture,
                     0,
                     {.label = text("Usual ", name, " again"),

@@ -40,6 +40,7 @@ enum class RowKind : std::uint8_t {
     profile,
     save_profile,
     draw_gesture,
+    stop_drawing,
     forget_gesture,
     find_force,
     body_fader,

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # tests/drivers/gesture_wall.sh THAUM PRESS_KEYS: the gesture wall of the range under Xvfb with real mouse strokes. A player
-# draws a V three times for the circle, which is refused as a copy of the game's V, then a corner three times. It is saved
-# in the profile, and the next match uses it and has it in its log, which replays after the profile is deleted. Exits with
-# 77 if a tool is missing.
+# draws a V three times for the circle, which is refused as a copy of the game's V, then at once a corner three times. It
+# is saved in the profile, and the next match uses it and has it in its log, which replays after the profile is deleted.
+# Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 press_keys=$2
@@ -13,7 +13,7 @@ fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 # The wall covers the left of the picture by a dark plate.
-wall() { [ "$(import -window root -crop 200x30+100+515 -resize 1x1 -depth 8 txt: 2>/dev/null | grep -c '#[0-2][0-9A-F][0-2][0-9A-F][0-3][0-9A-F]')" = 1 ]; }
+wall() { [ "$(import -window root -crop 200x18+100+538 -resize 1x1 -depth 8 txt: 2>/dev/null | grep -c '#[0-2][0-9A-F][0-2][0-9A-F][0-3][0-9A-F]')" = 1 ]; }
 # stroke DX DY STEPS...: draws lines of so many steps of DX and DY counts with Trace (the right button) held, in about a
 # second.
 stroke() {
@@ -28,35 +28,40 @@ stroke() {
     xdotool mouseup 3
     sleep 0.2
 }
-# said COUNT: tests whether the wall has told so many times what became of a gesture.
-said() { [ "$(grep -c '^gesture wall: ' "$folder/said")" = "$1" ]; }
-# record COUNT DX DY STEPS...: begins a gesture of the player's own by the fifth row of the pause of the range, and draws
-# strokes until the wall tells what became of it. A stroke that a busy machine takes in at once does not count.
-record() {
-    local count=$1 times
-    shift
+# said WORDS: tests whether the wall has told that of a gesture.
+said() { grep -q "^gesture wall: $1" "$folder/said"; }
+# pause KEY...: pauses, presses keys and waits until the range goes on.
+pause() {
     presses Escape
     eventually "no pause of the range" paused
-    presses Down Down Down Down Return
+    presses "$@"
     eventually "the pause is still there" no_pause_menu
+}
+# record WORDS DX DY STEPS...: draws strokes until the wall says WORDS of the gesture that is recorded. A stroke that a busy
+# machine takes in at once does not count, and one that was begun before the verdict on three is the first of the next.
+record() {
+    local words=$1 times
+    shift
     eventually "no wall" wall
-    for times in {1..40}; do
+    for times in {1..60}; do
         stroke "$@"
-        if ((times >= 3)) && said "$count"; then return; fi
+        if said "$words"; then return; fi
     done
-    fail "40 strokes made no gesture"
+    fail "60 strokes, and no word of: $words"
 }
 own=$XDG_CONFIG_HOME/thaum/gestures/player-1/circle.toml
 
-# 1. A copy of another gesture is refused with a figure, another shape is saved.
+# 1. A copy of another gesture is refused with a figure, and without a further key another shape is saved. The fifth row
+# of the pause begins, and the next pause gives up at the row at which it opens.
 "$thaum" range --seconds 600 >"$folder/said" 2>&1 &
 game=$!
 eventually "no window" drawn
-record 1 8 22 22 8 -22 22
-grep -q '^gesture wall: not saved: it is too like V: [0-9]* % of ' "$folder/said" || fail "a copy of V is not refused"
+pause Down Down Down Down Return
+pause Return
+pause Return
+record 'not saved, since it is too like V: [0-9]* % of ' 8 22 22 8 -22 22
 [ ! -e "$own" ] || fail "a copy of V is saved"
-record 2 0 -22 30 -16 0 30
-grep -q '^gesture wall: saved: this is your circle' "$folder/said" || fail "a corner is not saved"
+record 'saved: this is your Circle' 0 -22 30 -16 0 30
 sleep 0.5
 import -window root "${SHOTS:-$folder}/gesture_wall.png"
 presses Escape

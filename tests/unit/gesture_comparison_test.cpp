@@ -13,9 +13,9 @@ Course turned_by(Course stroke, double angle) {
     return stroke;
 }
 
-std::string said(const Course& stroke, const Gesture& gesture, double force = 0.5) {
+std::string said(const Course& stroke, const Gesture& gesture, double force = 0.5, bool read = false) {
     std::string all;
-    for (const auto& line : advice_on(compare(stroke, gesture), gesture, force)) all += line + "; ";
+    for (const auto& line : advice_on(compare(stroke, gesture), gesture, force, read)) all += line + "; ";
     return all;
 }
 
@@ -40,8 +40,29 @@ TEST(GestureComparison, TellsTiltAndItsSide) {
 TEST(GestureComparison, TellsSizeAndForce) {
     const auto gesture = gesture_of("ess", {ess()}, {.gentle_below = 1, .harsh_above = 1.5});
     EXPECT_EQ(said(moved(ess(), {}, 0.01), gesture), "draw it larger: it has 2.0 cm; ");
+    EXPECT_EQ(said(moved(ess(), {}, 0.01), gesture, 0.5, true), "") << "it was large enough to be read";
     EXPECT_EQ(said(ess(), gesture, 1.2), "slower for gentle, faster for harsh; ");
     EXPECT_EQ(said(ess(), gesture, 1.5), "");
+}
+
+TEST(GestureComparison, TellsASizeOutsideTheRangeOfTheGesture) {
+    const auto gesture = gesture_of("ess", {ess()}, {.smallest_scale = 0.5, .largest_scale = 2});
+    EXPECT_NEAR(compare(moved(ess(), {}, 0.4), gesture).scale, 0.4, 1e-9);
+    EXPECT_EQ(said(moved(ess(), {}, 0.4), gesture).find("draw it larger: "), 0U);
+    EXPECT_EQ(said(moved(ess(), {}, 3), gesture).find("draw it smaller: "), 0U);
+    EXPECT_EQ(said(moved(ess(), {}, 1.9), gesture), "");
+}
+
+TEST(GestureComparison, KnowsAShapeThatIsOnlyTurnedOrBegunAtTheWrongEnd) {
+    const auto gesture = gesture_of("ess", {ess()}, {.rotation = 0.2});
+    auto back = ess();
+    std::reverse(back.begin(), back.end());
+    EXPECT_TRUE(is_turned_copy(compare(back, gesture), gesture));
+    EXPECT_EQ(said(back, gesture), "draw it from the other end; ");
+    EXPECT_TRUE(is_turned_copy(compare(turned_by(ess(), 0.4), gesture), gesture));
+    EXPECT_FALSE(is_turned_copy(compare(ess(), gesture), gesture));
+    EXPECT_FALSE(is_turned_copy(compare(vee(), gesture), gesture));
+    EXPECT_FALSE(is_turned_copy(compare({}, gesture), gesture));
 }
 
 TEST(GestureComparison, AClosedGestureMayStartAnywhereButEndsWhereItBegan) {
@@ -93,7 +114,7 @@ TEST(GestureComparison, GoodStrokesOfUsersGetLittleAdvice) {
     for (const auto& stroke : generated_strokes({.users = 20, .samples = 1, .seed = 5})) {
         const auto& g = *std::find_if(gestures.begin(), gestures.end(),
                                       [&](const auto& each) { return each.name == stroke.gesture; });
-        lines += static_cast<int>(advice_on(compare(stroke.points, g), g, 0.5).size());
+        lines += static_cast<int>(advice_on(compare(stroke.points, g), g, 0.5, true).size());
         ++strokes;
     }
     EXPECT_LT(lines, strokes) << "less than a line for each stroke";

@@ -198,8 +198,9 @@ Picture at_wall() {
     wall.on = true;
     auto gestures = std::make_shared<std::vector<WallGesture>>();
     for (const auto& [name, spell] :
-         {std::pair{"circle", "Shield"}, {"s", "Fog"}, {"star", "Recall"}, {"v", "Push"}}) {
-        auto& one = gestures->emplace_back(WallGesture{.name = name, .spell = spell, .ghost = {}});
+         {std::pair{"Circle", "Shield"}, {"S", "Fog"}, {"Star", "Recall"}, {"V", "Push"}}) {
+        auto& one =
+            gestures->emplace_back(WallGesture{.name = name, .spell = spell, .ghost = {}, .own = true});
         for (int i = 0; i < 20; ++i)
             one.ghost.push_back({0.01 * i, 0.03 * vec3(std::sin(0.3 * i), std::cos(0.3 * i), 0), 0.5});
     }
@@ -208,6 +209,8 @@ Picture at_wall() {
     wall.chosen = 0;
     wall.lines = {"Shield, 97 % sure, gentle (0.6 N)", "end where you began",
                   "the upper left is the farthest off"};
+    for (int i = 0; i < 40; ++i)
+        wall.stroke.push_back({0.02 * i, 0.04 * vec3(std::sin(0.15 * i), std::cos(0.15 * i), 0), 0.5});
     auto& p = picture.wizards[0];
     p.stirs = p.at_rim = false;
     p.carries = "iron";
@@ -232,18 +235,82 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
                 return std::find_if(words.begin(), words.end(),
                                     [&](const auto& w) { return w.words.find(part) != std::string::npos; });
             };
-            for (const std::string_view part :
-                 {"circle: Shield 97 %", "v: Push", "recoil", "Carrying the iron", "stirring"})
+            for (const std::string_view part : {"Circle", "Shield, yours", "97 %", "42 %", "Push, yours",
+                                                "Your stroke", "recoil", "Carrying the iron", "stirring"})
                 EXPECT_TRUE(scale > 1 || said(part) != words.end()) << where << ": " << part;
-            if (said("circle: ") == words.end() || said("s: Fog") == words.end()) continue;
-            const Panel cells{said("circle: ")->box.low,
-                              {said("s: Fog")->box.high.x, said("the upper left")->box.low.y}};
+            if (said("Shield, yours") == words.end() || said("Your stroke") == words.end()) continue;
+            const Panel cells{said("Shield, yours")->box.low,
+                              {said("Your stroke")->box.high.x, said("the upper left")->box.low.y}};
             for (const std::string_view part : {"recoil", "Carrying", "stirring", "Circle 97 %"}) {
                 if (said(part) == words.end()) continue;
                 EXPECT_FALSE(overlap(said(part)->box, cells)) << where << ": " << part;
             }
         }
     }
+}
+
+TEST(GestureWall, WordsAreReadableAndScoresStandOnOneLine) {
+    const auto picture = at_wall();
+    const auto settings = busy_settings(render::Split::top_bottom, Watch::first, 1);
+    for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}}) {
+        const auto overlay = busy_overlay_of(picture, settings, window);
+        const float least = readable * static_cast<float>(window.height) / 720;
+        for (const std::string_view part : {"Shield, yours", "Recall, yours", "97 %", "42 %", "Your stroke",
+                                            "Shield, 97 % sure, gentle (0.6 N)", "the upper left is"}) {
+            const auto found = find_words(overlay, part);
+            EXPECT_GE(found.number, 2U) << part << " (each with its shadow)";
+            EXPECT_GE(found.least, least) << part << " at " << window.width;
+        }
+    }
+}
+
+/// Places of the lines of a stroke in an overlay: of a width of their own (px).
+Panel box_of_lines(const render::Overlay& overlay, float width) {
+    Panel box{fvec2(1e6F), fvec2(-1e6F)};
+    for (const auto& item : overlay.items) {
+        const auto* line = std::get_if<render::LineItem>(&item);
+        if (line == nullptr || std::abs(line->width - width) > 0.01F) continue;
+        box.low = glm::min(box.low, glm::min(line->from, line->to));
+        box.high = glm::max(box.high, glm::max(line->from, line->to));
+    }
+    return box;
+}
+
+TEST(GestureWall, AStrokeThatIsDrawnStaysInItsOwnPanel) {
+    auto wall = at_wall().practice.wall;
+    wall.drawing = true;
+    wall.chosen = -1;
+    render::Overlay overlay;
+    add_gesture_wall(overlay, wall, wall.lines, {{0, 0}, {390, 340}}, 1);
+    const auto stroke = box_of_lines(overlay, 4), ghosts = box_of_lines(overlay, 3);
+    EXPECT_GT(stroke.high.x, stroke.low.x) << "it is drawn";
+    EXPECT_GT(stroke.low.x, ghosts.high.x) << "right of all ghosts";
+    EXPECT_LT(stroke.high.x, 390);
+    EXPECT_GT(box_of_lines(overlay, 3.5F).low.x, box_of_lines(overlay, 3.5F).high.x) << "over no ghost yet";
+    wall.drawing = false;
+    wall.chosen = 2;
+    overlay.items.clear();
+    add_gesture_wall(overlay, wall, wall.lines, {{0, 0}, {390, 340}}, 1);
+    const auto over = box_of_lines(overlay, 3.5F);
+    EXPECT_LT(over.high.x, 130);
+    EXPECT_GT(over.low.y, 100) << "over the ghost of the third gesture";
+}
+
+TEST(GestureWall, ScoresOfOlderStrokesArePale) {
+    const auto wall = at_wall().practice.wall;
+    render::Overlay overlay;
+    add_gesture_wall(overlay, wall, wall.lines, {{0, 0}, {390, 340}}, 1);
+    const auto paint_of = [&](std::string_view words) {
+        fvec4 paint(0);
+        for (const auto& item : overlay.items)
+            if (const auto* said = std::get_if<render::TextItem>(&item);
+                said != nullptr && said->text == words)
+                paint = said->colour;
+        return paint;
+    };
+    EXPECT_GT(paint_of("97 %").a, 0.9F);
+    EXPECT_GT(paint_of("42 %").a, 0.1F);
+    EXPECT_LT(paint_of("42 %").a, 0.5F);
 }
 
 TEST(RimCard, TellsTheOrderOfAzothOnlyToWhomTheOrbHasToldIt) {

@@ -270,13 +270,25 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
         return static_cast<std::size_t>(found - rows.begin());
     };
     const auto own = row_of("Own gesture");
-    EXPECT_EQ(picture_of(s, range).rows[own].value, "circle");
+    EXPECT_EQ(picture_of(s, range).rows[own].value, "Circle");
     s = step(std::move(s), {.kind = Kind::left, .device = keyboard, .row = own}, range);
-    EXPECT_EQ(picture_of(s, range).rows[own].value, "v");
+    EXPECT_EQ(picture_of(s, range).rows[own].value, "V");
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = own}, range);
     EXPECT_EQ(s.request, MenuRequest::draw_gesture);
     EXPECT_EQ(s.gesture, 2U);
-    const auto usual = row_of("Usual v again");
+    // While it is drawn, the same row of the next pause gives it up.
+    range.drawn_gesture = 3;
+    s = opened(std::move(s), Page::pause);
+    EXPECT_EQ(s.pages.back().cursor, own);
+    EXPECT_EQ(row_of("Give up drawing V"), own);
+    s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard}, range);
+    EXPECT_EQ(s.request, MenuRequest::stop_drawing);
+    range.drawn_gesture = 0;
+    s = opened(std::move(s), Page::pause);
+    EXPECT_EQ(row_of("Own gesture"), s.pages.back().cursor);
+    s = opened(std::move(s), Page::pause);
+    EXPECT_EQ(s.pages.back().cursor, 0U) << "the pause after a pause that was merely closed";
+    const auto usual = row_of("Usual V again");
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = usual}, range);
     EXPECT_EQ(s.request, MenuRequest::forget_gesture);
     range.gestures.clear();

@@ -16,6 +16,7 @@
 #include "game/hud/layout.h"
 #include "game/hud/stroke_words.h"
 #include "game/live/live_shared.h"
+#include "unit/wall_player.h"
 
 namespace thaum::app {
 namespace {
@@ -218,6 +219,7 @@ TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     EXPECT_EQ(picture(practice).practice.below.find("still dummy: "), 0U);
     practice.set_dummy(game::DummyKind::strafing);
     EXPECT_EQ(practice.score().find("0 of 0"), 0U);
+    EXPECT_EQ(picture(practice).practice.score, "0 of 0 hit, 0 HP, 0 kills") << "short, for one line";
     EXPECT_EQ(picture(practice).practice.below.find("strafing dummy: "), 0U);
 }
 
@@ -342,43 +344,6 @@ TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
     for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
 }
 
-/// A player who draws on the wall with the mouse.
-struct WallPlayer {
-    Practice& practice;
-
-    void play(int ticks, std::uint32_t buttons = 0, vec2 (*counts)(int) = nullptr) {
-        for (int t = 0; t < ticks; ++t) {
-            input::InputFrame frame;
-            frame.devices[game::dummys] = practice.dummy_sample();
-            auto& hand = frame.devices[game::practising];
-            hand.buttons = buttons;
-            const vec2 move = counts == nullptr ? vec2(0) : counts(t);
-            hand.counts[input::hand::look_right] = static_cast<int>(move.x);
-            hand.counts[input::hand::look_up] = static_cast<int>(move.y);
-            practice.match().tick(frame);
-            practice.follow_gestures();
-        }
-    }
-    void draw(int ticks, vec2 (*counts)(int)) {
-        play(ticks, input::bit(input::Button::trace), counts);
-        play(50);
-    }
-};
-
-/// A circle of 6 cm in 1.5 s, begun and ended slowly as hands do.
-vec2 circle_on_wall(int t) {
-    const auto place = [](int at) {
-        const double u = at / 1500.0, angle = 2 * pi * u * u * u * (10 + u * (6 * u - 15));
-        return vec2(std::round(300 * std::sin(angle)), std::round(300 * std::cos(angle)));
-    };
-    return place(t + 1) - place(t);
-}
-
-vec2 triangle_on_wall(int t) {
-    const int side = t / 267;
-    return side == 0 ? vec2(3, 5) : side == 1 ? vec2(3, -5) : vec2(-6, 0);
-}
-
 TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     const auto range = files();
     auto practice = practice_of(range);
@@ -393,9 +358,10 @@ TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     wall = picture(practice).practice.wall;
     ASSERT_TRUE(wall.on && !wall.drawing);
     ASSERT_EQ(wall.gestures->size(), 4U);
-    ASSERT_EQ((*wall.gestures)[0].name, "circle");
+    ASSERT_EQ((*wall.gestures)[0].name, "Circle");
     // Half a circle.
     EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
+    EXPECT_GT(wall.lines.size(), 1U) << "what to do better";
     player.draw(1500, circle_on_wall);
     wall = picture(practice).practice.wall;
     EXPECT_EQ(wall.chosen, 0);
@@ -404,6 +370,12 @@ TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
     EXPECT_NE(wall.lines[0].find("gentle"), std::string::npos);
     ASSERT_EQ(wall.lines.size(), 2U);
     EXPECT_EQ(wall.lines[1], "well drawn");
+    player.play(200, input::bit(input::Button::trace), circle_on_wall);
+    wall = picture(practice).practice.wall;
+    EXPECT_EQ(wall.chosen, -1) << "a stroke that is being drawn belongs to no gesture yet";
+    EXPECT_TRUE(wall.lines.empty()) << "what was said of the stroke before";
+    EXPECT_GT(wall.scores[0], 60) << "the last score of the gesture";
+    player.play(50);
     player.play(8100);
     EXPECT_FALSE(picture(practice).practice.wall.on) << "some seconds after the stroke";
 }
@@ -441,21 +413,26 @@ TEST_F(PracticeTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
     WallPlayer player{practice};
     player.play(20);
     practice.wall().record("circle");
-    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own circle: draw stroke 1 of 3");
+    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own Circle: draw stroke 1 of 3");
     for (int stroke = 0; stroke < 2; ++stroke) player.draw(800, triangle_on_wall);
     player.draw(60, triangle_on_wall);  // too short to count
-    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own circle: draw stroke 3 of 3");
+    const auto lines = picture(practice).practice.wall.lines;
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_EQ(lines[0].find("not counted, too fast: "), 0U) << lines[0];
+    EXPECT_EQ(lines[1], "Your own Circle: draw stroke 3 of 3");
+    EXPECT_NE(lines[3].find("give up"), std::string::npos);
     EXPECT_FALSE(practice.wall().take_recorded());
     player.draw(800, triangle_on_wall);
     const auto own = practice.wall().take_recorded();
     ASSERT_TRUE(own);
-    EXPECT_FALSE(practice.wall().records());
+    EXPECT_TRUE(practice.wall().records()) << "until it is known what became of it";
     EXPECT_EQ(own->name, "circle");
     ASSERT_EQ(own->strokes.size(), 3U);
     EXPECT_NEAR(own->strokes[0].back().t, 0.8, 0.02);
     EXPECT_EQ(own->options.harsh_above, range.data().match->gestures->gestures()[0].options.harsh_above);
 
-    practice.use_gestures({{game::profile_of(*own, game::practising)}, {"saved"}});
+    practice.use_gestures({{game::profile_of(*own, game::practising)}, {"saved"}, Verdict::kept});
+    EXPECT_FALSE(practice.wall().records());
     EXPECT_EQ(picture(practice).practice.wall.lines[0], "saved");
     player.draw(800, triangle_on_wall);
     auto wall = picture(practice).practice.wall;
@@ -483,6 +460,9 @@ TEST_F(PracticeTest, WhileTheWallRecordsStrokesCastNothing) {
     practice.wall().record("v");
     for (int stroke = 0; stroke < 3; ++stroke) player.draw(1500, circle_on_wall);
     ASSERT_TRUE(practice.wall().take_recorded());
+    practice.use_gestures({{}, {"too like another"}, Verdict::refused});
+    player.draw(1500, circle_on_wall);
+    practice.wall().give_up(practice.match());
     EXPECT_EQ(count(game::EventKind::cast) + count(game::EventKind::unread), 0);
     EXPECT_EQ(world.get<game::Focus>(game::wizard_of(world, game::practising)).points, 100);
     player.draw(1500, circle_on_wall);
