@@ -11,7 +11,6 @@ namespace thaum::gesture {
 namespace {
 
 constexpr std::size_t few_points = 200;  // up to here it is faster to compute all places first
-constexpr float turn_weight = 0.5F, fine_turn_weight = 1;
 /// Share of the difference between the sizes of the axes that a fine shape keeps as an exponent, and the least size of
 /// an axis that counts, as a share of the largest.
 constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
@@ -345,9 +344,9 @@ Floats4 flat_turn_at(const Sampled<points>& d, std::size_t i) {
 void store_two(float* to, Floats4 v) { std::memcpy(to, &v, 2 * sizeof(float)); }
 
 template <std::size_t points>
-void write_planar(const Sampled<points>& q, const Sampled<points>& d, float weight, float* values) {
+void write_planar(const Sampled<points>& q, const Sampled<points>& d, float* values) {
     for (std::size_t i = 0; i < points; ++i) {
-        const Floats4 turn = weight * flat_turn_at(d, i);
+        const Floats4 turn = flat_turn_at(d, i);
         float* v = values + i * planar_channels;
         store(v, __builtin_shufflevector(q.at[i], d.at[i], 1, 2, 5, 6));
         store_two(v + 4, __builtin_shufflevector(turn, q.at[i], 1, 4, 2, 3));
@@ -355,9 +354,9 @@ void write_planar(const Sampled<points>& q, const Sampled<points>& d, float weig
 }
 
 template <std::size_t points>
-void write_solid(const Sampled<points>& q, const Sampled<points>& d, float weight, float* values) {
+void write_solid(const Sampled<points>& q, const Sampled<points>& d, float* values) {
     for (std::size_t i = 0; i < points; ++i) {
-        const Floats4 turn = weight * turn_at(d, i);
+        const Floats4 turn = turn_at(d, i);
         float* v = values + i * solid_channels;
         store(v, __builtin_shufflevector(q.at[i], d.at[i], 1, 2, 3, 5));
         store(v + 4, __builtin_shufflevector(d.at[i], turn, 2, 3, 5, 6));
@@ -383,9 +382,9 @@ bool make_shape(ShapeSpace& s, std::size_t first, std::size_t last, Channels cha
     const auto d = directions_of(q);
     shape.channels = channels.depth ? solid_channels : planar_channels;
     if (channels.depth) {
-        write_solid(q, d, turn_weight, shape.values.data());
+        write_solid(q, d, shape.values.data());
     } else {
-        write_planar(q, d, turn_weight, shape.values.data());
+        write_planar(q, d, shape.values.data());
     }
     shape.start_t = s.t[first];
     shape.end_t = s.t[last];
@@ -401,9 +400,9 @@ bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKin
     if (kind.even) even_out(q);
     const auto d = directions_of(q);
     if (kind.channels.depth) {
-        write_solid(q, d, fine_turn_weight, shape.data());
+        write_solid(q, d, shape.data());
     } else {
-        write_planar(q, d, fine_turn_weight, shape.data());
+        write_planar(q, d, shape.data());
     }
     return true;
 }

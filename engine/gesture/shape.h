@@ -39,7 +39,7 @@ struct Shape {
     float end_t{};    ///< time of the last point that counts, after the first point of the stroke (s)
 };
 
-/// A shape for a closer look: more points, corners count more, and half of the difference between the axes' sizes is
+/// A shape for a closer look: more points, and half of the difference between the axes' sizes is
 /// taken away (the scale of each axis is divided by the square root of its size), because users differ in how wide and
 /// how high they draw.
 inline constexpr std::size_t fine_points = 32;
