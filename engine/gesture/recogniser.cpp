@@ -200,6 +200,7 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     for (std::uint32_t k = 0; k < templates_.size(); ++k) {
         const auto& t = templates_[k];
         if (t.channels != shape.channels || t.gesture == limits.left_out) continue;
+        if (!limits.means && t.stroke == strokes_of_[t.gesture]) continue;
         if (shape.size < t.smallest * t.size || shape.size > t.largest * t.size) continue;
         if (limits.length_range > 0 &&
             (shape.length > t.length * limits.length_range || shape.length * limits.length_range < t.length))
@@ -343,12 +344,16 @@ Recognition Recogniser::recognise(Points stroke, RecogniserSpace& space) const {
 
 Recognition Recogniser::recognise_without(Points stroke, std::uint32_t left_out,
                                           RecogniserSpace& space) const {
+    return recognise_within(stroke, {.left_out = left_out}, space);
+}
+
+Recognition Recogniser::recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const {
     const Channels solid{true, settings_.channels.force}, flat{false, settings_.channels.force};
     if (needs_solid_ && !make_shape(stroke, solid, space.points_, space.solid_)) return {};
     const bool flat_made = needs_flat_ && make_shape(stroke, flat, space.points_, space.planar_);
     if (!needs_solid_ && !flat_made) return {};
-    return decide(needs_solid_ ? &space.solid_ : nullptr, flat_made ? &space.planar_ : nullptr,
-                  {.left_out = left_out}, space);
+    return decide(needs_solid_ ? &space.solid_ : nullptr, flat_made ? &space.planar_ : nullptr, limits,
+                  space);
 }
 
 }  // namespace thaum::gesture

@@ -6,6 +6,7 @@
 // There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section 8, here of
 // positions, directions and force) takes some nanoseconds a template and leaves few for the elastic distance, which
 // decides. The distance of a gesture is that of its nearest template and, with half the weight, of the second nearest.
+// The mean of several recorded strokes of a gesture is a template as well.
 //
 // Variations. A stroke of a closed gesture may start anywhere: the dot product chooses the start among the points of
 // the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot product. A gesture
@@ -49,7 +50,8 @@ struct RecogniserSettings {
     bool exhaustive = false;
     double least_probability = 0.5;  ///< probability from which on a stroke is accepted
     std::uint64_t seed = 1;          ///< seed of the synthetic strokes that set the thresholds
-    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open.
+    /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open, and
+    /// the usual distance of a gesture is that of its recorded strokes from one another.
     bool calibrate = true;
 };
 
@@ -121,7 +123,8 @@ private:
     friend class CloseLook;
     struct Template {
         std::uint32_t gesture{};
-        std::uint32_t stroke{};  ///< number of the recorded stroke; a copy drawn backwards has the same
+        /// Number of the recorded stroke. A copy drawn backwards has the same. The mean has the number after the last.
+        std::uint32_t stroke{};
         std::uint32_t channels{};
         std::size_t values{};  ///< place of the values; those of a closed gesture stand there twice
         float size{}, length{};
@@ -136,12 +139,19 @@ private:
     struct Limits {
         std::uint32_t left_out = Recognition::none;
         float length_range = 0;  ///< 0: every length
+        bool means = true;       ///< false to leave out the means of recorded strokes
     };
 
     Expected<void> add(const Gesture& gesture, RecogniserSpace& space);
     bool add_template(Points stroke, std::uint32_t number, std::uint32_t stroke_number,
                       RecogniserSpace& space);
+    Expected<void> add_what_strokes_share(const Gesture& gesture, std::size_t first, std::size_t copies,
+                                          RecogniserSpace& space);
+    Shape shape_of(const Template& t) const;
+    void add_mean(std::size_t first, std::size_t step, std::size_t end, RecogniserSpace& space);
+    float spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const;
     void calibrate(std::span<const Gesture> gestures, RecogniserSpace& space);
+    Recognition recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const;
     Recognition decide(const Shape* solid, const Shape* flat, const Limits& limits,
                        RecogniserSpace& space) const;
     void choose(const Shape& shape, const Limits& limits, std::size_t most, RecogniserSpace& space) const;

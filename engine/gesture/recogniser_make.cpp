@@ -14,11 +14,18 @@ constexpr std::size_t least_scribbles = 300, most_scribbles = 1200;
 /// Usual bounds of a gentle and of a harsh stroke, as shares of the templates' mean force.
 constexpr double gentle_share = 0.6, harsh_share = 1.6;
 constexpr float open_threshold = 1e9F;
+constexpr float assumed_usual = 0.1F, least_usual = 1e-3F;
+/// Recorded strokes of a gesture that are compared with one another. More tell little more.
+constexpr std::size_t most_compared = 16;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
     for (auto& p : result) p.t = stroke.back().t - p.t;
     return result;
+}
+
+std::string too_many() {
+    return text("more than ", most_templates, " templates; use fewer strokes of each gesture");
 }
 
 float quantile(std::vector<float> values, double share) {
@@ -64,7 +71,83 @@ bool Recogniser::add_template(Points stroke, std::uint32_t number, std::uint32_t
     return true;
 }
 
+/// Values of a template as a shape, to compare it with others. A closed template from its first start.
+Shape Recogniser::shape_of(const Template& t) const {
+    Shape shape{.channels = t.channels};
+    std::copy_n(&values_[t.values], shape_points * t.channels, shape.values.begin());
+    return shape;
+}
+
+/// Adds the mean of a gesture's templates from `first` to before `end`, `step` apart, as one more stroke. Each recorded
+/// stroke differs by chance from what its writer means; their mean differs less. Strokes that may be turned are turned
+/// towards the first.
+void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, RecogniserSpace& space) {
+    Template mean = templates_[first];
+    const Shape base = shape_of(mean);
+    const auto share = 1 / static_cast<float>((end - first + step - 1) / step);
+    const std::size_t count = shape_points * mean.channels;
+    mean.values = values_.size();
+    mean.size = mean.length = mean.self = 0;
+    values_.resize(values_.size() + count);
+    for (std::size_t k = first; k < end; k += step) {
+        const auto& t = templates_[k];
+        auto match = t.turns ? turned_score(base, t) : Survivor{};
+        match.place = static_cast<std::uint32_t>(k);
+        const float* values = lane_values(match, 0, space);
+        for (std::size_t i = 0; i < count; ++i) values_[mean.values + i] += share * values[i];
+        mean.size += share * t.size;
+        mean.length += share * t.length;
+        mean.stroke = t.stroke + 1;
+    }
+    for (std::size_t i = mean.values; i < values_.size(); ++i) mean.self += values_[i] * values_[i];
+    fine_.emplace_back();  // never looked at, because the spotter leaves means out
+    templates_.push_back(mean);
+}
+
+/// Mean distance of the recorded strokes of a gesture, whose templates begin at `first`, from one another. `step` is the
+/// number of templates of each stroke.
+float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const {
+    const std::size_t last = std::min(templates_.size(), first + step * most_compared);
+    float sum = 0;
+    std::size_t count = 0;
+    for (std::size_t a = first; a < last; a += step) {
+        const Shape shape = shape_of(templates_[a]);
+        for (std::size_t b = first; b < last; b += step) {
+            float least = 1;
+            for (std::size_t copy = b; copy < b + step && b != a; ++copy) {
+                const auto& u = templates_[copy];
+                auto match = u.turns    ? turned_score(shape, u)
+                             : u.closed ? closed_score(shape, u)
+                                        : Survivor{};
+                match.place = static_cast<std::uint32_t>(copy);
+                std::array<const float*, lanes> same;
+                same.fill(lane_values(match, 0, space));
+                set_lanes(space.eight_, shape.channels, same);
+                least = std::min(least, elastic_distances(shape, space.eight_)[0]);
+            }
+            if (b == a) continue;
+            sum += least;
+            ++count;
+        }
+    }
+    return std::max(sum / static_cast<float>(count), least_usual);
+}
+
+/// Adds what several recorded strokes of a gesture tell together: their usual distance, and their mean. A closed gesture
+/// has no mean, because its strokes start anywhere.
+Expected<void> Recogniser::add_what_strokes_share(const Gesture& gesture, std::size_t first,
+                                                  std::size_t copies, RecogniserSpace& space) {
+    const bool several = gesture.strokes.size() > 1;
+    calibration_.usual.push_back(several ? spread_of(first, copies, space) : assumed_usual);
+    const std::size_t end = templates_.size();
+    for (std::size_t k = 0; k < copies && several && !gesture.options.closed; ++k)
+        add_mean(first + k, copies, end, space);
+    if (templates_.size() > most_templates) return fail(too_many());
+    return {};
+}
+
 Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
+    const std::size_t first = templates_.size();
     const auto number = static_cast<std::uint32_t>(names_.size());
     names_.push_back(gesture.name);
     options_.push_back(gesture.options);
@@ -82,10 +165,10 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
             return fail(
                 text("gesture '", gesture.name, "': stroke ", i + 1,
                      " has no shape: it needs two different points and finite numbers; record it again"));
-        if (templates_.size() > most_templates)
-            return fail(text("more than ", most_templates, " templates; use fewer strokes of each gesture"));
+        if (templates_.size() > most_templates) return fail(too_many());
     }
     const std::size_t copies = gesture.options.direction_sensitive ? 1 : 2;
+    if (auto done = add_what_strokes_share(gesture, first, copies, space); !done) return done;
     template_force_[number] /= static_cast<double>(copies * gesture.strokes.size());
     usual_seconds_[number] /= static_cast<float>(copies * gesture.strokes.size());
     auto& o = options_[number];
@@ -104,12 +187,13 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
         for (std::size_t v = 0; v < variations_of_each; ++v) {
             const auto& strokes = gestures[g].strokes;
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
-            const auto r = recognise(drawn[g].back(), space);
+            // Without means, because the spotter weighs gestures by their usual distance, and does without them too.
+            const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
             if (r.gesture == g) meant[g].push_back(r.distance);
         }
         float sum = 0;
         for (const float d : meant[g]) sum += d;
-        calibration_.usual[g] = meant[g].empty() ? 0.1F : std::max(sum / count, 1e-3F);
+        calibration_.usual[g] = meant[g].empty() ? assumed_usual : std::max(sum / count, least_usual);
     }
     std::vector<LabelledEvidence> samples;
     const auto keep = [&](const Recognition& r, bool is_meant) {
@@ -145,7 +229,6 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
         if (auto added = result.add(g, space); !added) return tl::unexpected(added.error());
     }
     result.calibration_.weights = {0, 0, 0, 0};
-    result.calibration_.usual.assign(gestures.size(), 0.1F);
     result.calibration_.threshold.assign(gestures.size(), open_threshold);
     if (settings.calibrate) result.calibrate(gestures, space);
     return result;

@@ -201,7 +201,9 @@ void Spotter::look_at_window(std::size_t first, bool depth) {
     window.first = first;
     window.start = origin_.t + static_cast<double>(points_.t[first]);
     window.end = origin_.t + static_cast<double>(points_.t[end_]);
-    const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range)};
+    // The mean of strokes is smoother than they are, and other motion is nearer to it.
+    const Recogniser::Limits limits{.length_range = static_cast<float>(settings_.length_range),
+                                    .means = false};
     recogniser_.choose(window.shape, limits, 4, *space_);
     for (std::size_t k = 0; k < space_->survivor_count_; ++k) {
         const auto& match = space_->survivors_[k];

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "core/hash.h"
@@ -164,6 +165,46 @@ TEST(Gesture, BitsAreThoseOfEveryOtherBuild) {
         strokes.push_back(
             variation_of(gestures[static_cast<std::size_t>(i) % 3].strokes[0], random, careful));
     EXPECT_EQ(hash_of(recogniser_of(gestures), strokes), 0x3dc20cd4bf7f45d0U);
+}
+
+/// An ess that is bent to one side in its middle.
+Course bent_ess(double by) {
+    auto stroke = ess();
+    for (std::size_t i = 0; i < stroke.size(); ++i)
+        stroke[i].at.x += by * std::sin(pi * static_cast<double>(i) / static_cast<double>(stroke.size() - 1));
+    return stroke;
+}
+
+TEST(Gesture, TheMeanOfItsStrokesIsATemplate) {
+    const Course left = bent_ess(-0.1), right = bent_ess(0.1);
+    const auto both = recogniser_of({gesture_of("ess", {left, right})}, {.calibrate = false});
+    const auto one = recogniser_of({gesture_of("ess", {left})}, {.calibrate = false});
+    EXPECT_EQ(both.templates(), 3U);
+    EXPECT_EQ(one.templates(), 1U);
+    EXPECT_LT(read(both, ess()).distance, 0.5F * read(one, ess()).distance);
+    Course aslant = right;
+    for (auto& p : aslant) p.at = rotation({0, 0, 1}, 0.7) * p.at;
+    const auto turned =
+        recogniser_of({gesture_of("ess", {left, aslant}, {.rotation = 0.8})}, {.calibrate = false});
+    EXPECT_LT(read(turned, ess()).distance, 0.7F * read(one, ess()).distance) << "turned like the first";
+    const GestureOptions either_way{.direction_sensitive = false}, closed{.closed = true};
+    EXPECT_EQ(recogniser_of({gesture_of("ess", {left, right}, either_way)}).templates(), 6U);
+    EXPECT_EQ(recogniser_of({gesture_of("circle", {circle(0), circle(1)}, closed)}).templates(), 2U)
+        << "strokes that start elsewhere have no mean";
+}
+
+TEST(Gesture, TheUsualDistanceIsThatOfItsStrokes) {
+    const Course left = bent_ess(-0.1), right = bent_ess(0.1);
+    const GestureOptions closed{.closed = true};
+    const auto recogniser =
+        recogniser_of({gesture_of("loose", {left, right}), gesture_of("exact", {left, left}),
+                       gesture_of("circle", {circle(0), circle(2)}, closed)},
+                      {.calibrate = false});
+    const auto alone = recogniser_of({gesture_of("left", {left})}, {.calibrate = false});
+    const auto& usual = recogniser.calibration().usual;
+    EXPECT_NEAR(usual[0], read(alone, right).distance, 1e-4);
+    EXPECT_LT(usual[1], 0.01F);
+    EXPECT_LT(usual[2], 0.06F) << "wherever they start";
 }
 
 TEST(Gesture, ARecognitionAllocatesNothing) {
