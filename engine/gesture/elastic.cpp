@@ -9,73 +9,91 @@ namespace {
 
 constexpr float far = 1e30F;  // more than any sum of costs
 
+/// Lanes that are computed together: as many as fit a register. Lanes do not affect one another, so their number
+/// changes no bit.
+#ifdef __AVX__
+using Wide = Floats8;
+using WideBits = Ints8;
+#else
+using Wide = Floats4;
+using WideBits = Ints4;
+#endif
+constexpr std::size_t width = sizeof(Wide) / sizeof(float);
+
 /// The smaller of two numbers that are not negative. The order of their bits is that of the numbers, and the processor
 /// compares bits beside its additions.
-inline Floats8 smaller(Floats8 a, Floats8 b) {
-    const auto x = reinterpret_cast<Ints8>(a), y = reinterpret_cast<Ints8>(b);
-    return reinterpret_cast<Floats8>(x < y ? x : y);
+inline Wide smaller(Wide a, Wide b) {
+    const auto x = reinterpret_cast<WideBits>(a), y = reinterpret_cast<WideBits>(b);
+    return reinterpret_cast<Wide>(x < y ? x : y);
 }
 
-/// One stroke for all lanes, or eight strokes in the layout of EightShapes.
+/// One stroke for all lanes, or eight strokes in the layout of EightShapes. `from` gives the strokes of the lanes from
+/// the given one on.
 struct OneStroke {
     const float* values;
-    Floats8 at(std::size_t place) const { return values[place] + Floats8{}; }
+    OneStroke from(std::size_t) const { return *this; }
+    Wide at(std::size_t place) const { return values[place] + Wide{}; }
 };
 struct EightStrokes {
     const float* values;
-    Floats8 at(std::size_t place) const { return load<Floats8>(values + place * lanes); }
+    EightStrokes from(std::size_t lane) const { return {values + lane}; }
+    Wide at(std::size_t place) const { return load<Wide>(values + place * lanes); }
 };
 
 /// Costs of matching one point to another, lane by lane, times `robustness`. The last sum of costs is divided by it. Being
 /// a power of two, it changes no bit, and it saves a multiplication for each pair of points.
 template <std::size_t channels>
-inline Floats8 cost_of(const std::array<Floats8, channels>& p, const float* q) {
-    Floats8 squares = p[0] - load<Floats8>(q);
+inline Wide cost_of(const std::array<Wide, channels>& p, const float* q) {
+    Wide squares = p[0] - load<Wide>(q);
     squares *= squares;
     for (std::size_t c = 1; c < channels; ++c) {
-        const Floats8 d = p[c] - load<Floats8>(q + c * lanes);
+        const Wide d = p[c] - load<Wide>(q + c * lanes);
         squares += d * d;
     }
     return squares / (1 / robustness + squares);
 }
 
 template <std::size_t points, std::size_t channels, class Strokes>
-void warp8(Strokes stroke, const float* eight, float* result) {
-    const Floats8 infinite = far + Floats8{};
+void warp(Strokes stroke, const float* eight, float* result) {
+    const Wide infinite = far + Wide{};
     // Least sums of costs up to the points of the row above, which those of the new row replace.
-    std::array<Floats8, points + 2> row;
+    std::array<Wide, points + 2> row;
     row.fill(infinite);
-    row[0] = Floats8{};
+    row[0] = Wide{};
     for (std::size_t i = 1; i <= points; ++i) {
-        std::array<Floats8, channels> p;
+        std::array<Wide, channels> p;
         for (std::size_t c = 0; c < channels; ++c) p[c] = stroke.at((i - 1) * channels + c);
         const std::size_t low = i > warp_band ? i - warp_band : 1, high = std::min(points, i + warp_band);
-        Floats8 before = row[low - 1], left = infinite;
+        Wide before = row[low - 1], left = infinite;
         const float* q = eight + (low - 1) * channels * lanes;
 #pragma GCC unroll 7
         for (std::size_t j = low; j <= high; ++j, q += channels * lanes) {
-            const Floats8 above = row[j];
+            const Wide above = row[j];
             left = cost_of<channels>(p, q) + smaller(smaller(before, above), left);
             before = above;
             row[j] = left;
         }
         row[0] = infinite;
     }
-    const Floats8 sum = row[points] / (robustness * static_cast<float>(points));
+    const Wide sum = row[points] / (robustness * static_cast<float>(points));
     store(result, sum);
 }
 
 template <std::size_t points, class Strokes>
 std::array<float, lanes> distances_of(Strokes stroke, const EightOf<points>& eight, std::size_t channels) {
     std::array<float, lanes> result{};
-    if (channels == planar_channels) {
-        warp8<points, planar_channels>(stroke, eight.values.data(), result.data());
-    } else {
-        warp8<points, solid_channels>(stroke, eight.values.data(), result.data());
+    for (std::size_t lane = 0; lane < lanes; lane += width) {
+        if (channels == planar_channels) {
+            warp<points, planar_channels>(stroke.from(lane), eight.values.data() + lane,
+                                          result.data() + lane);
+        } else {
+            warp<points, solid_channels>(stroke.from(lane), eight.values.data() + lane, result.data() + lane);
+        }
     }
     return result;
 }
 
+#ifdef __AVX__
 /// Four values of each template. Values of templates k and k + 4 stand in row k.
 using FourOfEight = std::array<Floats8, 4>;
 
@@ -88,21 +106,41 @@ inline FourOfEight load_four(const std::array<const float*, lanes>& values, std:
     return rows;
 }
 
+/// Puts four values of each of the templates side by side, from `place` on.
+inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
+    const auto [a, b, c, d] = load_four(values, place);
+    const Floats8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
+                  ab2 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
+                  cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
+                  cd2 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+    store(to, __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13));
+    store(to + lanes, __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15));
+    store(to + 2 * lanes, __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13));
+    store(to + 3 * lanes, __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15));
+}
+#else
+/// Puts four values of each of the templates side by side, from `place` on. The other way, with eight lanes, is much
+/// slower without registers of that width.
+inline void transpose_four(const std::array<const float*, lanes>& values, std::size_t place, float* to) {
+    for (std::size_t k = 0; k < lanes; k += 4, to += 4) {
+        const auto a = load<Floats4>(values[k] + place), b = load<Floats4>(values[k + 1] + place),
+                   c = load<Floats4>(values[k + 2] + place), d = load<Floats4>(values[k + 3] + place);
+        const Floats4 ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                      ab2 = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+                      cd = __builtin_shufflevector(c, d, 0, 4, 1, 5),
+                      cd2 = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+        store(to, __builtin_shufflevector(ab, cd, 0, 1, 4, 5));
+        store(to + lanes, __builtin_shufflevector(ab, cd, 2, 3, 6, 7));
+        store(to + 2 * lanes, __builtin_shufflevector(ab2, cd2, 0, 1, 4, 5));
+        store(to + 3 * lanes, __builtin_shufflevector(ab2, cd2, 2, 3, 6, 7));
+    }
+}
+#endif
+
 template <std::size_t points>
 void transpose(EightOf<points>& eight, std::size_t channels, const std::array<const float*, lanes>& values) {
     const auto from = values;  // a copy: the compiler need not read the pointers again after each store
-    for (std::size_t i = 0; i < points * channels; i += 4) {
-        const auto [a, b, c, d] = load_four(from, i);
-        const Floats8 ab = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13),
-                      ab2 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15),
-                      cd = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13),
-                      cd2 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
-        float* to = &eight.values[i * lanes];
-        store(to, __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13));
-        store(to + lanes, __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15));
-        store(to + 2 * lanes, __builtin_shufflevector(ab2, cd2, 0, 1, 8, 9, 4, 5, 12, 13));
-        store(to + 3 * lanes, __builtin_shufflevector(ab2, cd2, 2, 3, 10, 11, 6, 7, 14, 15));
-    }
+    for (std::size_t i = 0; i < points * channels; i += 4) transpose_four(from, i, &eight.values[i * lanes]);
 }
 
 }  // namespace
