@@ -79,7 +79,8 @@ if(NOT THAUM_SANITIZE)
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 
     # An ordinary build on older processors: prints one line, without an illegal instruction. Each processor
-    # lacks at least the feature named first.
+    # lacks at least the feature named first. A portable build starts on all of them but the
+    # one without bmi1, which no maker sells: there even the C library's own functions for AVX2 cannot run.
     find_program(qemu qemu-x86_64)
     if(qemu)
         foreach(processor avx:Nehalem avx2:Haswell,-avx2 movbe:Haswell,-movbe abm:Haswell,-abm bmi1:Haswell,-bmi1
@@ -87,9 +88,14 @@ if(NOT THAUM_SANITIZE)
             string(REPLACE ":" ";" processor "${processor}")
             list(GET processor 0 feature)
             list(GET processor 1 model)
+            if(THAUM_PORTABLE AND feature STREQUAL bmi1)
+                continue()
+            endif()
             add_test(NAME start.without_${feature} COMMAND ${qemu} -cpu ${model} $<TARGET_FILE:thaum> --version)
-            set_tests_properties(start.without_${feature} PROPERTIES PASS_REGULAR_EXPRESSION
-                "this one lacks[a-z0-9_ ]* ${feature}[ ;]")
+            if(NOT THAUM_PORTABLE)
+                set_tests_properties(start.without_${feature} PROPERTIES PASS_REGULAR_EXPRESSION
+                    "this one lacks[a-z0-9_ ]* ${feature}[ ;]")
+            endif()
         endforeach()
         add_test(NAME start.without_fma COMMAND ${qemu} -cpu Haswell,-fma $<TARGET_FILE:thaum> --version)
     endif()
