@@ -84,7 +84,8 @@ Shape Recogniser::shape_of(const Template& t) const {
 void Recogniser::add_mean(std::size_t first, std::size_t step, std::size_t end, RecogniserSpace& space) {
     Template mean = templates_[first];
     const Shape base = shape_of(mean);
-    const auto share = 1 / static_cast<float>((end - first + step - 1) / step);
+    const std::size_t strokes = (end - first + step - 1) / step;
+    const auto share = 1 / static_cast<float>(strokes);
     const std::size_t count = shape_points * mean.channels;
     mean.values = values_.size();
     mean.size = mean.length = mean.self = 0;
