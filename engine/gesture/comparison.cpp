@@ -102,6 +102,10 @@ Fit fit_outlines(const Outline& drawn, const Outline& wanted, const GestureOptio
     return best.sum < 1e300 ? best : turned;
 }
 
+bool is_turned_too_far(const Comparison& c, const GestureOptions& o) {
+    return o.rotation < 3 && std::abs(c.tilt) > std::max(told_tilt, o.rotation);
+}
+
 }  // namespace
 
 Comparison compare(Points stroke, const Gesture& gesture) {
@@ -150,14 +154,6 @@ std::string place_words(vec3 from_middle) {
     if (words == "lower") return "bottom";
     return words.empty() ? "middle" : words;
 }
-
-namespace {
-
-bool is_turned_too_far(const Comparison& c, const GestureOptions& o) {
-    return o.rotation < 3 && std::abs(c.tilt) > std::max(told_tilt, o.rotation);
-}
-
-}  // namespace
 
 bool is_turned_copy(const Comparison& c, const Gesture& gesture) {
     return c.size > 0 && c.deviation < same_shape && (c.backwards || is_turned_too_far(c, gesture.options));

@@ -114,8 +114,9 @@ float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace
     for (std::size_t a = first; a < last; a += step) {
         const Shape shape = shape_of(templates_[a]);
         for (std::size_t b = first; b < last; b += step) {
+            if (b == a) continue;
             float least = 1;
-            for (std::size_t copy = b; copy < b + step && b != a; ++copy) {
+            for (std::size_t copy = b; copy < b + step; ++copy) {
                 const auto& u = templates_[copy];
                 auto match = u.turns    ? turned_score(shape, u)
                              : u.closed ? closed_score(shape, u)
@@ -126,7 +127,6 @@ float Recogniser::spread_of(std::size_t first, std::size_t step, RecogniserSpace
                 set_lanes(space.eight_, shape.channels, same);
                 least = std::min(least, elastic_distances(shape, space.eight_)[0]);
             }
-            if (b == a) continue;
             sum += least;
             ++count;
         }

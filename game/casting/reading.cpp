@@ -35,6 +35,30 @@ void each_point(const DrawnStroke& stroke, Take&& take) {
     }
 }
 
+/// Mean force along a way, whose points are added one after the other.
+class ForceMean {
+public:
+    void add(const StrokePoint& p) {
+        const double step = begun_ ? glm::distance(before_.at, p.at) : 0;
+        length_ += step;
+        sum_ += step * (before_.force + p.force) / 2;
+        before_ = p;
+        begun_ = true;
+    }
+    double force() const { return length_ > 0 ? sum_ / length_ : 0; }
+
+private:
+    StrokePoint before_{};
+    double length_ = 0, sum_ = 0;
+    bool begun_ = false;
+};
+
+double mean_force_along(Points stroke) {
+    ForceMean mean;
+    for (const auto& p : stroke) mean.add(p);
+    return mean.force();
+}
+
 Points put_points(const DrawnStroke& stroke, ReadingSpace& space) {
     each_point(stroke, [&](std::uint32_t i, const StrokePoint& p) { space.stroke[i] = p; });
     return Points(space.stroke).first(stroke.count);
@@ -93,8 +117,8 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
 }  // namespace
 
 void spread_jumps(std::span<vec3> places, double apart) {
-    constexpr double least_jump = 0.0015;   // m; the next step of a slow hand is shorter
-    constexpr double longest_rest = 0.064;  // s
+    constexpr double least_jump = 0.0015;   // way of a jump; steps of a slow hand are shorter (m)
+    constexpr double longest_rest = 0.064;  // time below which a rest belongs to the jump after it (s)
     std::size_t rest = 0;                   // number of the first point of the rest
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] == places[rest]) continue;
@@ -114,19 +138,13 @@ std::vector<StrokePoint> points_of(const DrawnStroke& stroke) {
 }
 
 double mean_force_of(const DrawnStroke& stroke) {
-    double length = 0, sum = 0;
-    StrokePoint before;
-    each_point(stroke, [&](std::uint32_t i, const StrokePoint& p) {
-        const double step = i == 0 ? 0 : glm::distance(before.at, p.at);
-        length += step;
-        sum += step * (before.force + p.force) / 2;
-        before = p;
-    });
-    return length > 0 ? sum / length : 0;
+    ForceMean mean;
+    each_point(stroke, [&](std::uint32_t, const StrokePoint& p) { mean.add(p); });
+    return mean.force();
 }
 
 Slip slip_of(const CastingRules& rules, const DrawnStroke& trace) {
-    constexpr double least_move = 0.0015;  // m; a hand that only presses the button moves less
+    constexpr double least_move = 0.0015;  // way above which a hand does more than press the button (m)
     double length = 0;
     for (std::uint32_t i = 1; i < trace.count; ++i) {
         length += glm::distance(place_of(trace.points[i - 1]), place_of(trace.points[i]));
@@ -152,7 +170,7 @@ gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, Poin
 Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, ReadingSpace& space) {
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
-    Reading reading{.stroke = {.force = mean_force_of(trace)}, .nearest = found.gesture};
+    Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
     reading.stroke.probability = found.probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

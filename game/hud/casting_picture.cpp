@@ -101,8 +101,7 @@ void take_reading(const Simulation& match, ecs::Entity wizard, std::uint32_t pla
         if (!outcome || event.by != player || std::max<Tick>(event.tick, 1) != last->at) continue;
         out.outcome = *outcome;
         out.event = event;
-        if (*outcome == StrokeOutcome::fizzled)
-            out.refusal = match.context().output.strokes.read()[player].refusal;
+        if (*outcome == StrokeOutcome::fizzled) out.refusal = ended.refusal;
         return;
     }
 }

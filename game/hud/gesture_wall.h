@@ -35,7 +35,7 @@ struct GestureWallPicture {
     int chosen = -1;            ///< gesture that the newest stroke belongs to; -1: none
     std::vector<gesture::StrokePoint> stroke{};
     bool drawing = false;  ///< true: the stroke has not ended
-    /// What was read, and what to do better. Controls are in braces (game/data/control_words.h).
+    /// Lines below the cells: what was read, and what to do better. Controls are in braces (game/data/control_words.h).
     std::vector<std::string> lines{};
 };
 

@@ -12,7 +12,7 @@ struct Offer {
     PromptKind kind{};
     const std::string* control{};
     std::string what;
-    std::string before{};  ///< what must be done before, with its control
+    std::string before{};  ///< words for what must be done first: "Hold [E], then "
 };
 
 /// The first spell, for a player who is hurt, has no shield and has the focus for it; null for others.
@@ -36,8 +36,8 @@ bool is_too_soon(const RecipePicture& recipe) {
     return recipe.step == RecipeStep::ingredient && recipe.reached < recipe.least;
 }
 
-/// What a player at the rim is told, who has no ladle in hand yet. Without it "use wand" shoots, so who carries an
-/// ingredient is told both controls.
+/// The offer to a player who stands at the rim and does not hold the ladle. Without the ladle "use wand" shoots, so a
+/// player who carries an ingredient is told both controls.
 Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
     const bool strays = p.recipe.step == RecipeStep::ingredient && !p.recipe.secret;
     if (!p.carries.empty() && strays && would_spoil(p.carries, p.recipe))
@@ -46,7 +46,7 @@ Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
     if (p.carries.empty() || !drops || is_too_soon(p.recipe) || controls.stir.empty())
         return {PromptKind::stir, &controls.stir, "Stir"};
     return {PromptKind::drop, &controls.fire, text("Drop ", p.carries),
-            text(controls.stir_toggles ? "Press [" : "Hold [", controls.stir, "], then ")};
+            text(capitalised(hold_or_press(controls.stir_toggles)), "[", controls.stir, "], then ")};
 }
 
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
@@ -146,6 +146,12 @@ void press_instead_of_hold(std::string& words) {
 }
 
 }  // namespace
+
+std::string bracketed(const std::string& control, std::string_view otherwise) {
+    return control.empty() ? std::string(otherwise) : text("[", control, "]");
+}
+
+std::string_view hold_or_press(bool toggles) { return toggles ? "press " : "hold "; }
 
 std::string with_controls(std::string_view words, const ControlNames& controls, const Presentation& shown) {
     std::string filled;

@@ -20,6 +20,11 @@ struct ControlNames {
     bool operator==(const ControlNames&) const = default;
 };
 
+/// A control in brackets: "[E]"; the other words where it has none.
+std::string bracketed(const std::string& control, std::string_view otherwise);
+/// "hold ", or "press " for a control that toggles.
+std::string_view hold_or_press(bool toggles);
+
 /// Words with the player's controls in place of their braces (game/data/control_words.h): "[E]". A wand without a
 /// control of its own is reached by the control that goes on to the next wand: "[RB] (next wand)". "Hold" before a
 /// control that toggles is "Press".

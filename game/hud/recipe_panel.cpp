@@ -63,15 +63,15 @@ std::string words_of_stroke(const RecipePicture& recipe, bool stirs, const Contr
     const auto how = text(recipe.gesture, words_of_sense(recipe.sense), words_of_force(recipe));
     const auto count =
         recipe.times > 1 ? text(" (", recipe.done + 1, " of ", recipe.times, ")") : std::string();
-    const auto trace = controls.trace.empty() ? std::string("Trace") : text("[", controls.trace, "]");
-    return text(stirs ? "hold " : "stir, then hold ", trace, " and draw: ", how, count);
+    return text(stirs ? "hold " : "stir, then hold ", bracketed(controls.trace, "Trace"), " and draw: ", how,
+                count);
 }
 
 /// How to drop the carried ingredient: "drop salt now with [Left mouse]". Without the ladle "use wand" would shoot.
 std::string words_of_drop(const RecipePicture& recipe, bool stirs, const ControlNames& controls) {
     const auto fire = text("[", controls.fire.empty() ? "use wand" : controls.fire, "]");
     if (stirs) return text("drop ", recipe.next, " now with ", fire);
-    return text(controls.stir_toggles ? "press [" : "hold [", controls.stir.empty() ? "Stir" : controls.stir,
+    return text(hold_or_press(controls.stir_toggles), "[", controls.stir.empty() ? "Stir" : controls.stir,
                 "], then drop ", recipe.next, " with ", fire);
 }
 

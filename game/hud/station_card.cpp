@@ -11,10 +11,6 @@
 namespace thaum::game {
 namespace {
 
-std::string bracketed(const std::string& control, std::string_view otherwise) {
-    return control.empty() ? std::string(otherwise) : text("[", control, "]");
-}
-
 std::string share_in_percent(double share) {
     return text(static_cast<int>(std::floor(100 * share + 1e-9)), " %");
 }
@@ -22,9 +18,6 @@ std::string share_in_percent(double share) {
 float focus_share(const PlayerPicture& p) {
     return static_cast<float>(std::clamp(p.casting.focus / std::max(p.casting.focus_cap, 1.0), 0.0, 1.0));
 }
-
-/// "Hold", or "press" for a control that toggles.
-std::string_view hold_or_press(bool toggles) { return toggles ? "press " : "hold "; }
 
 // Orb --------------------------------------------------------------------------------------------------------
 

@@ -42,7 +42,7 @@ std::string key_of(std::uint32_t slot, const ControlNames& controls) {
     return named ? text("[", controls.wands[slot], "]") : text("[", slot + 1, "]");
 }
 
-/// What the wizard did to cast a spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
+/// Words for a stroke or key chord and its spell: "Circle 97 %: Shield", or "[1] Shield" for a key chord.
 std::string words_of_cast(const CastingPicture& casting, const Presentation& shown,
                           const ControlNames& controls) {
     const auto& reading = casting.reading;

@@ -37,6 +37,13 @@ std::string spell_shown(const game::MatchData& data, const std::string& gesture)
     return spell == nullptr ? std::string() : spell->stats.shown;
 }
 
+/// Length of the way of a stroke (m).
+double way_of(gesture::Points stroke) {
+    double way = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) way += glm::distance(stroke[i - 1].at, stroke[i].at);
+    return way;
+}
+
 }  // namespace
 
 /// Lists the ghosts of the player's gestures, where the set is another one.
@@ -67,10 +74,7 @@ std::string GestureWall::words_of_haste() const {
 
 /// Why a stroke was not even read, or does not count for a recorded gesture: too small or too fast.
 std::string GestureWall::words_of_slip(const game::CastingRules& rules, double shortest) const {
-    double way = 0;
-    for (std::size_t i = 1; i < stroke_.size(); ++i) way += glm::distance(stroke_[i - 1].at, stroke_[i].at);
-    const bool small = way < rules.smallest;
-    if (!small || stroke_.back().t < shortest) return words_of_haste();
+    if (way_of(stroke_) >= rules.smallest || stroke_.back().t < shortest) return words_of_haste();
     return "too small: draw 5 to 10 cm with the hand";
 }
 
@@ -147,10 +151,8 @@ void GestureWall::tell_recording() {
 void GestureWall::keep(const game::Simulation& match) {
     if (checked_ || stroke_.empty()) return;
     const auto& rules = *match.data().casting;
-    double way = 0;
-    for (std::size_t i = 1; i < stroke_.size(); ++i) way += glm::distance(stroke_[i - 1].at, stroke_[i].at);
     lines_.clear();
-    if (way < rules.smallest || stroke_.back().t < shortest_recorded) {
+    if (way_of(stroke_) < rules.smallest || stroke_.back().t < shortest_recorded) {
         lines_.push_back(text("not counted, ", words_of_slip(rules, shortest_recorded)));
         return tell_recording();
     }

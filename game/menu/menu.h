@@ -79,7 +79,7 @@ struct MenuContext {
         jackets{};                        ///< state of each player's jacket; empty: the player has none
     std::vector<std::string> gestures{};  ///< gestures of the match; empty: the rule set has none
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
-    std::vector<FeelProfile> profiles{};  ///< what players have saved on the mixer's page
+    std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     /// words of the start screen on a faulty settings file; empty: there is no fault
     std::string settings_fault{};

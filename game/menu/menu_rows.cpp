@@ -210,14 +210,6 @@ std::string_view name_of_play(const MenuContext& context) {
     return context.practice ? "range" : "match";
 }
 
-}  // namespace
-
-std::string label_of_restart(const MenuContext& context) {
-    return text("Restart the ", name_of_play(context));
-}
-
-namespace {
-
 void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     const bool match = !context.apprentice && !context.practice;
     rows.push_back(
@@ -501,6 +493,10 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
         case Page::cauldron: add_cauldron_rows(s, rows); break;
     }
     return rows;
+}
+
+std::string label_of_restart(const MenuContext& context) {
+    return text("Restart the ", name_of_play(context));
 }
 
 }  // namespace thaum::app

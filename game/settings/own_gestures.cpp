@@ -37,7 +37,7 @@ std::optional<std::string> fault_of(const game::MatchData& data, std::vector<inp
 std::string words_of(const gesture::Pair& pair, bool own_is_first, std::string_view other) {
     const auto &own = own_is_first ? pair.a_as_b : pair.b_as_a,
                &others = own_is_first ? pair.b_as_a : pair.a_as_b;
-    // Of a copy hardly any stroke is taken for the other, since the recogniser is sure of neither.
+    // Strokes of a copy are seldom taken for the other gesture, because the recogniser is sure of neither.
     const bool taken = 2 * std::max(own.taken, others.taken) >= std::max(own.nearer, others.nearer);
     const double of_own = taken ? own.taken : own.nearer, of_others = taken ? others.taken : others.nearer;
     const auto percent = text(other, ": ", std::lround(100 * std::max(of_own, of_others)), " % of ");

@@ -14,7 +14,7 @@
 
 namespace thaum::app {
 
-/// What became of a gesture that the player of the range has drawn.
+/// Whether the gesture that the player of the range has drawn counts now.
 enum class Verdict : std::uint8_t {
     none,    ///< nothing was drawn
     kept,    ///< it counts from now on

@@ -30,20 +30,20 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"brew", 2},                            // the cauldron's fluid
     {"data", 3},                            // contents of data files
     {"context", 4},                         // shared by all systems
-    {"cauldron", 5},      {"crystal", 5},   // systems of the stations
-    {"wands", 6},         {"casting", 6},   // what wizards do with fire and with strokes,
-    {"orb", 6},                             // and at the orb
-    {"spells", 7},        {"player", 7},    // what strokes cast; controls
+    {"cauldron", 5},      {"crystal", 5},   // the cauldron and the crystal
+    {"wands", 6},         {"casting", 6},   // wands; strokes that are drawn and read
+    {"orb", 6},                             // the orb and its modes
+    {"spells", 7},        {"player", 7},    // spells; controls and walking
     {"hand", 8},                            // forces on hands and arms
     {"match", 9},                           // order of the systems, logs, results
-    {"sound", 10},        {"tactile", 10},  // what players hear and feel
+    {"sound", 10},        {"tactile", 10},  // sounds and touches of a match
     {"senses", 11},                         // both together, in words and numbers
     {"bots", 11},         {"hud", 11},      // opponents; the picture
     {"lab", 11},                            // brew and volumes alone
     {"scenario", 12},                       // Lua scenarios
     {"command_line", 12},                   // a command's words, and how it ends
     {"jackets", 12},                        // jackets of each maker
-    {"settings", 13},                       // what the settings file and the folders beside it keep
+    {"settings", 13},                       // the settings file, and folders of profiles and gestures
     {"menu", 14},                           // start screen, pause and pages of settings
     {"live", 15},                           // a match in real time: windows, devices, threads, sound
     {"app", 16},                            // the program and its commands

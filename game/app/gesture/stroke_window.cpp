@@ -5,6 +5,7 @@
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/with_renderer.h"
 #include "game/data/match_data.h"
 #include "game/hud/overlay.h"
 #include "game/hud/stroke_picture.h"
@@ -123,14 +124,9 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
     if (!hand) return tl::unexpected(hand.error());
     auto window = render::Window::create({.title = "Thaum: record a gesture"});
     if (!window) return tl::unexpected(window.error());
-    window->make_current();
     StrokeDesk desk(wish);
-    Expected<void> went;
-    {
-        auto renderer = render::Renderer::create(assets);
-        went = renderer ? run(desk, **hand, *window, *renderer) : tl::unexpected(renderer.error());
-    }
-    window->release_current();
+    const auto went = with_renderer(
+        *window, assets, [&](render::Renderer& renderer) { return run(desk, **hand, *window, renderer); });
     if (!went) return tl::unexpected(went.error());
     return desk.recorder().strokes();
 }

@@ -13,6 +13,7 @@
 #include "game/app/lab/lab.h"
 #include "game/app/lab/lab_picture.h"
 #include "game/app/lab/view_controls.h"
+#include "game/app/with_renderer.h"
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
@@ -289,19 +290,14 @@ int run_lab_window(LabPlan plan) {
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
         return refuse(made.error());
-    window->make_current();
     LabSession session{.plan = std::move(plan), .trace = std::move(*trace)};
     session.file = session.plan.out.save.value_or(
         matches_folder().empty() ? std::filesystem::path() : matches_folder().parent_path() / "lab.brew");
     session.page.hands.settings = session.plan.lab.settings;
     session.page.text_scale = settings.text_scale;
     session.height = -0.35 * session.plan.lab.basin.depth;
-    Expected<void> went;
-    {
-        auto renderer = render::Renderer::create(assets);
-        went = renderer ? run(session, *window, *renderer) : tl::unexpected(renderer.error());
-    }
-    window->release_current();
+    const auto went = with_renderer(
+        *window, assets, [&](render::Renderer& renderer) { return run(session, *window, renderer); });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
     return done;

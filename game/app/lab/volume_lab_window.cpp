@@ -15,6 +15,7 @@
 #include "game/app/lab/view_controls.h"
 #include "game/app/lab/volume_lab.h"
 #include "game/app/lab/volume_panels.h"
+#include "game/app/with_renderer.h"
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
@@ -347,19 +348,14 @@ int run_volume_window(VolumeLabPlan plan) {
     auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return refuse(made.error());
-    window->make_current();
     Session session{.plan = std::move(plan), .trace = std::move(*trace)};
     show_what_is_set(session.plan.lab, session.panels);
     session.panels.one_level = levels_agree(session.plan.view, session.panels);
     if (session.plan.by_mouse) put_hand_before(session);
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
-    Expected<void> went;
-    {
-        auto renderer = render::Renderer::create(assets);
-        went = renderer ? run(session, *window, *renderer) : tl::unexpected(renderer.error());
-    }
-    window->release_current();
+    const auto went = with_renderer(
+        *window, assets, [&](render::Renderer& renderer) { return run(session, *window, renderer); });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
     return done;

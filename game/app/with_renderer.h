@@ -1,0 +1,25 @@
+// game/app/with_renderer.h: runs what draws in a window of a command.
+#pragma once
+#include <filesystem>
+#include <utility>
+
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace thaum::app {
+
+/// Makes the window's OpenGL current, and calls the function with a renderer, which ends before OpenGL is released.
+/// Returns the function's error, or why there is no renderer.
+template <class Run>
+Expected<void> with_renderer(render::Window& window, const std::filesystem::path& assets, Run&& run) {
+    window.make_current();
+    Expected<void> went;
+    {
+        auto renderer = render::Renderer::create(assets);
+        went = renderer ? std::forward<Run>(run)(*renderer) : tl::unexpected(renderer.error());
+    }
+    window.release_current();
+    return went;
+}
+
+}  // namespace thaum::app
