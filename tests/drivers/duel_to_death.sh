@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # tests/drivers/duel_to_death.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS [SCREENSHOTS]: two players in the program under Xvfb.
-# Player 2 turns with the pad's stick and kills player 1. Player 1 returns on the opposite pad and kills with
-# the mouse. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while
-# it is being written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool
-# is missing.
+# Player 2 turns with the pad's stick and kills player 1. Player 1 returns on another pad, turns with the mouse and kills
+# with it. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while it is being
+# written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3 press_keys=$4
@@ -41,35 +40,45 @@ ticks() { of_state 'print s["tick"] + 0'; }
 is_written() { look && [ "$(ticks)" -gt "$1" ]; }
 scored() { look && [[ $result == *"score $1"* ]]; }
 alive() { look && of_state 'exit s["p1_dead"] != 0'; }
-stands_still() { is_written "$1" && of_state 'exit s["p2_yaw_rad"] != b["p2_yaw_rad"]'; }
-# Angle by which player 2 must turn to face player 1 (degrees, positive to the left).
+stands_still() { is_written "$2" && of_state "exit s[\"$1_yaw_rad\"] != b[\"$1_yaw_rad\"]"; }
+# error ONE OTHER: angle by which player ONE must turn to face OTHER (degrees, positive to the left).
 error() {
-    of_state 'turn = atan2(s["p2_x_m"] - s["p1_x_m"], s["p2_z_m"] - s["p1_z_m"]) * degrees - s["p2_yaw_rad"] * degrees
+    of_state "turn = atan2(s[\"$1_x_m\"] - s[\"$2_x_m\"], s[\"$1_z_m\"] - s[\"$2_z_m\"]) * degrees - s[\"$1_yaw_rad\"] * degrees
               while (turn > 180) turn -= 360
               while (turn < -180) turn += 360
-              print turn'
+              print turn"
 }
-
-# At the start the players are 30 m apart and face the cauldron, 45 degrees away from each other. The log
-# grows in blocks of 512 ticks.
-eventually "no match" is_written 0
-for try in $(seq 40); do
-    stopped=$(ticks)
-    eventually "player 2 does not stand still" stands_still $((stopped + 1024))
-    away=$(error)
-    echo "player 2 looks $away degrees past player 1"
-    awk -v a="$away" 'BEGIN { exit !(a < 0.4 && a > -0.4) }' && break
-    [ "$try" -lt 40 ] || failed "player 2 cannot aim"
-    # Large angle: the whole stick, 22.5 degrees/s. Small angle: 0.207 of it, which is 1.5 degrees/s beyond
-    # the dead zone of 0.15.
-    read -r push seconds < <(awk -v a="$away" 'BEGIN {
+# stick ANGLE: turns player 2. Large angle: the whole stick, 22.5 degrees/s. Small angle: 0.207 of it, which is 1.5
+# degrees/s beyond the dead zone of 0.15.
+stick() {
+    local push seconds
+    read -r push seconds < <(awk -v a="$1" 'BEGIN {
         size = a < 0 ? -a : a; far = size > 8; push = far ? 32767 : 6773
         print (a < 0 ? push : -push), size / (far ? 22.5 : 1.5) }')
     pad rx "$push"
     sleep "$seconds"
     pad rx 0
-    look
-done
+}
+# mouse ANGLE: turns player 1. The mouse's 1149 counts are one radian.
+mouse() { xdotool mousemove_relative -- "$(awk -v a="$1" 'BEGIN { printf "%d", -a * 1149 / 57.2957795 }')" 0; }
+# aims ONE OTHER HOW: turns player ONE by the function HOW until OTHER is in front.
+aims() {
+    local try away stopped
+    for try in {1..40}; do
+        stopped=$(ticks)
+        eventually "$1 does not stand still" stands_still "$1" $((stopped + 1024))
+        away=$(error "$1" "$2")
+        echo "$1 looks $away degrees past $2"
+        if awk -v a="$away" 'BEGIN { exit !(a < 0.4 && a > -0.4) }'; then return; fi
+        "$3" "$away"
+        look
+    done
+    failed "$1 cannot aim"
+}
+
+# At the start the players are 30 m apart and do not face each other. The log grows in blocks of 512 ticks.
+eventually "no match" is_written 0
+aims p2 p1 stick
 # hits DOWN UP SCORE: fires a short burst and tests whether the score is reached once the log must show it.
 # Fire held until the score is seen would kill again on a slow machine.
 hits() {
@@ -85,6 +94,7 @@ hits() {
 eventually "player 2 does not hit" hits 'pad rt 255' 'pad rt 0' '0 : 1'
 import -window root "$shots/player_1_is_dead.png"
 eventually "player 1 does not come back" alive
+aims p1 p2 mouse
 eventually "player 1 does not hit" hits 'xdotool mousedown 1' 'xdotool mouseup 1' '1 : 1'
 import -window root "$shots/player_2_is_dead.png"
 presses Escape
