@@ -9,7 +9,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t variations = 100;  // number of variations of each gesture
+constexpr std::size_t variations = 400;  // number of variations of each gesture
 
 using Shares = std::vector<std::vector<Mistaken>>;
 

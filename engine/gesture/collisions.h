@@ -1,8 +1,9 @@
 // gesture/collisions.h: which gestures would be taken for one another, known at recording time.
 //
 // Variations of each gesture (variations.h) are read among all. Two gestures collide if strokes of one would be
-// mistaken: more than one in fifty is accepted as the other, or more than one in ten is nearer to the other than to
-// its own. The second case is of copies: a recogniser is sure of neither then, so it accepts few strokes of both.
+// mistaken: more than one in fifty is accepted as the other, or more than one in twenty is nearer to the other than to
+// its own. The second case is of copies: a recogniser is sure of neither then, so it accepts few strokes of both. It is
+// also the steadier measure, since it does not depend on the strokes that set the thresholds.
 #pragma once
 #include <algorithm>
 #include <functional>
@@ -14,8 +15,8 @@
 
 namespace thaum::gesture {
 
-inline constexpr double most_taken = 0.02;  ///< largest share of variations that are accepted as the other
-inline constexpr double most_nearer = 0.1;  ///< largest share of variations that are nearer to the other
+inline constexpr double most_taken = 0.02;   ///< largest share of variations that are accepted as the other
+inline constexpr double most_nearer = 0.05;  ///< largest share of variations that are nearer to the other
 
 /// How variations of one gesture are read beside another one, as shares of all.
 struct Mistaken {

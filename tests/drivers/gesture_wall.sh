@@ -59,7 +59,7 @@ eventually "no window" drawn
 pause Down Down Down Down Return
 pause Return
 pause Return
-record 'not saved, since it is too like V: [0-9]* % of ' 8 22 22 8 -22 22
+record 'not saved, since it is too like V: [0-9]* % of ' 13 31 22 13 -31 22
 [ ! -e "$own" ] || fail "a copy of V is saved"
 record 'saved: this is your Circle' 0 -22 30 -16 0 30
 sleep 0.5

@@ -267,9 +267,9 @@ TEST(GestureCollisions, AreMeasuredByTheReadingOfStrokesAndNotByDistance) {
     EXPECT_DOUBLE_EQ((*pairs)[0].a_as_b.nearer, 0);
     EXPECT_NEAR((*pairs)[0].b_as_a.taken, 1, 1e-9) << "strokes are read as the caller reads them";
     EXPECT_TRUE((*pairs)[0].collides());
-    EXPECT_FALSE((Pair{.a_as_b = {0.02, 0.1}, .b_as_a = {}, .separation = 0.5}.collides()));
+    EXPECT_FALSE((Pair{.a_as_b = {0.02, 0.05}, .b_as_a = {}, .separation = 0.5}.collides()));
     EXPECT_TRUE((Pair{.a_as_b = {0.03, 0.03}, .b_as_a = {}, .separation = 5}.collides()));
-    EXPECT_TRUE((Pair{.a_as_b = {}, .b_as_a = {0, 0.11}, .separation = 5}.collides()));
+    EXPECT_TRUE((Pair{.a_as_b = {}, .b_as_a = {0, 0.06}, .separation = 5}.collides()));
 }
 
 }  // namespace

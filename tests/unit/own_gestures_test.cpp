@@ -190,6 +190,14 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
         }
         EXPECT_LE(mistaken, 2) << name;
     }
+    // A narrow V is the game's V to a player, although its few recorded strokes are nearer to themselves.
+    const auto narrow = gesture_along(
+        "circle", [](double u) { return u < 0.5 ? vec3(0.7 * u, -2 * u, 0) : vec3(0.7 * u, 2 * u - 2, 0); });
+    for (const auto* name : {"circle", "s", "star"}) {
+        const auto fits = check_own_gesture(renamed(narrow, name), data, {}, 0);
+        ASSERT_FALSE(fits) << name;
+        EXPECT_EQ(fits.error().message.find("it is too like V: "), 0U) << fits.error().message;
+    }
     // A match reads the turns of a spiral one by one, and takes them for circles.
     const auto spiral =
         gesture_along("s", [](double u) { return u * vec3(std::cos(6 * pi * u), std::sin(6 * pi * u), 0); });

@@ -16,11 +16,11 @@ namespace thaum::app {
 const std::string_view gesture_check_help =
     R"(usage: thaum gesture check FILE.toml ...
 
-Draws 100 variations of each gesture and reads them among all gestures as a match does. Lists the
+Draws 400 variations of each gesture and reads them among all gestures as a match does. Lists the
 pairs of which strokes are mistaken, and the closest others: share of strokes that are accepted as
 the other gesture, and share that are nearer to it than to their own, each way; and the distance
 between the two, as a multiple of the usual distance of a stroke from its own gesture. Exits with 1
-if a pair collides: more than 2 % taken for the other, or more than 10 % nearer to it.
+if a pair collides: more than 2 % taken for the other, or more than 5 % nearer to it.
 )";
 
 namespace {
