@@ -14,7 +14,7 @@ foreach(script ${scenarios})
     add_test(NAME scenario.${name}
         COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS "scenario;slow")
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} COST 50 LABELS "scenario;slow")
     else()
         set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS scenario FIXTURES_SETUP scenarios)
     endif()

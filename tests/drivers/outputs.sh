@@ -10,7 +10,7 @@ export THAUM_ASSETS=$folder/assets
 cp -r "$repository/assets" assets
 
 "$thaum" --headless --seconds 2 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
-"$thaum" bench field --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
+"$thaum" bench primitives --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
 "$thaum" lab --fluid --headless --cells 16 --seconds 0.1 --save brew >/dev/null || { echo "failed: no brew"; exit 1; }
 printf 'time_s,x_m,y_m,z_m\n0,0.5,-0.2,0\n0.5,-0.5,-0.3,0.4\n' >path.csv
 cp "$repository/tests/scenarios/panic_key.lua" script.lua
@@ -177,7 +177,7 @@ echo old >table
 echo old >goal && ln -s goal table_link
 "$thaum" replay log --events table_link >/dev/null || fail "a link to an old table"
 [[ -L table_link && $(head -c 3 goal) != old ]] || fail "a link was replaced instead of what it leads to"
-for words in "replay log --verify" "doctor --json -" "bench field --quick --json -" "scenario script.lua --once --json -" \
+for words in "replay log --verify" "doctor --json -" "bench primitives --quick --json -" "scenario script.lua --once --json -" \
     "league --levels 1,2 --matches 2 --set quick.seconds=3 --json -" "--headless --seconds 1" "replay --help"; do
     # shellcheck disable=SC2086
     output=$("$thaum" $words 2>&1 >/dev/full </dev/null)

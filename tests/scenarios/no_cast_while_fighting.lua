@@ -1,6 +1,6 @@
 -- Ten minutes of fighting with free casting on: a bot that runs, aims, shoots and casts with Trace held, and a mouse that
 -- flicks to targets, corrects, tracks and rests. At most one spell is cast without being meant. Then a circle casts.
-match {players = {"script", "bot 3"}, seed = 3, free_casting = {true, true},
+match {players = {"script", "bot 2"}, seed = 3, free_casting = {true, true},
     set = {"quick.seconds=3600", "quick.kills=1000", "wizard.health.start=900"}}
 local state = 1
 -- A number from 0 to 1, the same in every run.

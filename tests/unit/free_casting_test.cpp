@@ -389,10 +389,12 @@ TEST(FreeCasting, TenMinutesOfRecordedMiceCastAtMostOnce) {
     EXPECT_LE(play.casts(), 1U);
 }
 
-TEST(FreeCasting, TenMinutesOfBotsCastAtMostOnce) {
+// A bot of level 2 plays ten minutes in the scenario no_cast_while_fighting; one that also brews takes nine times as long.
+TEST(FreeCasting, FiveMinutesOfABotThatBrewsCastAtMostOnce) {
+    constexpr Tick whole = ticks(300.0);
     std::size_t casts = 0;
     Tick played = 0;
-    for (std::uint64_t seed = 1; played < ticks(600); ++seed) {
+    for (std::uint64_t seed = 1; played < whole; ++seed) {
         auto made = make_bot_duel(test::assets(), test::duel_data(), {3, 2}, seed);
         ASSERT_TRUE(made);
         auto& duel = *made;
@@ -400,7 +402,7 @@ TEST(FreeCasting, TenMinutesOfBotsCastAtMostOnce) {
         for (auto& device : setup.devices) device.casts_freely = true;
         duel.match = std::make_unique<Simulation>(test::duel_data(), setup);
         std::array<Tick, players> last{};
-        while (duel.match->match().phase == Phase::playing && played < ticks(600)) {
+        while (duel.match->match().phase == Phase::playing && played < whole) {
             duel.run(8);
             played += 8;
             duel.match->world().view<const Wizard, const FreeHand>().each(
