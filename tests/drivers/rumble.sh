@@ -16,7 +16,7 @@ exec 4>"$folder/pad" 5>"$folder/orders"
 pad() { echo "$@" >&4; }
 feel() { echo "$@" >&5; }
 says() { grep -q "^$1\$" "$folder/said"; }
-says_last() { [ "$(grep '^player 1' "$folder/said" | tail -1)" = "player 1 $1" ]; }
+says_last() { [ "$(grep '^player 1 feels' "$folder/said" | tail -1)" = "player 1 $1" ]; }
 # since LINE, felt PATTERN, stopped: what the pad felt after a line of its file.
 lines() { wc -l <"$folder/felt"; }
 since() { tail -n +$(($1 + 1)) "$folder/felt"; }
