@@ -13,7 +13,7 @@ thaum_test(test_free_casting
     SOURCES unit/free_casting_test.cpp
     LINK thaum_duel thaum_strokes
     NOT_SANITIZED FreeCasting.TenMinutes* FreeCasting.FindsTheStrokes*
-    SLOW FreeCasting.FiveMinutesOfABot*)
+    SLOW FreeCasting.TenMinutesOfBots*)
 thaum_test(test_game_threads
     SOURCES unit/game_threads_test.cpp
     LINK thaum_duel

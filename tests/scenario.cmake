@@ -1,7 +1,7 @@
 # Every scenario is a test of its own, run by the program itself. Sanitizer builds run each scenario once, and
 # leave out long ones: more would show them no other code.
 set(scenario_runs "")
-# Ten minutes of a match take 20 s.
+# Ten minutes of a match take 20 s. A long scenario starts early, so that the whole run does not wait for it at the end.
 set(long_scenarios no_cast_while_fighting)
 if(THAUM_SANITIZE)
     set(scenario_runs --once)

@@ -40,6 +40,7 @@ ticks() { of_state 'print s["tick"] + 0'; }
 is_written() { look && [ "$(ticks)" -gt "$1" ]; }
 scored() { look && [[ $result == *"score $1"* ]]; }
 alive() { look && of_state 'exit s["p1_dead"] != 0'; }
+# stands_still ONE TICK: tests whether player ONE has not turned lately; the log must go beyond the tick.
 stands_still() { is_written "$2" && of_state "exit s[\"$1_yaw_rad\"] != b[\"$1_yaw_rad\"]"; }
 # error ONE OTHER: angle by which player ONE must turn to face OTHER (degrees, positive to the left).
 error() {
@@ -76,9 +77,6 @@ aims() {
     failed "$1 cannot aim"
 }
 
-# At the start the players are 30 m apart and do not face each other. The log grows in blocks of 512 ticks.
-eventually "no match" is_written 0
-aims p2 p1 stick
 # hits DOWN UP SCORE: fires a short burst and tests whether the score is reached once the log must show it.
 # Fire held until the score is seen would kill again on a slow machine.
 hits() {
@@ -91,6 +89,10 @@ hits() {
     eventually "the match stands still" is_written $((let_go + 1024))
     scored "$3"
 }
+
+# At the start the players are 30 m apart and do not face each other. The log grows in blocks of 512 ticks.
+eventually "no match" is_written 0
+aims p2 p1 stick
 eventually "player 2 does not hit" hits 'pad rt 255' 'pad rt 0' '0 : 1'
 import -window root "$shots/player_1_is_dead.png"
 eventually "player 1 does not come back" alive

@@ -389,12 +389,10 @@ TEST(FreeCasting, TenMinutesOfRecordedMiceCastAtMostOnce) {
     EXPECT_LE(play.casts(), 1U);
 }
 
-// A bot of level 2 plays ten minutes in the scenario no_cast_while_fighting; one that also brews takes nine times as long.
-TEST(FreeCasting, FiveMinutesOfABotThatBrewsCastAtMostOnce) {
-    constexpr Tick whole = ticks(300.0);
+TEST(FreeCasting, TenMinutesOfBotsCastAtMostOnce) {
     std::size_t casts = 0;
     Tick played = 0;
-    for (std::uint64_t seed = 1; played < whole; ++seed) {
+    for (std::uint64_t seed = 1; played < ticks(600); ++seed) {
         auto made = make_bot_duel(test::assets(), test::duel_data(), {3, 2}, seed);
         ASSERT_TRUE(made);
         auto& duel = *made;
@@ -402,7 +400,7 @@ TEST(FreeCasting, FiveMinutesOfABotThatBrewsCastAtMostOnce) {
         for (auto& device : setup.devices) device.casts_freely = true;
         duel.match = std::make_unique<Simulation>(test::duel_data(), setup);
         std::array<Tick, players> last{};
-        while (duel.match->match().phase == Phase::playing && played < whole) {
+        while (duel.match->match().phase == Phase::playing && played < ticks(600)) {
             duel.run(8);
             played += 8;
             duel.match->world().view<const Wizard, const FreeHand>().each(

@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "core/sanitizers.h"
 #include "unit/allocations.h"
 #include "unit/input_log_samples.h"
 
@@ -271,21 +272,24 @@ TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     EXPECT_EQ(LogReader::open(file.path)->ending(), LogEnding::damaged);
 }
 
-/// Flips bits of one byte of a log after another: the lowest, the highest or all, in turn. Each change must be found at the
-/// block that contains it.
+/// Flips bits of one byte of a log after another. Each change must be found at the block that contains it. Opening a log
+/// takes long with the address sanitizer, which therefore sees one change of each byte, in turn.
 void expect_flips_found(const samples::StoredLog& stored, const samples::Scratch& file) {
+    constexpr std::array flips{0x01, 0x80, 0xff};
     const auto& log = stored.bytes;
     const auto blocks = blocks_of(log);
     ASSERT_TRUE(file.set(log));
     for (std::size_t at = 0; at < log.size(); ++at) {
-        constexpr std::array flips{0x01, 0x80, 0xff};
         const auto byte = std::span(log).subspan(at, 1);
-        const int flip = flips.at(at % flips.size());
-        const auto flipped = byte[0] ^ static_cast<std::byte>(flip);
-        ASSERT_TRUE(file.set_from(at, std::span(&flipped, 1)));
-        if (at < blocks[0].begin) {
-            ASSERT_NE(open_error(file.path), "no error") << at;
-        } else {
+        for (std::size_t i = 0; i < flips.size(); ++i) {
+            if (THAUM_ADDRESS_SANITIZER != 0 && i != at % flips.size()) continue;
+            const int flip = flips.at(i);
+            const auto flipped = byte[0] ^ static_cast<std::byte>(flip);
+            ASSERT_TRUE(file.set_from(at, std::span(&flipped, 1)));
+            if (at < blocks[0].begin) {
+                ASSERT_NE(open_error(file.path), "no error") << at;
+                continue;
+            }
             Tick first = 0;
             for (const auto& block : blocks) first = block.begin <= at ? block.first : first;
             auto reader = LogReader::open(file.path).value();

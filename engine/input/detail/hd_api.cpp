@@ -125,13 +125,13 @@ const Api* keep(void* library, const Api& api) {
     return &libraries.all.emplace_back(Loaded{library, api}).api;
 }
 
-/// What failed in the last call of dlopen or dlsym, or `otherwise` if that is not known. The C library keeps the words
-/// until it is asked again, so the second call frees them.
-std::string take_linker_error(const std::string& otherwise) {
+/// Takes the message about the last failure of dlopen or dlsym from the C library. Empty: none failed. The library keeps
+/// the message of each thread until it is asked once more, so the second call frees it.
+std::string take_linker_error() {
     const char* why = ::dlerror();
-    auto words = why != nullptr ? why : otherwise;
+    std::string message = why != nullptr ? why : "";
     ::dlerror();
-    return words;
+    return message;
 }
 
 }  // namespace
@@ -139,14 +139,16 @@ std::string take_linker_error(const std::string& otherwise) {
 // RTLD_GLOBAL: libHD uses symbols of libraries that come with it.
 Expected<const Api*> load(const std::string& name) {
     void* library = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
-    if (library == nullptr)
+    if (library == nullptr) {
+        const auto why = take_linker_error();
         return fail(
-            text("no OpenHaptics: ", printable(take_linker_error(name), 400),
+            text("no OpenHaptics: ", printable(why.empty() ? name : why, 400),
                  "; install the arm's driver and OpenHaptics, or say in THAUM_LIBHD where libHD.so is"));
+    }
     Api api;
     const char* missing = find_all(library, api);
     if (missing == nullptr) return keep(library, api);
-    take_linker_error(name);
+    take_linker_error();  // that of the missing function, which is named below
     return fail(
         text(printable(name, 400), " is too old: it lacks ", missing, "; install OpenHaptics 3.4 or newer"));
 }
