@@ -5,12 +5,11 @@
 //
 //     struct Velocity {
 //         vec3 linear{};   // m/s
-//         static constexpr std::string_view name = "Velocity";
-//         static constexpr auto fields() { return std::tuple(field("linear", &Velocity::linear)); }
+//         THAUM_COMPONENT(Velocity, linear);
 //     };
 //
-// The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked at
-// compile time. It makes the bytes of a component a function of its value, so the bytes can be hashed. An
+// The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked where a
+// World declares the component, once in a program. It makes the bytes of a component a function of its value, so the bytes can be hashed. An
 // empty struct with a name is a tag. A tag costs one bit per entity, and adding or removing it moves no data.
 //
 // State that is one large array of numbers, such as the samples of a fluid, is a blob. A World has one array
@@ -29,7 +28,6 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -38,6 +36,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "ecs/entity.h"
+#include "ecs/fields.h"
 
 namespace thaum::ecs {
 
@@ -62,17 +61,6 @@ struct Mask {
     bool operator==(const Mask&) const = default;
 };
 
-template <class C, class M>
-struct Field {
-    std::string_view name;
-    M C::*member;
-};
-
-template <class C, class M>
-constexpr Field<C, M> field(std::string_view name, M C::*member) {
-    return {name, member};
-}
-
 /// The scalar types that a snapshot can hold.
 enum class Scalar : std::uint8_t { f32, f64, i8, i16, i32, i64, u8, u16, u32, u64 };
 constexpr std::array<std::uint8_t, 10> scalar_sizes{4, 8, 1, 2, 4, 8, 1, 2, 4, 8};
@@ -84,15 +72,20 @@ struct FieldInfo {
     Scalar scalar{};
 };
 
-/// A type that lists its own fields. A type from a part that does not use components has a free function
-/// `fields_of` instead; Described accepts both.
+namespace detail {
+/// Stands for any visitor of fields.
+struct AnyVisit {};
+}  // namespace detail
+
+/// A type that lists its own fields (ecs/fields.h). A type from a part that does not use components has a free
+/// function `visit_fields_of` instead; Described accepts both.
 template <class T>
 concept NamesFields = requires {
-    T::fields();
+    typename T::ListedFields;
 };
 template <class T>
-concept Described = NamesFields<T> || requires {
-    fields_of(static_cast<const T*>(nullptr));
+concept Described = NamesFields<T> || requires(const T* null, detail::AnyVisit visit) {
+    visit_fields_of(null, visit);
 };
 
 template <class T>
@@ -100,12 +93,13 @@ concept Tag = std::is_empty_v<T>;
 
 namespace detail {
 
-template <Described T>
-constexpr auto fields() {
+/// Calls visit(name, pointer to member) for each field of T.
+template <Described T, class Visit>
+constexpr void for_each_field(Visit&& visit) {
     if constexpr (NamesFields<T>) {
-        return T::fields();
+        T::visit_fields(visit);
     } else {
-        return fields_of(static_cast<const T*>(nullptr));
+        visit_fields_of(static_cast<const T*>(nullptr), visit);
     }
 }
 
@@ -129,22 +123,6 @@ constexpr Scalar scalar_of() {
     }
 }
 
-/// Calls visit(name, offset, Scalar) for every scalar of T and returns the sum of their sizes.
-template <class T, class Visit>
-constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t offset, Visit&& visit);
-
-template <class T, class Visit>
-constexpr std::size_t for_each_element(const std::string& prefix, std::size_t offset, std::size_t count,
-                                       std::string_view letters, Visit&& visit) {
-    std::size_t sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        std::string name = prefix;
-        name += letters.empty() ? text("[", i, "]") : text(".", letters[i]);
-        sum += for_each_scalar<T>(name, offset + i * sizeof(T), visit);
-    }
-    return sum;
-}
-
 template <class C, class M>
 std::size_t offset_of(M C::*member) {
     alignas(C) static const std::array<std::byte, sizeof(C)> storage{};
@@ -152,76 +130,77 @@ std::size_t offset_of(M C::*member) {
     return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&(object->*member)) - storage.data());
 }
 
-template <class T, class Visit>
-constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t offset, Visit&& visit) {
+/// Appends every scalar of a T at byte `offset` to `out`.
+template <class T>
+void append_scalars(const std::string& prefix, std::size_t offset, std::vector<FieldInfo>& out);
+
+/// Appends the scalars of `count` neighbours of type T. They are named by `letters`, or by their index.
+template <class T>
+void append_elements(const std::string& prefix, std::size_t offset, std::size_t count,
+                     std::string_view letters, std::vector<FieldInfo>& out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string name = prefix;
+        name += letters.empty() ? text("[", i, "]") : text(".", letters[i]);
+        append_scalars<T>(name, offset + i * sizeof(T), out);
+    }
+}
+
+template <class T>
+void append_scalars(const std::string& prefix, std::size_t offset, std::vector<FieldInfo>& out) {
     if constexpr (std::is_same_v<T, glm::dvec2>) {
-        return for_each_element<double>(prefix, offset, 2, "xy", visit);
+        append_elements<double>(prefix, offset, 2, "xy", out);
     } else if constexpr (std::is_same_v<T, glm::dvec3>) {
-        return for_each_element<double>(prefix, offset, 3, "xyz", visit);
+        append_elements<double>(prefix, offset, 3, "xyz", out);
     } else if constexpr (std::is_same_v<T, glm::dquat>) {
-        return for_each_element<double>(prefix, offset, 4, "xyzw", visit);
+        append_elements<double>(prefix, offset, 4, "xyzw", out);
     } else if constexpr (std::is_same_v<T, glm::vec3>) {
-        return for_each_element<float>(prefix, offset, 3, "xyz", visit);
+        append_elements<float>(prefix, offset, 3, "xyz", out);
     } else if constexpr (std::is_same_v<T, Entity>) {
-        return for_each_scalar<std::uint32_t>(prefix + ".index", offset, visit) +
-               for_each_scalar<std::uint32_t>(prefix + ".generation", offset + 4, visit);
+        append_scalars<std::uint32_t>(prefix + ".index", offset, out);
+        append_scalars<std::uint32_t>(prefix + ".generation", offset + 4, out);
     } else if constexpr (std::is_same_v<T, Random>) {
-        return for_each_scalar<std::uint64_t>(prefix + ".state", offset, visit);
+        append_scalars<std::uint64_t>(prefix + ".state", offset, out);
     } else if constexpr (is_array<T>) {
-        return for_each_element<typename T::value_type>(prefix, offset, std::tuple_size_v<T>, "", visit);
+        append_elements<typename T::value_type>(prefix, offset, std::tuple_size_v<T>, "", out);
     } else if constexpr (Described<T>) {
-        std::size_t sum = 0;
-        std::apply(
-            [&](const auto&... f) {
-                ((sum += for_each_scalar<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>(
-                      prefix.empty() ? std::string(f.name) : text(prefix, ".", f.name),
-                      offset + offset_of(f.member), visit)),
-                 ...);
-            },
-            fields<T>());
-        return sum;
+        for_each_field<T>([&]<class C, class M>(std::string_view name, M C::*member) {
+            append_scalars<M>(prefix.empty() ? std::string(name) : text(prefix, ".", name),
+                              offset + offset_of(member), out);
+        });
     } else {
-        visit(prefix, offset, scalar_of<T>());
-        return sizeof(T);
+        out.push_back({prefix, static_cast<std::uint32_t>(offset), scalar_of<T>()});
     }
 }
 
-template <class A, class B>
-constexpr bool is_same_member(const A& a, const B& b) {
-    if constexpr (std::is_same_v<A, B>) {
-        return a.member == b.member;
-    } else {
-        return false;
-    }
-}
-
-/// Tests whether T lists no field twice.
-template <Described T>
-constexpr bool lists_fields_once() {
-    return std::apply(
-        [](const auto&... f) {
-            const auto times = [&](const auto& one) { return (0 + ... + (is_same_member(one, f) ? 1 : 0)); };
-            return ((times(f) == 1) && ...);
-        },
-        fields<T>());
-}
-
-/// Sum of the sizes of all scalars. It equals sizeof(T) if T has no padding. A type that lists a field twice counts
-/// 0, because the sum could then equal sizeof(T) in spite of padding.
+/// Sum of the sizes of all scalars. It equals sizeof(T) if T has no padding.
 template <class T>
 constexpr std::size_t packed_size() {
     if constexpr (is_array<T>) {
         return std::tuple_size_v<T> * packed_size<typename T::value_type>();
     } else if constexpr (Described<T>) {
-        if (!lists_fields_once<T>()) return 0;
-        return std::apply(
-            [](const auto&... f) {
-                return (std::size_t{0} + ... +
-                        packed_size<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>());
-            },
-            fields<T>());
+        std::size_t sum = 0;
+        for_each_field<T>([&]<class C, class M>(std::string_view, M C::*) { sum += packed_size<M>(); });
+        return sum;
     } else {
         return sizeof(T);
+    }
+}
+
+/// Tests whether T and its parts list no field twice. Their sizes could then add up in spite of padding.
+template <class T>
+constexpr bool lists_fields_once() {
+    if constexpr (is_array<T>) {
+        return lists_fields_once<typename T::value_type>();
+    } else if constexpr (Described<T>) {
+        bool once = true;
+        for_each_field<T>([&]<class C, class M>(std::string_view name, M C::*) {
+            int times = 0;
+            for_each_field<T>([&](std::string_view other, auto) { times += name == other ? 1 : 0; });
+            once = once && times == 1 && lists_fields_once<M>();
+        });
+        return once;
+    } else {
+        return true;
     }
 }
 
@@ -260,12 +239,12 @@ concept ResourceType = std::is_empty_v<T> && requires {
     std::string_view(T::name);
 };
 
-/// A type that may be a component.
+/// A type that may be a component, if it has no padding. `component_info` checks that.
 template <class T>
 concept Component = !Blob<T> && !ResourceType<T> && std::is_trivially_copyable_v<T> && requires {
     std::string_view(T::name);
 }
-&&(Tag<T> || (Described<T> && detail::packed_size<T>() == sizeof(T)));
+&&(Tag<T> || Described<T>);
 
 /// A type that a World can declare.
 template <class T>
@@ -283,13 +262,16 @@ struct ComponentInfo {
     bool is_blob{};
 };
 
+/// Describes a component. A component with padding, with a field that it does not list, or with one that it lists
+/// twice, does not compile.
 template <Component T>
 ComponentInfo component_info() {
     ComponentInfo info{T::name, Tag<T> ? 0U : static_cast<std::uint32_t>(sizeof(T)), {}};
     if constexpr (!Tag<T>) {
-        detail::for_each_scalar<T>("", 0, [&](const std::string& name, std::size_t offset, Scalar scalar) {
-            info.fields.push_back({name, static_cast<std::uint32_t>(offset), scalar});
-        });
+        static_assert(detail::packed_size<T>() == sizeof(T),
+                      "a component lists all its fields and has no padding");
+        static_assert(detail::lists_fields_once<T>(), "a component lists each field once");
+        detail::append_scalars<T>("", 0, info.fields);
     }
     return info;
 }

@@ -51,17 +51,29 @@ struct Term<Without<T>> {
 template <class T>
 inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 
-/// The argument of one term for one row, as a tuple of one or no element.
+/// The argument of a term for one row: a reference, or a pointer that may be null.
 template <class T>
-auto argument(typename Term<T>::value* base, std::size_t row) {
-    if constexpr (!passed<T>) {
-        return std::tuple<>();
-    } else if constexpr (Term<T>::optional) {
-        return std::tuple<typename Term<T>::value*>(base == nullptr ? nullptr : base + row);
+decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
+    if constexpr (Term<T>::optional) {
+        return base == nullptr ? nullptr : base + row;
     } else {
-        return std::tuple<typename Term<T>::value&>(base[row]);
+        return (base[row]);
     }
 }
+
+template <class... Ts>
+struct Terms {};
+
+/// Those of the terms that are arguments, as Terms<...>.
+template <class Kept, class... Left>
+struct Arguments;
+template <class... Kept>
+struct Arguments<Terms<Kept...>> {
+    using type = Terms<Kept...>;
+};
+template <class... Kept, class T, class... Left>
+struct Arguments<Terms<Kept...>, T, Left...>
+    : Arguments<std::conditional_t<passed<T>, Terms<Kept..., T>, Terms<Kept...>>, Left...> {};
 
 }  // namespace detail
 
@@ -112,13 +124,8 @@ private:
 
     template <class T>
     typename detail::Term<T>::value* base(const Table& table) const {
-        using Value = typename detail::Term<T>::value;
-        if constexpr (!detail::passed<T>) {
-            return nullptr;
-        } else {
-            return table.template cells_of<Value>(
-                world_.template known_id<typename detail::Term<T>::component>());
-        }
+        return table.template cells_of<typename detail::Term<T>::value>(
+            world_.template known_id<typename detail::Term<T>::component>());
     }
 
     /// The rows that match among the 64 from `row` on, one bit each.
@@ -139,18 +146,23 @@ private:
 
     template <class F>
     void each_in(const Table& table, F& f) const {
-        each_row(table, f, base<Terms>(table)...);
+        each_row(table, f, typename detail::Arguments<detail::Terms<>, Terms...>::type{});
     }
 
-    template <class F>
-    void each_row(const Table& table, F& f, typename detail::Term<Terms>::value*... bases) const {
+    template <class F, class... Passed>
+    void each_row(const Table& table, F& f, detail::Terms<Passed...>) const {
+        each_row_of<F, Passed...>(table, f, base<Passed>(table)...);
+    }
+
+    template <class F, class... Passed>
+    void each_row_of(const Table& table, F& f, typename detail::Term<Passed>::value*... bases) const {
         const auto* entities = table.entities();
         const auto call = [&](std::size_t row) {
-            auto arguments = std::tuple_cat(detail::argument<Terms>(bases, row)...);
-            if constexpr (takes_entity<F>) {
-                std::apply([&](auto&&... a) { f(entities[row], a...); }, arguments);
+            if constexpr (std::is_invocable_v<F&, Entity,
+                                              decltype(detail::argument<Passed>(bases, row))...>) {
+                f(entities[row], detail::argument<Passed>(bases, row)...);
             } else {
-                std::apply([&](auto&&... a) { f(a...); }, arguments);
+                f(detail::argument<Passed>(bases, row)...);
             }
         };
         if constexpr (!filters_tags) {
@@ -164,16 +176,6 @@ private:
             }
         }
     }
-
-    template <class F, class Tuple>
-    struct TakesEntity;
-    template <class F, class... Args>
-    struct TakesEntity<F, std::tuple<Args...>> {
-        static constexpr bool value = std::is_invocable_v<F&, Entity, Args...>;
-    };
-    template <class F>
-    static constexpr bool takes_entity =
-        TakesEntity<F, decltype(std::tuple_cat(detail::argument<Terms>(nullptr, 0)...))>::value;
 
     const World& world_;
     World::Query& query_;

@@ -12,14 +12,12 @@ using namespace thaum;
 
 struct Height {
     double value{};  ///< above the floor (m)
-    static constexpr std::string_view name = "Height";
-    static constexpr auto fields() { return std::tuple(ecs::field("value", &Height::value)); }
+    THAUM_COMPONENT(Height, value);
 };
 
 struct Speed {
     double value{};  ///< upwards (m/s)
-    static constexpr std::string_view name = "Speed";
-    static constexpr auto fields() { return std::tuple(ecs::field("value", &Speed::value)); }
+    THAUM_COMPONENT(Speed, value);
 };
 
 struct Resting {

@@ -28,13 +28,7 @@ struct LiftSkill {
     Tick rest{};             ///< mean ticks between two things
     std::uint32_t guards{};  ///< 1: holds a thing as a shield while shots come
     std::uint32_t spare{};
-    static constexpr auto fields() {
-        using S = LiftSkill;
-        return std::tuple(
-            ecs::field("share", &S::share), ecs::field("seek", &S::seek), ecs::field("largest", &S::largest),
-            ecs::field("lead", &S::lead), ecs::field("within", &S::within), ecs::field("hold", &S::hold),
-            ecs::field("rest", &S::rest), ecs::field("guards", &S::guards), ecs::field("spare", &S::spare));
-    }
+    THAUM_FIELDS(LiftSkill, share, seek, largest, lead, within, hold, rest, guards, spare);
 };
 
 /// Skill in stirring the cauldron.
@@ -45,12 +39,7 @@ struct StirSkill {
     Tick rest{};     ///< time between two visits (ticks)
     double
         brew{};  ///< share of the opportunities without a foe in sight at which it brews a potion; 0: never
-    static constexpr auto fields() {
-        using S = StirSkill;
-        return std::tuple(ecs::field("share", &S::share), ecs::field("seek", &S::seek),
-                          ecs::field("hold", &S::hold), ecs::field("rest", &S::rest),
-                          ecs::field("brew", &S::brew));
-    }
+    THAUM_FIELDS(StirSkill, share, seek, hold, rest, brew);
 };
 
 /// Skill in casting spells by strokes.
@@ -59,21 +48,14 @@ struct CastSkill {
     double force{};   ///< mean force of a stroke (N); more is faster
     double jitter{};  ///< size of the deviations of a stroke (share of its size)
     double harsh{};   ///< share of strokes that are drawn harshly
-    static constexpr auto fields() {
-        using S = CastSkill;
-        return std::tuple(ecs::field("share", &S::share), ecs::field("force", &S::force),
-                          ecs::field("jitter", &S::jitter), ecs::field("harsh", &S::harsh));
-    }
+    THAUM_FIELDS(CastSkill, share, force, jitter, harsh);
 };
 
 /// Behaviour at an edge from which a fall hurts.
 struct EdgeSkill {
     double panic{};     ///< health below which the bot panics under fire (HP); 0: never
     double heedless{};  ///< share of side steps in a panic that heed no edge
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("panic", &EdgeSkill::panic),
-                          ecs::field("heedless", &EdgeSkill::heedless));
-    }
+    THAUM_FIELDS(EdgeSkill, panic, heedless);
 };
 
 /// Skill of a bot, from assets/bots/level_N.toml, which describes each number.
@@ -104,23 +86,9 @@ struct BotSkill {
     EdgeSkill edge{};
     CastSkill cast{};
     double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: never swings
-    static constexpr auto fields() {
-        using S = BotSkill;
-        return std::tuple(
-            ecs::field("level", &S::level), ecs::field("dodges", &S::dodges), ecs::field("arcs", &S::arcs),
-            ecs::field("spare", &S::spare), ecs::field("reaction", &S::reaction),
-            ecs::field("aim_error", &S::aim_error), ecs::field("turn_speed", &S::turn_speed),
-            ecs::field("view_cos", &S::view_cos), ecs::field("burst", &S::burst),
-            ecs::field("rest", &S::rest), ecs::field("keep", &S::keep), ecs::field("range", &S::range),
-            ecs::field("lead", &S::lead), ecs::field("strafe", &S::strafe),
-            ecs::field("strafe_step", &S::strafe_step), ecs::field("vial_below", &S::vial_below),
-            ecs::field("spark_below", &S::spark_below), ecs::field("reserve", &S::reserve),
-            ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
-            ecs::field("charge", &S::charge), ecs::field("throws", &S::throws),
-            ecs::field("over_cover", &S::over_cover), ecs::field("lift", &S::lift),
-            ecs::field("stir", &S::stir), ecs::field("edge", &S::edge), ecs::field("cast", &S::cast),
-            ecs::field("swing_gain", &S::swing_gain));
-    }
+    THAUM_FIELDS(BotSkill, level, dodges, arcs, spare, reaction, aim_error, turn_speed, view_cos, burst, rest,
+                 keep, range, lead, strafe, strafe_step, vial_below, spark_below, reserve, cover_below,
+                 variety, charge, throws, over_cover, lift, stir, edge, cast, swing_gain);
 };
 
 /// Reads the part of a skill that concerns aiming and shooting, from a level's file or the range's:

@@ -13,18 +13,14 @@ inline constexpr std::size_t most_things = 32;     ///< number of loose things t
 struct Glimpse {
     vec3 chest{};  ///< position of the foe's chest (m, world)
     std::uint64_t seen{};
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("chest", &Glimpse::chest), ecs::field("seen", &Glimpse::seen));
-    }
+    THAUM_FIELDS(Glimpse, chest, seen);
 };
 
 /// A loose thing and the position at which the bot saw it last.
 struct Sighting {
     ecs::Entity thing{};
     vec3 place{};  ///< position (m, world)
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("thing", &Sighting::thing), ecs::field("place", &Sighting::place));
-    }
+    THAUM_FIELDS(Sighting, thing, place);
 };
 
 /// Player, device and skill of a bot.
@@ -33,11 +29,7 @@ struct Seat {
     std::uint32_t player{};
     std::uint32_t spare{};
     BotSkill skill{};
-    static constexpr std::string_view name = "Seat";
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("device", &Seat::device), ecs::field("player", &Seat::player),
-                          ecs::field("spare", &Seat::spare), ecs::field("skill", &Seat::skill));
-    }
+    THAUM_COMPONENT(Seat, device, player, spare, skill);
 };
 
 /// Visual memory of a bot.
@@ -46,11 +38,7 @@ struct Eyes {
     std::array<Glimpse, bot_memory> glimpses{};
     std::array<Tick, most_power_ups> back_at{};  ///< when each power-up is available again, as last seen
     std::array<Sighting, most_things> things{};
-    static constexpr std::string_view name = "Eyes";
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("looks", &Eyes::looks), ecs::field("glimpses", &Eyes::glimpses),
-                          ecs::field("back_at", &Eyes::back_at), ecs::field("things", &Eyes::things));
-    }
+    THAUM_COMPONENT(Eyes, looks, glimpses, back_at, things);
 };
 
 /// Reason for which a bot walks to mind.goal instead of fighting.
@@ -85,26 +73,10 @@ struct Mind {
     std::uint32_t wand_key{};                    ///< wand whose key is down, 1 to wand_slots; 0: none
     std::uint32_t heedless{};                    ///< 1: the present side step heeds no edge
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Mind";
-    static constexpr auto fields() {
-        using M = Mind;
-        return std::tuple(
-            ecs::field("random", &M::random), ecs::field("foe", &M::foe),
-            ecs::field("foe_velocity", &M::foe_velocity), ecs::field("foe_seen_at", &M::foe_seen_at),
-            ecs::field("error_right", &M::error_right), ecs::field("error_up", &M::error_up),
-            ecs::field("goal", &M::goal), ecs::field("goal_until", &M::goal_until),
-            ecs::field("errand_until", &M::errand_until), ecs::field("fire_from", &M::fire_from),
-            ecs::field("fire_until", &M::fire_until), ecs::field("strafe_until", &M::strafe_until),
-            ecs::field("slow_since", &M::slow_since), ecs::field("stranded_since", &M::stranded_since),
-            ecs::field("dodge_until", &M::dodge_until), ecs::field("wand_until", &M::wand_until),
-            ecs::field("readiness", &M::readiness), ecs::field("errand", &M::errand),
-            ecs::field("strafe", &M::strafe), ecs::field("wishes_to_move", &M::wishes_to_move),
-            ecs::field("right_left", &M::right_left), ecs::field("up_left", &M::up_left),
-            ecs::field("move_strafe", &M::move_strafe), ecs::field("move_forward", &M::move_forward),
-            ecs::field("buttons", &M::buttons), ecs::field("round", &M::round), ecs::field("wand", &M::wand),
-            ecs::field("trigger", &M::trigger), ecs::field("wand_key", &M::wand_key),
-            ecs::field("heedless", &M::heedless), ecs::field("spare", &M::spare));
-    }
+    THAUM_COMPONENT(Mind, random, foe, foe_velocity, foe_seen_at, error_right, error_up, goal, goal_until,
+                    errand_until, fire_from, fire_until, strafe_until, slow_since, stranded_since,
+                    dodge_until, wand_until, readiness, errand, strafe, wishes_to_move, right_left, up_left,
+                    move_strafe, move_forward, buttons, round, wand, trigger, wand_key, heedless, spare);
 };
 
 /// Stages of lifting: walk to the thing, take it up, hold it.
@@ -120,15 +92,8 @@ struct LiftPlan {
     double off_left{}, off_up{};   ///< angles from the crosshair to the thing when it was taken up (rad)
     LiftStage stage{};
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Porter";
-    static constexpr auto fields() {
-        using P = LiftPlan;
-        return std::tuple(ecs::field("thing", &P::thing), ecs::field("place", &P::place),
-                          ecs::field("until", &P::until), ecs::field("not_before", &P::not_before),
-                          ecs::field("shots_from", &P::shots_from), ecs::field("shot_at", &P::shot_at),
-                          ecs::field("off_left", &P::off_left), ecs::field("off_up", &P::off_up),
-                          ecs::field("what", &P::stage), ecs::field("spare", &P::spare));
-    }
+    THAUM_COMPONENT(LiftPlan, thing, place, until, not_before, shots_from, shot_at, off_left, off_up, stage,
+                    spare);
 };
 
 /// Stages of a swing: walk to the edge, aim at the anchor, hang on the rope, fly on.
@@ -141,14 +106,7 @@ struct SwingPlan {
     Tick not_before{};
     SwingStage stage{};
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Climber";
-    static constexpr auto fields() {
-        using C = SwingPlan;
-        return std::tuple(ecs::field("from", &C::from), ecs::field("anchor", &C::anchor),
-                          ecs::field("to", &C::to), ecs::field("until", &C::until),
-                          ecs::field("not_before", &C::not_before), ecs::field("what", &C::stage),
-                          ecs::field("spare", &C::spare));
-    }
+    THAUM_COMPONENT(SwingPlan, from, anchor, to, until, not_before, stage, spare);
 };
 
 /// Stages at the cauldron: walk to a niche for an ingredient, walk to the rim, stir.
@@ -168,17 +126,8 @@ struct StirPlan {
     Tick hands_off_until{};           ///< tick before which the bot begins no stroke and drops nothing
     std::uint32_t drops{};            ///< 1: the bot presses fire over the brew
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Stirrer";
-    static constexpr auto fields() {
-        using S = StirPlan;
-        return std::tuple(ecs::field("until", &S::until), ecs::field("not_before", &S::not_before),
-                          ecs::field("health", &S::health), ecs::field("what", &S::stage),
-                          ecs::field("recipe", &S::recipe), ecs::field("dropped", &S::dropped),
-                          ecs::field("stroke", &S::stroke), ecs::field("drawing_from", &S::drawing_from),
-                          ecs::field("drawing_until", &S::drawing_until),
-                          ecs::field("hands_off_until", &S::hands_off_until), ecs::field("drops", &S::drops),
-                          ecs::field("spare", &S::spare));
-    }
+    THAUM_COMPONENT(StirPlan, until, not_before, health, stage, recipe, dropped, stroke, drawing_from,
+                    drawing_until, hands_off_until, drops, spare);
 };
 
 /// How a bot draws, as long as it lives: its user style.
@@ -187,12 +136,7 @@ struct DrawingStyle {
     double aspect{1};                ///< width relative to the height
     double slant{};                  ///< shear of x by y
     double cos_tilt{1}, sin_tilt{};  ///< turn on the page
-    static constexpr auto fields() {
-        using S = DrawingStyle;
-        return std::tuple(ecs::field("size", &S::size), ecs::field("aspect", &S::aspect),
-                          ecs::field("slant", &S::slant), ecs::field("cos_tilt", &S::cos_tilt),
-                          ecs::field("sin_tilt", &S::sin_tilt));
-    }
+    THAUM_FIELDS(DrawingStyle, size, aspect, slant, cos_tilt, sin_tilt);
 };
 
 /// A slow wave across a stroke, so that no two strokes are alike.
@@ -200,10 +144,7 @@ struct Wobble {
     double size{};    ///< amplitude (m)
     double waves{};   ///< waves within the stroke
     double begins{};  ///< phase at its start (rad)
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("size", &Wobble::size), ecs::field("waves", &Wobble::waves),
-                          ecs::field("begins", &Wobble::begins));
-    }
+    THAUM_FIELDS(Wobble, size, waves, begins);
 };
 
 /// Plan of a bot to cast a spell by a stroke.
@@ -218,16 +159,8 @@ struct CastPlan {
     std::int32_t given_right{}, given_up{};  ///< mouse counts so far
     std::uint32_t spell{};                   ///< index in MatchData::spells
     std::uint32_t stroke{};                  ///< number of the gesture's template
-    static constexpr std::string_view name = "Caster";
-    static constexpr auto fields() {
-        using C = CastPlan;
-        return std::tuple(ecs::field("style", &C::style), ecs::field("began", &C::began),
-                          ecs::field("lasts", &C::lasts), ecs::field("not_before", &C::not_before),
-                          ecs::field("no_thing_before", &C::no_thing_before), ecs::field("right", &C::right),
-                          ecs::field("up", &C::up), ecs::field("scale", &C::scale),
-                          ecs::field("given_right", &C::given_right), ecs::field("given_up", &C::given_up),
-                          ecs::field("spell", &C::spell), ecs::field("stroke", &C::stroke));
-    }
+    THAUM_COMPONENT(CastPlan, style, began, lasts, not_before, no_thing_before, right, up, scale, given_right,
+                    given_up, spell, stroke);
 };
 
 /// The bot's own wizard, as the bot knows it.

@@ -7,22 +7,12 @@
 
 namespace thaum::input {
 
-constexpr auto fields_of(const ArmState*) {
-    using S = ArmState;
-    return std::tuple(
-        ecs::field("servo", &S::servo), ecs::field("hand", &S::hand), ecs::field("offset", &S::offset),
-        ecs::field("rest", &S::rest), ecs::field("position_um", &S::position_um),
-        ecs::field("rotation_urad", &S::rotation_urad), ecs::field("epoch", &S::epoch),
-        ecs::field("number", &S::number), ecs::field("samples", &S::samples),
-        ecs::field("without", &S::without), ecs::field("old_poses", &S::old_poses),
-        ecs::field("gaps", &S::gaps), ecs::field("rests", &S::rests), ecs::field("spare", &S::spare));
-}
+THAUM_FIELDS_OF(ArmState, servo, hand, offset, rest, position_um, rotation_urad, epoch, number, samples,
+                without, old_poses, gaps, rests, spare)
 
 }  // namespace thaum::input
 
 namespace thaum::game {
-
-using ecs::field;
 
 struct Arm {
     /// A real arm held by one player.
@@ -39,14 +29,7 @@ struct Arm {
     /// Position about which the arm is held still (um, device frame).
     std::array<std::int32_t, 3> still_um{};
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Arm";
-    static constexpr auto fields() {
-        return std::tuple(field("state", &Arm::state), field("models", &Arm::models),
-                          field("player", &Arm::player), field("device", &Arm::device),
-                          field("panic_left", &Arm::panic_left), field("rearm_left", &Arm::rearm_left),
-                          field("away", &Arm::away), field("still", &Arm::still),
-                          field("still_um", &Arm::still_um), field("spare", &Arm::spare));
-    }
+    THAUM_COMPONENT(Arm, state, models, player, device, panic_left, rearm_left, away, still, still_um, spare);
 };
 
 /// One published haptics::HapticModel, kept because a sample computed with it may still be on its way. Only
@@ -59,11 +42,7 @@ struct PastModel {
     vec3 offset{};
     std::uint32_t number{};
     std::uint32_t samples{};
-    static constexpr std::string_view name = "PastModel";
-    static constexpr auto fields() {
-        return std::tuple(field("bytes", &PastModel::bytes), field("offset", &PastModel::offset),
-                          field("number", &PastModel::number), field("samples", &PastModel::samples));
-    }
+    THAUM_COMPONENT(PastModel, bytes, offset, number, samples);
 };
 
 }  // namespace thaum::game

@@ -8,32 +8,16 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// Description of a rigid body. To change it, remove the component and add a new one.
 struct Body : physics::BodyDesc {
     bool operator==(const Body&) const = default;
-    static constexpr std::string_view name = "Body";
-    static constexpr auto fields() {
-        return std::tuple(
-            field("shape", &Body::shape), field("mesh", &Body::mesh), field("size", &Body::size),
-            field("mass", &Body::mass), field("friction", &Body::friction),
-            field("restitution", &Body::restitution), field("rolling_friction", &Body::rolling_friction),
-            field("linear_damping", &Body::linear_damping), field("angular_damping", &Body::angular_damping),
-            field("layer", &Body::layer), field("collides_with", &Body::collides_with),
-            field("upright", &Body::upright), field("swept", &Body::swept));
-    }
+    THAUM_COMPONENT(Body, shape, mesh, size, mass, friction, restitution, rolling_friction, linear_damping,
+                    angular_damping, layer, collides_with, upright, swept);
 };
 
 /// Position and motion after Bullet's last step. An entity whose Body was removed keeps its last Motion.
 struct Motion : physics::BodyState {
-    static constexpr std::string_view name = "Motion";
-    static constexpr auto fields() {
-        return std::tuple(field("position", &Motion::position), field("orientation", &Motion::orientation),
-                          field("velocity", &Motion::velocity), field("spin", &Motion::spin),
-                          field("idle_s", &Motion::idle_s), field("drowsy", &Motion::drowsy),
-                          field("asleep", &Motion::asleep));
-    }
+    THAUM_COMPONENT(Motion, position, orientation, velocity, spin, idle_s, drowsy, asleep);
 };
 
 /// Collision layers.
@@ -68,8 +52,7 @@ inline constexpr std::array<std::string_view, 16> surface_names{
 
 struct Look {
     Surface surface{};
-    static constexpr std::string_view name = "Look";
-    static constexpr auto fields() { return std::tuple(field("surface", &Look::surface)); }
+    THAUM_COMPONENT(Look, surface);
 };
 
 /// Loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while its hits count for the
@@ -78,11 +61,7 @@ struct Prop {
     Tick moved_at{};                    ///< when a player last moved it (ticks of play)
     std::uint32_t moved_by{no_player};  ///< player who last shot, threw or pushed it
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Prop";
-    static constexpr auto fields() {
-        return std::tuple(field("moved_at", &Prop::moved_at), field("moved_by", &Prop::moved_by),
-                          field("spare", &Prop::spare));
-    }
+    THAUM_COMPONENT(Prop, moved_at, moved_by, spare);
 };
 
 /// Point to which the rope of the Swing wand can attach.
@@ -97,11 +76,7 @@ struct Pad {
     std::uint32_t player{};  ///< player who starts here: 0 or 1; 2: none
     std::uint32_t number{};
     bool operator==(const Pad&) const = default;
-    static constexpr std::string_view name = "Pad";
-    static constexpr auto fields() {
-        return std::tuple(field("feet", &Pad::feet), field("yaw", &Pad::yaw), field("player", &Pad::player),
-                          field("number", &Pad::number));
-    }
+    THAUM_COMPONENT(Pad, feet, yaw, player, number);
 };
 
 }  // namespace thaum::game

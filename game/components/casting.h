@@ -8,13 +8,10 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// Focus of a wizard, spent on spells.
 struct Focus {
     double points{};
-    static constexpr std::string_view name = "Focus";
-    static constexpr auto fields() { return std::tuple(field("points", &Focus::points)); }
+    THAUM_COMPONENT(Focus, points);
 };
 
 /// One point of a stroke (m): x to the right, y up on the page, z towards the wizard. A ladle draws on the brew: there y
@@ -22,10 +19,7 @@ struct Focus {
 struct DrawnPoint {
     float x{}, y{}, z{};
     float force{};  ///< force of the stroke, before caps and faders (N)
-    static constexpr auto fields() {
-        return std::tuple(field("x", &DrawnPoint::x), field("y", &DrawnPoint::y), field("z", &DrawnPoint::z),
-                          field("force", &DrawnPoint::force));
-    }
+    THAUM_FIELDS(DrawnPoint, x, y, z, force);
 };
 
 /// Room for a stroke of 4 s. A longer one keeps every second point, and so on.
@@ -48,14 +42,7 @@ struct DrawnStroke {
     /// Way of the hand beyond its device's workspace (m). The hand of a mouse is stopped there; its stroke goes on.
     vec3 beyond{};
     double reached{};  ///< Cauldron::reached when the ladle began to draw
-    static constexpr std::string_view name = "DrawnStroke";
-    static constexpr auto fields() {
-        return std::tuple(field("points", &DrawnStroke::points), field("count", &DrawnStroke::count),
-                          field("every", &DrawnStroke::every), field("waits", &DrawnStroke::waits),
-                          field("over", &DrawnStroke::over), field("on_brew", &DrawnStroke::on_brew),
-                          field("on_orb", &DrawnStroke::on_orb), field("home", &DrawnStroke::home),
-                          field("beyond", &DrawnStroke::beyond), field("reached", &DrawnStroke::reached));
-    }
+    THAUM_COMPONENT(DrawnStroke, points, count, every, waits, over, on_brew, on_orb, home, beyond, reached);
 };
 
 /// What was read last of a wizard's strokes, for the picture and for recipes.
@@ -66,20 +53,13 @@ struct LastReading {
     double turns{};           ///< see StrokeReading
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was meant
     std::uint32_t nearest{};  ///< number of the nearest gesture; no_gesture: there is none
-    static constexpr std::string_view name = "LastReading";
-    static constexpr auto fields() {
-        using L = LastReading;
-        return std::tuple(field("at", &L::at), field("probability", &L::probability),
-                          field("force", &L::force), field("turns", &L::turns), field("gesture", &L::gesture),
-                          field("nearest", &L::nearest));
-    }
+    THAUM_COMPONENT(LastReading, at, probability, force, turns, gesture, nearest);
 };
 
 /// Loose thing that a wizard took up or threw last.
 struct LastProp {
     ecs::Entity thing{};  ///< no entity: none yet
-    static constexpr std::string_view name = "LastProp";
-    static constexpr auto fields() { return std::tuple(field("thing", &LastProp::thing)); }
+    THAUM_COMPONENT(LastProp, thing);
 };
 
 }  // namespace thaum::game

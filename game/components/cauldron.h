@@ -12,8 +12,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// Momentum or an amount of one ingredient, queued for the next fluid step.
 struct Stroke {
     vec3 place{};    ///< position (m, brew frame)
@@ -23,11 +21,7 @@ struct Stroke {
     std::uint32_t ingredient{no_ingredient};  ///< number of the ingredient; no_ingredient: momentum only
     /// Thing whose strokes are merged within a step (its entity index + 1); 0: never merged.
     std::uint32_t by{};
-    static constexpr auto fields() {
-        return std::tuple(field("place", &Stroke::place), field("impulse", &Stroke::impulse),
-                          field("radius", &Stroke::radius), field("amount", &Stroke::amount),
-                          field("ingredient", &Stroke::ingredient), field("by", &Stroke::by));
-    }
+    THAUM_FIELDS(Stroke, place, impulse, radius, amount, ingredient, by);
 };
 
 /// Capacity of Strokes. The first `players` places belong to the ladles; each sums one ladle's momentum until
@@ -38,10 +32,7 @@ struct Strokes {
     std::array<Stroke, most_strokes> list{};
     std::uint32_t count{players};
     std::uint32_t spare{};
-    static constexpr auto fields() {
-        return std::tuple(field("list", &Strokes::list), field("count", &Strokes::count),
-                          field("spare", &Strokes::spare));
-    }
+    THAUM_FIELDS(Strokes, list, count, spare);
 };
 
 /// Bursts at the brew that wait for the next step of the surface.
@@ -52,10 +43,7 @@ struct BrewBursts {
     std::array<double, most> times{};  ///< number of bursts at that position
     std::uint32_t count{};
     std::uint32_t spare{};
-    static constexpr auto fields() {
-        return std::tuple(field("place", &BrewBursts::place), field("times", &BrewBursts::times),
-                          field("count", &BrewBursts::count), field("spare", &BrewBursts::spare));
-    }
+    THAUM_FIELDS(BrewBursts, place, times, count, spare);
 };
 
 /// Why a step of a recipe does not fit. The first four spoil the recipe: nothing comes of the brew any more.
@@ -115,23 +103,10 @@ struct Cauldron {
     std::uint32_t potion{no_potion};    ///< potion that has changed the brew; no_potion: the brew is as usual
     std::uint32_t fluid_potion{no_potion};  ///< value of `potion` that the present fluid step goes by
     Tick potion_until{};                    ///< tick before which the brew stays changed
-    static constexpr std::string_view name = "Cauldron";
-    static constexpr auto fields() {
-        using C = Cauldron;
-        return std::tuple(
-            field("middle", &C::middle), field("given", &C::current), field("next", &C::next),
-            field("what", &C::contents), field("inside", &C::inside), field("height", &C::height),
-            field("rise", &C::surface_speed), field("surface_asleep", &C::surface_asleep),
-            field("newest", &C::newest), field("under_way", &C::step_running), field("owner", &C::owner),
-            field("spoilt", &C::spoilt), field("stepped", &C::stepped), field("bursts", &C::bursts),
-            field("begun", &C::begun), field("mixing", &C::mixing), field("reached", &C::reached),
-            field("viscosity", &C::viscosity), field("density", &C::density), field("speed", &C::speed),
-            field("mixed_since", &C::mixed_since), field("boon_until", &C::boon_until),
-            field("boon_for", &C::boon_for), field("boon_given", &C::boon_given),
-            field("more_time", &C::more_time), field("strokes_done", &C::strokes_done),
-            field("fault", &C::fault), field("potion", &C::potion), field("fluid_potion", &C::fluid_potion),
-            field("potion_until", &C::potion_until));
-    }
+    THAUM_COMPONENT(Cauldron, middle, current, next, contents, inside, height, surface_speed, surface_asleep,
+                    newest, step_running, owner, spoilt, stepped, bursts, begun, mixing, reached, viscosity,
+                    density, speed, mixed_since, boon_until, boon_for, boon_given, more_time, strokes_done,
+                    fault, potion, fluid_potion, potion_until);
 };
 
 /// Blob with the samples of two fluid states, one after another. Each state has velocity, substances and
@@ -161,13 +136,7 @@ struct Ladle {
     Tick patched{};        ///< Cauldron::stepped of the fluid state in that patch
     std::uint32_t span{};  ///< index in `work` of the current interval
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Ladle";
-    static constexpr auto fields() {
-        return std::tuple(field("place", &Ladle::place), field("velocity", &Ladle::velocity),
-                          field("force", &Ladle::force), field("work", &Ladle::work),
-                          field("patch", &Ladle::patch), field("patched", &Ladle::patched),
-                          field("span", &Ladle::span), field("spare", &Ladle::spare));
-    }
+    THAUM_COMPONENT(Ladle, place, velocity, force, work, patch, patched, span, spare);
 };
 
 /// Place where a wizard with empty hands picks up an ingredient by walking over it. Its position is in
@@ -176,11 +145,7 @@ struct Niche {
     Tick back_at{};              ///< when the ingredient is available again (ticks of play)
     std::uint32_t ingredient{};  ///< number of the ingredient
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Niche";
-    static constexpr auto fields() {
-        return std::tuple(field("back_at", &Niche::back_at), field("ingredient", &Niche::ingredient),
-                          field("spare", &Niche::spare));
-    }
+    THAUM_COMPONENT(Niche, back_at, ingredient, spare);
 };
 
 /// Ingredient carried by a wizard.
@@ -188,10 +153,7 @@ struct Pouch {
     std::uint32_t ingredient{};
     /// Ingredient of the niche at which the wizard stands with full hands, told once; no_ingredient: at none.
     std::uint32_t refused{no_ingredient};
-    static constexpr std::string_view name = "Pouch";
-    static constexpr auto fields() {
-        return std::tuple(field("ingredient", &Pouch::ingredient), field("refused", &Pouch::refused));
-    }
+    THAUM_COMPONENT(Pouch, ingredient, refused);
 };
 
 }  // namespace thaum::game

@@ -10,8 +10,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// A crystal of crystal_side^3 voxels. Its frame has its origin at `middle` and is turned about the vertical axis by
 /// `yaw`, which its carvers change.
 struct Crystal {
@@ -26,14 +24,7 @@ struct Crystal {
     Tick chipped{};                   ///< when a hit last chipped it (ticks of play); 0: never
     std::uint32_t carver{no_player};  ///< player who last used a tool on it; no_player: nobody yet
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Crystal";
-    static constexpr auto fields() {
-        using C = Crystal;
-        return std::tuple(field("middle", &C::middle), field("yaw", &C::yaw), field("size", &C::size),
-                          field("seed", &C::seed), field("overlap", &C::overlap), field("number", &C::number),
-                          field("touched", &C::touched), field("chipped", &C::chipped),
-                          field("carver", &C::carver), field("spare", &C::spare));
-    }
+    THAUM_COMPONENT(Crystal, middle, yaw, size, seed, overlap, number, touched, chipped, carver, spare);
 };
 
 inline constexpr int crystal_side = 48;  ///< voxels along each edge
@@ -60,12 +51,7 @@ struct Chisel {
     vec3 last{};              ///< place of the tool when it last acted (m, crystal's frame)
     std::uint32_t cutting{};  ///< 1: the tool acts on the crystal
     std::uint32_t blunt{};    ///< 1: the player was told that there is no focus left
-    static constexpr std::string_view name = "Chisel";
-    static constexpr auto fields() {
-        return std::tuple(field("place", &Chisel::place), field("force", &Chisel::force),
-                          field("last", &Chisel::last), field("cutting", &Chisel::cutting),
-                          field("blunt", &Chisel::blunt));
-    }
+    THAUM_COMPONENT(Chisel, place, force, last, cutting, blunt);
 };
 
 /// A hit on a crystal in this tick, an entity of its own.
@@ -75,29 +61,20 @@ struct CrystalStrike {
     vec3 way{};                       ///< direction of flight (world); zero: none, the nearest voxel is hit
     std::uint32_t player{no_player};  ///< player who shot or threw
     std::uint32_t spare{};
-    static constexpr std::string_view name = "CrystalStrike";
-    static constexpr auto fields() {
-        using C = CrystalStrike;
-        return std::tuple(field("crystal", &C::crystal), field("place", &C::place), field("way", &C::way),
-                          field("player", &C::player), field("spare", &C::spare));
-    }
+    THAUM_COMPONENT(CrystalStrike, crystal, place, way, player, spare);
 };
 
 /// A wizard's tool for crystals, and the Lens that a carved key gives.
 struct Lens {
     std::uint32_t held{};  ///< 1: the wizard holds the Lens, until death
     std::uint32_t tool{};  ///< number of the tool that the wizard carves with
-    static constexpr std::string_view name = "Lens";
-    static constexpr auto fields() {
-        return std::tuple(field("held", &Lens::held), field("tool", &Lens::tool));
-    }
+    THAUM_COMPONENT(Lens, held, tool);
 };
 
 /// The Great Work: since when each player has held both halves of it (ticks of play); 0: does not.
 struct GreatWork {
     std::array<Tick, players> since{};
-    static constexpr std::string_view name = "GreatWork";
-    static constexpr auto fields() { return std::tuple(field("since", &GreatWork::since)); }
+    THAUM_COMPONENT(GreatWork, since);
 };
 
 }  // namespace thaum::game

@@ -5,8 +5,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// A ball of fog. The position of its middle is in Motion.
 struct Fog {
     double radius{};         ///< radius of the cloud (m)
@@ -15,12 +13,7 @@ struct Fog {
     Tick until{};            ///< tick of play in which the cloud vanishes
     std::uint32_t player{};  ///< player who cast it
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Fog";
-    static constexpr auto fields() {
-        return std::tuple(field("radius", &Fog::radius), field("sight", &Fog::sight),
-                          field("began", &Fog::began), field("until", &Fog::until),
-                          field("player", &Fog::player), field("spare", &Fog::spare));
-    }
+    THAUM_COMPONENT(Fog, radius, sight, began, until, player, spare);
 };
 
 }  // namespace thaum::game

@@ -8,8 +8,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 /// Room for 4 s of gameplay ticks.
 inline constexpr std::size_t free_points = 500;
 
@@ -30,12 +28,7 @@ struct FreeWindow {
     double force{};           ///< mean force (N)
     std::uint32_t gesture{};  ///< number of the gesture; no_gesture: nothing was read
     Miss miss{};              ///< why it cannot cast
-    static constexpr auto fields() {
-        using W = FreeWindow;
-        return std::tuple(field("score", &W::score), field("probability", &W::probability),
-                          field("needed", &W::needed), field("force", &W::force),
-                          field("gesture", &W::gesture), field("miss", &W::miss));
-    }
+    THAUM_FIELDS(FreeWindow, score, probability, needed, force, gesture, miss);
 };
 
 /// The motion of a wizard who casts freely (game/casting/free_casting.h). Only wizards of players with that option have
@@ -54,16 +47,8 @@ struct FreeHand {
     std::uint32_t spare{};
     FreeWindow best{};  ///< best of the windows that may cast
     FreeWindow odd{};   ///< best of those that are too small or too fast
-    static constexpr std::string_view name = "FreeHand";
-    static constexpr auto fields() {
-        using F = FreeHand;
-        return std::tuple(field("newest", &F::newest), field("cast_at", &F::cast_at),
-                          field("points", &F::points), field("first", &F::first), field("count", &F::count),
-                          field("path", &F::path), field("rest_place", &F::rest_place),
-                          field("rested", &F::rested), field("moving", &F::moving),
-                          field("windows", &F::windows), field("spare", &F::spare), field("best", &F::best),
-                          field("odd", &F::odd));
-    }
+    THAUM_COMPONENT(FreeHand, newest, cast_at, points, first, count, path, rest_place, rested, moving,
+                    windows, spare, best, odd);
 };
 
 /// The last motion that almost cast a spell without a button, for the picture. Wizards with a FreeHand have one.
@@ -72,12 +57,7 @@ struct NearMiss {
     double probability{};     ///< 0 to 1
     std::uint32_t gesture{};  ///< number of the gesture that it was like
     Miss reason{};
-    static constexpr std::string_view name = "NearMiss";
-    static constexpr auto fields() {
-        using N = NearMiss;
-        return std::tuple(field("at", &N::at), field("probability", &N::probability),
-                          field("gesture", &N::gesture), field("reason", &N::reason));
-    }
+    THAUM_COMPONENT(NearMiss, at, probability, gesture, reason);
 };
 
 }  // namespace thaum::game

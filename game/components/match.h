@@ -6,8 +6,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 inline constexpr std::uint32_t no_player = 2;
 
 /// A match is one or more rounds. Play stands still between two rounds and after the last one.
@@ -26,15 +24,8 @@ struct Match {
     std::uint32_t paused{};  ///< 1 while the match is paused
     std::uint32_t paused_by{no_player};
     std::uint32_t skipped{};  ///< number of samples left out because the machine could not keep up
-    static constexpr std::string_view name = "Match";
-    static constexpr auto fields() {
-        return std::tuple(field("played", &Match::played), field("round_began", &Match::round_began),
-                          field("waited", &Match::waited), field("phase", &Match::phase),
-                          field("ending", &Match::ending), field("winner", &Match::winner),
-                          field("round", &Match::round), field("rounds_won", &Match::rounds_won),
-                          field("paused", &Match::paused), field("paused_by", &Match::paused_by),
-                          field("skipped", &Match::skipped));
-    }
+    THAUM_COMPONENT(Match, played, round_began, waited, phase, ending, winner, round, rounds_won, paused,
+                    paused_by, skipped);
 };
 
 /// Player who has won more rounds, and so the match if it is over; no_player: neither.
@@ -46,8 +37,7 @@ inline std::uint32_t ahead(const Match& match) {
 /// Random number generators, one per use: one subsystem's draws do not shift another's sequence.
 struct Dice {
     Random spread;
-    static constexpr std::string_view name = "Dice";
-    static constexpr auto fields() { return std::tuple(field("spread", &Dice::spread)); }
+    THAUM_COMPONENT(Dice, spread);
 };
 
 /// Kinds of event of the rules. The hits of wands have the numbers that are missing here and those above the
@@ -120,12 +110,7 @@ struct Event {
     std::uint32_t detail{};
     double amount{};  ///< health taken (HP), unless EventKind says otherwise
     vec3 place{};     ///< position (m, world)
-    static constexpr auto fields() {
-        return std::tuple(field("tick", &Event::tick), field("kind", &Event::kind),
-                          field("subject", &Event::subject), field("by", &Event::by),
-                          field("detail", &Event::detail), field("amount", &Event::amount),
-                          field("place", &Event::place));
-    }
+    THAUM_FIELDS(Event, tick, kind, subject, by, detail, amount, place);
 };
 
 /// Statistics of one player and one cause over the whole match: shots, effects on the other player, own
@@ -135,11 +120,7 @@ struct MatchStats {
     /// Deaths of this player by this cause that count as no kill of the other player.
     std::uint32_t own_deaths{};
     double damage{};  ///< health taken from the other player (HP)
-    static constexpr auto fields() {
-        return std::tuple(field("shots", &MatchStats::shots), field("hits", &MatchStats::hits),
-                          field("kills", &MatchStats::kills), field("own_deaths", &MatchStats::own_deaths),
-                          field("damage", &MatchStats::damage));
-    }
+    THAUM_FIELDS(MatchStats, shots, hits, kills, own_deaths, damage);
 };
 
 /// Ring buffer of the last events, newest at (count - 1) % size. A tick may record more than it holds, so
@@ -148,11 +129,7 @@ struct EventLog {
     std::uint64_t count{};
     std::array<Event, 64> events{};
     std::array<std::array<MatchStats, most_causes>, 2> match_stats{};
-    static constexpr std::string_view name = "EventLog";
-    static constexpr auto fields() {
-        return std::tuple(field("count", &EventLog::count), field("events", &EventLog::events),
-                          field("match_stats", &EventLog::match_stats));
-    }
+    THAUM_COMPONENT(EventLog, count, events, match_stats);
 };
 
 }  // namespace thaum::game

@@ -17,10 +17,7 @@ struct MovedFaders {
     /// Ticks in which the forces of each player still change because of the last move.
     std::array<std::uint8_t, players> settling{};
 
-    static constexpr std::string_view name = "MovedFaders";
-    static constexpr auto fields() {
-        return std::tuple(field("percent", &MovedFaders::percent), field("settling", &MovedFaders::settling));
-    }
+    THAUM_COMPONENT(MovedFaders, percent, settling);
 };
 
 }  // namespace thaum::game

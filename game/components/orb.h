@@ -10,16 +10,11 @@
 
 namespace thaum::field {
 
-constexpr auto fields_of(const TransferFunction*) {
-    return std::tuple(ecs::field("points", &TransferFunction::points),
-                      ecs::field("count", &TransferFunction::count));
-}
+THAUM_FIELDS_OF(TransferFunction, points, count)
 
 }  // namespace thaum::field
 
 namespace thaum::game {
-
-using ecs::field;
 
 /// The orb. Its flow is field::make_vortex_flow(2 radius, seed) about `middle`, with the axes of the world. The hidden
 /// core is the axis of the flow's first vortex.
@@ -27,11 +22,7 @@ struct Orb {
     vec3 middle{};    ///< (m, world)
     double radius{};  ///< (m)
     std::uint64_t seed{};
-    static constexpr std::string_view name = "Orb";
-    static constexpr auto fields() {
-        return std::tuple(field("middle", &Orb::middle), field("radius", &Orb::radius),
-                          field("seed", &Orb::seed));
-    }
+    THAUM_COMPONENT(Orb, middle, radius, seed);
 };
 
 inline constexpr std::uint32_t no_mode = 0xFFFF'FFFF;
@@ -49,13 +40,7 @@ struct WornModes {
     std::uint32_t
         spent{};  ///< 1: focus ran out while scrying; the wizard scries again after Stir was released
     std::uint32_t version{};  ///< counts changes of modes and curves
-    static constexpr std::string_view name = "WornModes";
-    static constexpr auto fields() {
-        using W = WornModes;
-        return std::tuple(field("worn", &W::worn), field("strength", &W::strength), field("told", &W::told),
-                          field("order_told", &W::order_told), field("spent", &W::spent),
-                          field("version", &W::version));
-    }
+    THAUM_COMPONENT(WornModes, worn, strength, told, order_told, spent, version);
 };
 
 /// A wizard who scries: holds Stir at the orb and moves a probe in its flow.
@@ -67,14 +52,7 @@ struct Scrying {
     vec3 pen{};                ///< position of the hand when it last drew a curve (m, device frame)
     std::uint32_t pen_down{};  ///< 1: Trace is held, and `pen` is known
     std::uint32_t drawing{};   ///< 1: the hand draws the curve of the mode worn last, and feels no mode
-    static constexpr std::string_view name = "Scrying";
-    static constexpr auto fields() {
-        using S = Scrying;
-        return std::tuple(field("place", &S::place), field("force", &S::force),
-                          field("distance", &S::distance), field("near_since", &S::near_since),
-                          field("pen", &S::pen), field("pen_down", &S::pen_down),
-                          field("drawing", &S::drawing));
-    }
+    THAUM_COMPONENT(Scrying, place, force, distance, near_since, pen, pen_down, drawing);
 };
 
 }  // namespace thaum::game

@@ -9,8 +9,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 inline constexpr std::uint32_t no_potion = 0xFFFF'FFFF;
 inline constexpr std::size_t most_potions = 8;
 inline constexpr std::size_t most_recipe_ingredients = 3;
@@ -21,11 +19,7 @@ struct Potions {
     /// 1: the wizard holds Azoth, which is half of the Great Work.
     std::uint32_t work_half{};
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Potions";
-    static constexpr auto fields() {
-        return std::tuple(field("until", &Potions::until), field("work_half", &Potions::work_half),
-                          field("spare", &Potions::spare));
-    }
+    THAUM_COMPONENT(Potions, until, work_half, spare);
     bool operator==(const Potions&) const = default;
 };
 
@@ -34,8 +28,7 @@ struct Potions {
 /// ingredients leaves out the places that it lacks.
 struct DrawnOrders {
     std::array<std::array<std::uint32_t, most_recipe_ingredients>, players> order{};
-    static constexpr std::string_view name = "DrawnOrders";
-    static constexpr auto fields() { return std::tuple(field("order", &DrawnOrders::order)); }
+    THAUM_COMPONENT(DrawnOrders, order);
 };
 
 }  // namespace thaum::game

@@ -5,8 +5,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 enum class PowerUpKind : std::uint32_t { vial, heart, spark };
 inline constexpr std::array<std::string_view, 3> power_up_names{"vial", "heart", "spark"};
 
@@ -15,11 +13,7 @@ struct PowerUp {
     Tick back_at{};  ///< when it is available again (ticks of play)
     PowerUpKind kind{};
     std::uint32_t number{};  ///< index of the power-up in the arena file
-    static constexpr std::string_view name = "PowerUp";
-    static constexpr auto fields() {
-        return std::tuple(field("back_at", &PowerUp::back_at), field("kind", &PowerUp::kind),
-                          field("number", &PowerUp::number));
-    }
+    THAUM_COMPONENT(PowerUp, back_at, kind, number);
 };
 
 }  // namespace thaum::game

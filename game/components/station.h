@@ -5,8 +5,6 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 enum class StationKind : std::uint32_t { cauldron, orb, crystal };
 
 /// A wizard who holds Stir at a station. The wizard stands still, the hand moves a ladle, a probe or a tool, and the
@@ -17,12 +15,7 @@ struct AtStation {
     double yaw{};
     StationKind kind{};
     std::uint32_t number{};  ///< which of several stations of this kind
-    static constexpr std::string_view name = "AtStation";
-    static constexpr auto fields() {
-        using A = AtStation;
-        return std::tuple(field("middle", &A::middle), field("yaw", &A::yaw), field("kind", &A::kind),
-                          field("number", &A::number));
-    }
+    THAUM_COMPONENT(AtStation, middle, yaw, kind, number);
 };
 
 }  // namespace thaum::game

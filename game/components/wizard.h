@@ -8,15 +8,12 @@
 
 namespace thaum::game {
 
-using ecs::field;
-
 inline constexpr std::size_t players = 2;
 inline constexpr std::size_t wand_slots = input::most_wands;
 
 struct Wizard {
     std::uint32_t player{};  ///< 0 or 1
-    static constexpr std::string_view name = "Wizard";
-    static constexpr auto fields() { return std::tuple(field("player", &Wizard::player)); }
+    THAUM_COMPONENT(Wizard, player);
 };
 
 /// The player's input in this tick, decoded from the device sample.
@@ -36,41 +33,22 @@ struct Controls {
     std::uint32_t harsh{};  ///< 1: fire was pressed while Trace is held, which makes a key chord harsh
     std::uint32_t
         stick_draws{};  ///< 1: the stick has been at its rim since Trace went down, so it moves the hand
-    static constexpr std::string_view name = "Controls";
-    static constexpr auto fields() {
-        return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
-                          field("wand_held", &Controls::wand_held),
-                          field("wand_pressed", &Controls::wand_pressed), field("strafe", &Controls::strafe),
-                          field("forward", &Controls::forward), field("trigger", &Controls::trigger),
-                          field("wheel", &Controls::wheel), field("hand_right", &Controls::hand_right),
-                          field("hand_up", &Controls::hand_up), field("hand_back", &Controls::hand_back),
-                          field("stick_right", &Controls::stick_right),
-                          field("stick_up", &Controls::stick_up), field("harsh", &Controls::harsh),
-                          field("stick_draws", &Controls::stick_draws));
-    }
+    THAUM_COMPONENT(Controls, held, pressed, wand_held, wand_pressed, strafe, forward, trigger, wheel,
+                    hand_right, hand_up, hand_back, stick_right, stick_up, harsh, stick_draws);
 };
 
 /// Direction of view: yaw counts to the left from -z, pitch upwards (rad).
 struct Gaze {
     double yaw{};
     double pitch{};
-    static constexpr std::string_view name = "Gaze";
-    static constexpr auto fields() {
-        return std::tuple(field("yaw", &Gaze::yaw), field("pitch", &Gaze::pitch));
-    }
+    THAUM_COMPONENT(Gaze, yaw, pitch);
 };
 
 /// How the wizard stands: the mover's state between steps.
 struct Stance : physics::MoverState {
     double rope_lift{};  ///< upward part of the rope's force (N)
     Tick loose_until{};  ///< tick before which the feet slip on the ground after a push
-    static constexpr std::string_view name = "Stance";
-    static constexpr auto fields() {
-        return std::tuple(field("expected", &Stance::expected),
-                          field("ground_normal", &Stance::ground_normal), field("falling", &Stance::falling),
-                          field("grounded", &Stance::grounded), field("driven", &Stance::driven),
-                          field("hung", &Stance::rope_lift), field("loose_until", &Stance::loose_until));
-    }
+    THAUM_COMPONENT(Stance, expected, ground_normal, falling, grounded, driven, rope_lift, loose_until);
 };
 
 struct Health {
@@ -88,24 +66,14 @@ struct Health {
     Tick poisoned_until{};
     std::uint32_t poisoned_by{};  ///< player who poisoned the wizard
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Health";
-    static constexpr auto fields() {
-        return std::tuple(field("points", &Health::points), field("shielded_until", &Health::shielded_until),
-                          field("hurt_at", &Health::hurt_at), field("hurt_by", &Health::hurt_by),
-                          field("hurt_how", &Health::hurt_how), field("foe_did_at", &Health::foe_did_at),
-                          field("ward", &Health::ward), field("ward_until", &Health::ward_until),
-                          field("harm_share", &Health::harm_share),
-                          field("hardened_until", &Health::hardened_until), field("poison", &Health::poison),
-                          field("poisoned_until", &Health::poisoned_until),
-                          field("poisoned_by", &Health::poisoned_by), field("spare", &Health::spare));
-    }
+    THAUM_COMPONENT(Health, points, shielded_until, hurt_at, hurt_by, hurt_how, foe_did_at, ward, ward_until,
+                    harm_share, hardened_until, poison, poisoned_until, poisoned_by, spare);
 };
 
 /// State of a dead wizard.
 struct Dead {
     Tick returns_at{};
-    static constexpr std::string_view name = "Dead";
-    static constexpr auto fields() { return std::tuple(field("returns_at", &Dead::returns_at)); }
+    THAUM_COMPONENT(Dead, returns_at);
 };
 
 /// Blow by one thing that is hitting this wizard. Its impulse is summed until the blow ends, then turned into
@@ -115,17 +83,13 @@ struct Blow {
     Tick began{};
     Tick counts_again{};  ///< tick before which another hit by this thing is ignored
     double impulse{};     ///< impulse so far (N s); negative after the harm was counted
-    static constexpr auto fields() {
-        return std::tuple(field("by", &Blow::by), field("began", &Blow::began),
-                          field("counts_again", &Blow::counts_again), field("impulse", &Blow::impulse));
-    }
+    THAUM_FIELDS(Blow, by, began, counts_again, impulse);
     /// Blows of the last few things that hit the wizard.
 };
 
 struct Blows {
     std::array<Blow, 8> recent{};
-    static constexpr std::string_view name = "Blows";
-    static constexpr auto fields() { return std::tuple(field("recent", &Blows::recent)); }
+    THAUM_COMPONENT(Blows, recent);
 };
 
 struct WandBelt {
@@ -135,22 +99,13 @@ struct WandBelt {
     double venom{};      ///< harm that the next lob adds to those whom it hits (HP/s); 0: none
     Tick venom_until{};  ///< tick before which that lob must be thrown
     Tick venom_lasts{};  ///< time for which that harm goes on
-    static constexpr std::string_view name = "WandBelt";
-    static constexpr auto fields() {
-        return std::tuple(field("selected", &WandBelt::selected), field("fired", &WandBelt::fired),
-                          field("energy", &WandBelt::energy), field("venom", &WandBelt::venom),
-                          field("venom_until", &WandBelt::venom_until),
-                          field("venom_lasts", &WandBelt::venom_lasts));
-    }
+    THAUM_COMPONENT(WandBelt, selected, fired, energy, venom, venom_until, venom_lasts);
 };
 
 struct Score {
     std::int32_t kills{};
     std::int32_t deaths{};
-    static constexpr std::string_view name = "Score";
-    static constexpr auto fields() {
-        return std::tuple(field("kills", &Score::kills), field("deaths", &Score::deaths));
-    }
+    THAUM_COMPONENT(Score, kills, deaths);
 };
 
 }  // namespace thaum::game

@@ -27,11 +27,7 @@ struct Recalled {
     ecs::Entity thing{};
     Tick until{};       ///< tick at which the thing falls
     double strength{};  ///< see SpellCast
-    static constexpr std::string_view name = "Recalled";
-    static constexpr auto fields() {
-        return std::tuple(field("thing", &Recalled::thing), field("until", &Recalled::until),
-                          field("strength", &Recalled::strength));
-    }
+    THAUM_COMPONENT(Recalled, thing, until, strength);
 };
 
 constexpr double arrived = 0.35;    ///< distance from its place at which a thing has arrived (m)

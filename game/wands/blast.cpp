@@ -43,13 +43,7 @@ struct Blast {
     std::uint32_t shooter{};  ///< key of the shooter's body
     std::uint32_t lens{};     ///< 1: the shooter held the Lens
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Blast";
-    static constexpr auto fields() {
-        return std::tuple(field("position", &Blast::position), field("velocity", &Blast::velocity),
-                          field("charge", &Blast::charge), field("dies_at", &Blast::dies_at),
-                          field("player", &Blast::player), field("shooter", &Blast::shooter),
-                          field("lens", &Blast::lens), field("spare", &Blast::spare));
-    }
+    THAUM_COMPONENT(Blast, position, velocity, charge, dies_at, player, shooter, lens, spare);
 };
 
 /// State of the blast wand in a wizard's hand.
@@ -61,13 +55,7 @@ struct BlastHand {
     Tick went_off{};           ///< tick of the shot, at which the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held
     std::uint32_t spare{};
-    static constexpr std::string_view name = "BlastHand";
-    static constexpr auto fields() {
-        return std::tuple(field("charge", &BlastHand::charge), field("affordable", &BlastHand::affordable),
-                          field("leaning", &BlastHand::leaning), field("began", &BlastHand::began),
-                          field("went_off", &BlastHand::went_off), field("charging", &BlastHand::charging),
-                          field("spare", &BlastHand::spare));
-    }
+    THAUM_COMPONENT(BlastHand, charge, affordable, leaning, began, went_off, charging, spare);
 };
 
 BlastData read(const ConfigTable& root) {

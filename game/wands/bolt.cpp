@@ -35,19 +35,13 @@ struct Bolt {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t ignores{};  ///< key of the shooter's body
-    static constexpr std::string_view name = "Bolt";
-    static constexpr auto fields() {
-        return std::tuple(field("position", &Bolt::position), field("velocity", &Bolt::velocity),
-                          field("dies_at", &Bolt::dies_at), field("player", &Bolt::player),
-                          field("ignores", &Bolt::ignores));
-    }
+    THAUM_COMPONENT(Bolt, position, velocity, dies_at, player, ignores);
 };
 
 /// State of the bolt wand in a wizard's hand.
 struct BoltHand {
     Tick next_shot{};
-    static constexpr std::string_view name = "BoltHand";
-    static constexpr auto fields() { return std::tuple(field("next_shot", &BoltHand::next_shot)); }
+    THAUM_COMPONENT(BoltHand, next_shot);
 };
 
 BoltData read(const ConfigTable& root) {

@@ -65,18 +65,8 @@ struct LiftHand {
     Tick next_blow{};
     /// Tick before which a thing that came to the hand is held without fire; 0: fire holds it.
     Tick caught_until{};
-    static constexpr std::string_view name = "LiftHand";
-    static constexpr auto fields() {
-        using H = LiftHand;
-        return std::tuple(field("held", &H::held), field("turn", &H::turn), field("yaw", &H::yaw),
-                          field("pitch", &H::pitch), field("yaw_rate", &H::yaw_rate),
-                          field("pitch_rate", &H::pitch_rate), field("taken_object", &H::taken_object),
-                          field("taken_device", &H::taken_device), field("hip", &H::hip),
-                          field("base", &H::base), field("base_velocity", &H::base_velocity),
-                          field("coupling", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
-                          field("impulse", &H::impulse), field("next_blow", &H::next_blow),
-                          field("caught_until", &H::caught_until));
-    }
+    THAUM_COMPONENT(LiftHand, held, turn, yaw, pitch, yaw_rate, pitch_rate, taken_object, taken_device, hip,
+                    base, base_velocity, coupling, metres_per_metre, impulse, next_blow, caught_until);
 };
 
 constexpr Tick between_blows = 40;  ///< least time between two felt blows (ticks)

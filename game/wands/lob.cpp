@@ -51,13 +51,7 @@ struct Lob {
     std::uint32_t shooter{};  ///< key of the shooter's body
     double venom{};           ///< harm that a potion adds to those whom the stone hits (HP/s)
     Tick venom_lasts{};       ///< time for which that harm goes on
-    static constexpr std::string_view name = "Lob";
-    static constexpr auto fields() {
-        return std::tuple(field("position", &Lob::position), field("velocity", &Lob::velocity),
-                          field("bursts_at", &Lob::bursts_at), field("player", &Lob::player),
-                          field("shooter", &Lob::shooter), field("venom", &Lob::venom),
-                          field("venom_lasts", &Lob::venom_lasts));
-    }
+    THAUM_COMPONENT(Lob, position, velocity, bursts_at, player, shooter, venom, venom_lasts);
 };
 
 /// State of the lob wand in a wizard's hand.
@@ -67,12 +61,7 @@ struct LobHand {
     double drawn{};           ///< measured share of a full draw
     std::uint32_t drawing{};  ///< 1 while fire is held
     std::uint32_t spare{};
-    static constexpr std::string_view name = "LobHand";
-    static constexpr auto fields() {
-        return std::tuple(field("anchor", &LobHand::anchor), field("target", &LobHand::target),
-                          field("drawn", &LobHand::drawn), field("drawing", &LobHand::drawing),
-                          field("spare", &LobHand::spare));
-    }
+    THAUM_COMPONENT(LobHand, anchor, target, drawn, drawing, spare);
 };
 
 vec3 read_axis(const ConfigTable& draw) {

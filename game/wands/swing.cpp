@@ -36,14 +36,7 @@ struct SwingHand {
     double pulled{};       ///< length by which the hand has shortened the rope (m)
     double tension{};      ///< mean tension over the last tick (N)
     WandCoupling coupling{};
-    static constexpr std::string_view name = "SwingHand";
-    static constexpr auto fields() {
-        using H = SwingHand;
-        return std::tuple(field("anchor", &H::anchor), field("taken_device", &H::taken_device),
-                          field("length", &H::length), field("rest_length", &H::rest_length),
-                          field("pulled", &H::pulled), field("tension", &H::tension),
-                          field("coupling", &H::coupling));
-    }
+    THAUM_COMPONENT(SwingHand, anchor, taken_device, length, rest_length, pulled, tension, coupling);
 };
 
 SwingData read(const ConfigTable& root) {

@@ -17,10 +17,7 @@ namespace thaum::game {
 struct WandCoupling {
     vec3 owed{};      ///< velocity still owed to the body (m/s)
     vec3 expected{};  ///< velocity of the body after the step if nothing else touches it (m/s)
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("owed", &WandCoupling::owed),
-                          ecs::field("expected", &WandCoupling::expected));
-    }
+    THAUM_FIELDS(WandCoupling, owed, expected);
 };
 
 /// Velocity of the body plus the velocity owed to it (m/s).

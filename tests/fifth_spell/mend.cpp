@@ -11,10 +11,7 @@ namespace {
 struct Mending {
     double left{};  ///< health still to be given (HP)
     double rate{};  ///< health given in a gameplay tick (HP)
-    static constexpr std::string_view name = "Mending";
-    static constexpr auto fields() {
-        return std::tuple(field("left", &Mending::left), field("rate", &Mending::rate));
-    }
+    THAUM_COMPONENT(Mending, left, rate);
 };
 
 class MendSpell final : public SpellRules {

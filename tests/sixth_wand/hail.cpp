@@ -28,19 +28,13 @@ struct Hail {
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t ignores{};  ///< key of the shooter's body
-    static constexpr std::string_view name = "Hail";
-    static constexpr auto fields() {
-        return std::tuple(field("position", &Hail::position), field("velocity", &Hail::velocity),
-                          field("dies_at", &Hail::dies_at), field("player", &Hail::player),
-                          field("ignores", &Hail::ignores));
-    }
+    THAUM_COMPONENT(Hail, position, velocity, dies_at, player, ignores);
 };
 
 /// State of the hail wand in a wizard's hand.
 struct HailHand {
     Tick next_shot{};
-    static constexpr std::string_view name = "HailHand";
-    static constexpr auto fields() { return std::tuple(field("next_shot", &HailHand::next_shot)); }
+    THAUM_COMPONENT(HailHand, next_shot);
 };
 
 HailData read(const ConfigTable& root) {

@@ -147,7 +147,7 @@ struct Sized {
     std::array<std::uint8_t, N> bytes{};
     static constexpr std::array<char, 3> letters{'S', 'A' + N / 26, 'A' + N % 26};
     static constexpr std::string_view name{letters.data(), letters.size()};
-    static constexpr auto fields() { return std::tuple(field("bytes", &Sized::bytes)); }
+    THAUM_FIELDS(Sized, bytes);
 };
 
 template <std::size_t N>

@@ -191,8 +191,7 @@ using EcsWorldDeath = EcsWorld;
 template <std::size_t size>
 struct Cell {
     std::array<std::uint8_t, size> value{};
-    static constexpr std::string_view name = "Cell";
-    static constexpr auto fields() { return std::tuple(field("value", &Cell::value)); }
+    THAUM_COMPONENT(Cell, value);
 };
 
 template <std::size_t size>

@@ -23,10 +23,7 @@ namespace thaum::bench::things {
 /// better than it is.
 struct Triple {
     double x{}, y{}, z{};
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("x", &Triple::x), ecs::field("y", &Triple::y),
-                          ecs::field("z", &Triple::z));
-    }
+    THAUM_FIELDS(Triple, x, y, z);
 };
 
 /// Laid out as game::Motion.
@@ -38,22 +35,14 @@ struct Motion {
     double idle_s{};
     std::uint32_t drowsy{};
     std::uint32_t asleep{};
-    static constexpr std::string_view name = "Motion";
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("position", &Motion::position),
-                          ecs::field("orientation", &Motion::orientation),
-                          ecs::field("velocity", &Motion::velocity), ecs::field("spin", &Motion::spin),
-                          ecs::field("idle_s", &Motion::idle_s), ecs::field("drowsy", &Motion::drowsy),
-                          ecs::field("asleep", &Motion::asleep));
-    }
+    THAUM_COMPONENT(Motion, position, orientation, velocity, spin, idle_s, drowsy, asleep);
 };
 static_assert(sizeof(Motion) == sizeof(game::Motion));
 
 /// Laid out as game::Look.
 struct Look {
     std::uint32_t surface{};
-    static constexpr std::string_view name = "Look";
-    static constexpr auto fields() { return std::tuple(ecs::field("surface", &Look::surface)); }
+    THAUM_COMPONENT(Look, surface);
 };
 static_assert(sizeof(Look) == sizeof(game::Look));
 
@@ -62,11 +51,7 @@ struct Prop {
     std::uint64_t moved_at{};
     std::uint32_t moved_by{};
     std::uint32_t spare{};
-    static constexpr std::string_view name = "Prop";
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("moved_at", &Prop::moved_at), ecs::field("moved_by", &Prop::moved_by),
-                          ecs::field("spare", &Prop::spare));
-    }
+    THAUM_COMPONENT(Prop, moved_at, moved_by, spare);
 };
 static_assert(sizeof(Prop) == sizeof(game::Prop));
 
@@ -78,20 +63,14 @@ struct Body {
     std::array<double, 3> surface{0.7, 0, 0};
     std::array<double, 2> damping{0.1, 0.1};
     std::array<std::uint32_t, 4> flags{};
-    static constexpr std::string_view name = "Body";
-    static constexpr auto fields() {
-        return std::tuple(ecs::field("shape", &Body::shape), ecs::field("size", &Body::size),
-                          ecs::field("mass", &Body::mass), ecs::field("surface", &Body::surface),
-                          ecs::field("damping", &Body::damping), ecs::field("flags", &Body::flags));
-    }
+    THAUM_COMPONENT(Body, shape, size, mass, surface, damping, flags);
 };
 static_assert(sizeof(Body) == sizeof(game::Body));
 
 /// Laid out as game::Dead, a component that no entity has at most ticks.
 struct Dead {
     std::uint64_t returns_at{};
-    static constexpr std::string_view name = "Dead";
-    static constexpr auto fields() { return std::tuple(ecs::field("returns_at", &Dead::returns_at)); }
+    THAUM_COMPONENT(Dead, returns_at);
 };
 static_assert(sizeof(Dead) == sizeof(game::Dead));
 

@@ -1,0 +1,45 @@
+// ecs/fields.h: the macros with which a struct lists its fields, each once and by its own name.
+//
+//     struct Velocity {
+//         vec3 linear{};   // m/s
+//         THAUM_COMPONENT(Velocity, linear);
+//     };
+//
+// They declare a function template, so a source that includes the struct does not pay for the list. It is
+// instantiated only where a World declares the component (ecs/component.h).
+#pragma once
+#include <string_view>
+
+/// Inside a struct: makes it a component, named as in C++, with these fields in the order of its memory.
+#define THAUM_COMPONENT(Type, ...)                  \
+    static constexpr std::string_view name = #Type; \
+    THAUM_FIELDS(Type, __VA_ARGS__)
+
+/// Inside a struct: lists the fields of a part of components.
+#define THAUM_FIELDS(Type, ...)                         \
+    template <class Visit>                              \
+    static constexpr void visit_fields(Visit&& visit) { \
+        THAUM_VISIT_EACH(Type, __VA_ARGS__)             \
+    }                                                   \
+    using ListedFields = Type
+
+/// In the namespace of a struct: lists the fields of a struct from a part that does not use components.
+#define THAUM_FIELDS_OF(Type, ...)                               \
+    template <class Visit>                                       \
+    constexpr void visit_fields_of(const Type*, Visit&& visit) { \
+        THAUM_VISIT_EACH(Type, __VA_ARGS__)                      \
+    }
+
+// visit("a", &Type::a); visit("b", &Type::b); ... for up to 256 fields. A macro cannot call itself, so each pass of
+// THAUM_PASSES expands one more call.
+#define THAUM_VISIT_EACH(Type, ...) __VA_OPT__(THAUM_PASSES_256(THAUM_VISIT_ONE(Type, __VA_ARGS__)))
+#define THAUM_VISIT_ONE(Type, field, ...)          \
+    visit(std::string_view(#field), &Type::field); \
+    __VA_OPT__(THAUM_VISIT_AGAIN THAUM_PARENTHESES(Type, __VA_ARGS__))
+#define THAUM_VISIT_AGAIN() THAUM_VISIT_ONE
+#define THAUM_PARENTHESES ()
+#define THAUM_PASSES_256(...) THAUM_PASSES_64(THAUM_PASSES_64(THAUM_PASSES_64(THAUM_PASSES_64(__VA_ARGS__))))
+#define THAUM_PASSES_64(...) THAUM_PASSES_16(THAUM_PASSES_16(THAUM_PASSES_16(THAUM_PASSES_16(__VA_ARGS__))))
+#define THAUM_PASSES_16(...) THAUM_PASSES_4(THAUM_PASSES_4(THAUM_PASSES_4(THAUM_PASSES_4(__VA_ARGS__))))
+#define THAUM_PASSES_4(...) THAUM_PASS(THAUM_PASS(THAUM_PASS(THAUM_PASS(__VA_ARGS__))))
+#define THAUM_PASS(...) __VA_ARGS__
