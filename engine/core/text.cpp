@@ -2,12 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <utility>
 
 #include "core/assert.h"
 #include "core/one_line.h"
 
 namespace thaum {
+namespace {
+
+template <class Number>
+void append_number(std::string& out, Number value) {
+    char buffer[64];
+    const auto* end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+    out.append(buffer, static_cast<std::size_t>(end - buffer));
+}
+
+}  // namespace
+
+void TextPart::append_to(std::string& out) const {
+    switch (kind_) {
+        case Kind::words: out.append(words_); break;
+        case Kind::character: out.push_back(character_); break;
+        case Kind::integer: append_number(out, integer_); break;
+        case Kind::unsigned_integer: append_number(out, unsigned_); break;
+        case Kind::single: append_number(out, single_); break;
+        case Kind::number: append_number(out, number_); break;
+    }
+}
+
+std::string joined_text(std::initializer_list<TextPart> parts) {
+    std::string out;
+    for (const auto& part : parts) part.append_to(out);
+    return out;
+}
 
 std::string fixed(double value, int digits) {
     THAUM_ASSERT(digits >= 0 && digits <= 60, "fixed: digits from 0 to 60");

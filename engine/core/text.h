@@ -1,33 +1,56 @@
 // core/text.h: builds one line of text. It never uses a locale, so every machine produces the same bytes.
 #pragma once
-#include <charconv>
 #include <concepts>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace thaum {
 
-inline void append_text(std::string& out, std::string_view s) { out.append(s); }
-inline void append_text(std::string& out, char c) { out.push_back(c); }
-/// Accepts only bool itself. A plain bool parameter would accept pointers, too.
-inline void append_text(std::string& out, std::same_as<bool> auto b) { out.append(b ? "true" : "false"); }
+/// One part of a line of text: words, a character, a truth value or a number. Words must outlive the part. Integers are
+/// written in decimal, and floating-point numbers in the shortest form that reads back to the same value.
+class TextPart {
+public:
+    template <class Words>
+    requires std::convertible_to<const Words&, std::string_view> TextPart(const Words& words)
+        : kind_(Kind::words), words_(words) {}
+    TextPart(char c) : kind_(Kind::character), character_(c) {}
+    TextPart(std::same_as<bool> auto truth)  // a plain bool parameter would accept pointers, too
+        : kind_(Kind::words), words_(truth ? "true" : "false") {}
+    template <std::signed_integral Integer>
+    TextPart(Integer value) : kind_(Kind::integer), integer_(value) {}
+    template <std::unsigned_integral Integer>
+    requires(!std::same_as<Integer, bool>) TextPart(Integer value)
+        : kind_(Kind::unsigned_integer), unsigned_(value) {}
+    TextPart(float value) : kind_(Kind::single), single_(value) {}
+    TextPart(double value) : kind_(Kind::number), number_(value) {}
 
-/// Writes integers in decimal and floating-point numbers in the shortest form that reads back to the same
-/// value.
-template <class T>
-requires((std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) ||
-         std::floating_point<T>) void append_text(std::string& out, T value) {
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    out.append(buffer, end);
-}
+    void append_to(std::string& out) const;
 
-/// text("tick ", 12, " differs") -> "tick 12 differs".
+private:
+    enum class Kind : std::uint8_t { words, character, integer, unsigned_integer, single, number };
+    Kind kind_;
+    union {
+        std::string_view words_;
+        char character_;
+        std::int64_t integer_;
+        std::uint64_t unsigned_;
+        float single_;
+        double number_;
+    };
+};
+
+inline void append_text(std::string& out, const TextPart& part) { part.append_to(out); }
+
+/// Appends the parts to each other.
+std::string joined_text(std::initializer_list<TextPart> parts);
+
+/// text("tick ", 12, " differs") -> "tick 12 differs". Each of a thousand calls has its own types, so the work is done
+/// by a function that is compiled once.
 template <class... Parts>
-std::string text(const Parts&... parts) {
-    std::string out;
-    (append_text(out, parts), ...);
-    return out;
+inline std::string text(const Parts&... parts) {
+    return joined_text({TextPart(parts)...});
 }
 
 /// Formats `value` with `digits` (0 to 60) decimal places: fixed(1.25, 1) -> "1.2".

@@ -1,6 +1,7 @@
 #include "game/scenario/play.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
