@@ -16,11 +16,15 @@ namespace {
 
 constexpr double half_power = 0.70710678118654752;
 
+}  // namespace
+
 /// How a listener's two channels get to the two speakers.
 struct SpeakerGains {
     float left_to_left{}, right_to_left{}, left_to_right{}, right_to_right{};
     bool operator==(const SpeakerGains&) const = default;
 };
+
+namespace {
 
 SpeakerGains speaker_gains(std::uint32_t listener, std::uint32_t listeners, Ears ears) {
     constexpr float some = static_cast<float>(half_power);

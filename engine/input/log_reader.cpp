@@ -18,16 +18,15 @@
 #include "input/detail/block.h"
 
 namespace thaum::input {
-namespace {
 
-struct File {
+struct LogDescriptor {
     int fd = -1;
     std::size_t size = 0;
 
-    File(int descriptor, std::size_t bytes) : fd(descriptor), size(bytes) {}
-    File(File&& other) noexcept : fd(std::exchange(other.fd, -1)), size(other.size) {}
-    File& operator=(File&&) = delete;
-    ~File() {
+    LogDescriptor(int descriptor, std::size_t bytes) : fd(descriptor), size(bytes) {}
+    LogDescriptor(LogDescriptor&& other) noexcept : fd(std::exchange(other.fd, -1)), size(other.size) {}
+    LogDescriptor& operator=(LogDescriptor&&) = delete;
+    ~LogDescriptor() {
         if (fd >= 0) ::close(fd);
     }
 
@@ -44,8 +43,10 @@ struct File {
     }
 };
 
+namespace {
+
 /// Size of the file up to its last byte that is not zero.
-std::size_t size_without_zeros(const File& file) {
+std::size_t size_without_zeros(const LogDescriptor& file) {
     Bytes piece(std::size_t{1} << 20U);
     for (auto end = file.size; end > 0;) {
         const auto begin = end > piece.size() ? end - piece.size() : 0;
@@ -59,9 +60,9 @@ std::size_t size_without_zeros(const File& file) {
     return 0;
 }
 
-Expected<File> open_file(const std::string& path) {
+Expected<LogDescriptor> open_file(const std::string& path) {
     // O_NONBLOCK: opening a fifo without a writer must not hang.
-    File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);
+    LogDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);
     struct stat info {};
     if (file.fd < 0) return fail(text(path, ": cannot open: ", std::strerror(errno)));
     if (::fstat(file.fd, &info) != 0) return fail(text(path, ": cannot read: ", std::strerror(errno)));
@@ -71,12 +72,16 @@ Expected<File> open_file(const std::string& path) {
     return file;
 }
 
+}  // namespace
+
 struct OpenedLog {
-    File file;
+    LogDescriptor file;
     LogHeader header;
     detail::Preamble preamble;
     std::size_t header_size;
 };
+
+namespace {
 
 Expected<OpenedLog> open_log(const std::string& path) {
     const auto bad = [&](std::string_view what) { return fail(text(path, ": ", what)); };

@@ -36,6 +36,8 @@ constexpr std::size_t most_blocks = 256;  // 2 minutes, 22 MiB; then recording e
 using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);
 
+}  // namespace
+
 /// Action of the log's thread after a block.
 enum class AfterBlock : std::uint8_t { go_on, stop, end_block };
 
@@ -60,6 +62,8 @@ public:
 private:
     std::atomic<QueuedBlock*> head_{nullptr};
 };
+
+namespace {
 
 QueuedBlock* reversed(QueuedBlock* list) {
     QueuedBlock* result = nullptr;

@@ -13,10 +13,11 @@
 #include "input/detail/watchdog.h"
 
 namespace thaum::input {
-namespace {
 
 /// The engine's servo thread of an arm whose driver brings none.
 enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
+
+namespace {
 
 constexpr std::size_t most_name = 80;  ///< length of a name or number (bytes)
 constexpr std::size_t most_line = 600;

@@ -23,8 +23,6 @@ namespace thaum::render {
 
 using namespace detail;
 
-namespace {
-
 struct OverlayBuffers {
     VertexArray array;
     Buffer vertices;
@@ -32,6 +30,8 @@ struct OverlayBuffers {
     int atlas_height{};
     std::vector<OverlayVertex> built;
 };
+
+namespace {
 
 OverlayBuffers make_overlay_buffers() {
     OverlayBuffers out{make_vertex_array(), make_buffer(), make_texture(), 0, {}};

@@ -172,10 +172,14 @@ vec3 way_out(const Simulation& match, const Self& self, const WalkGrid& grid, Mi
     return to == cell ? vec3(0) : grid.centre_of(to) - vec3(self.centre.x, 0, self.centre.z);
 }
 
+}  // namespace
+
 /// Ways kept for a bot: to its goal, and from its position.
 struct BotWays {
     WalkGrid::Ways to_goal, from_here;
 };
+
+namespace {
 
 /// All state of one bot that changes while it plays.
 struct Thoughts {

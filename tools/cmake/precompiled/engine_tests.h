@@ -1,0 +1,5 @@
+// The precompiled headers of the engine's tests.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "engine.h"
