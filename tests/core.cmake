@@ -12,11 +12,11 @@ if(NOT THAUM_SANITIZE)
         SOURCES structure/rules.cpp structure/functions.cpp structure/check_rules.cpp structure/check_tree.cpp)
 
     # The launcher with missing packages: a copy of it runs with stand-ins for apt-get and the other tools.
-    add_test(NAME structure.launcher COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
+    add_test(NAME structure.launcher COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
     set_tests_properties(structure.launcher PROPERTIES TIMEOUT ${longest_test})
 
     # Components with padding are refused by both compilers.
-    add_test(NAME structure.padding COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.sh ${PROJECT_SOURCE_DIR}/engine
+    add_test(NAME structure.padding COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.sh ${PROJECT_SOURCE_DIR}/engine
         ${CMAKE_CURRENT_SOURCE_DIR}/structure/padding.cpp)
     set_tests_properties(structure.padding PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT ${longest_test})
 endif()
@@ -26,7 +26,7 @@ if(THAUM_SANITIZE STREQUAL thread)
     add_executable(race drivers/race.cpp)
     target_link_libraries(race PRIVATE thaum_flags Threads::Threads)
     thread_program(race)
-    add_test(NAME threads.race_is_reported COMMAND race)
+    add_test(NAME threads.race_is_reported COMMAND ${timed} $<TARGET_FILE:race>)
     set_tests_properties(threads.race_is_reported PROPERTIES
         LABELS threads ENVIRONMENT "${sanitizer_environment}" PASS_REGULAR_EXPRESSION "WARNING: ThreadSanitizer: data race")
 endif()

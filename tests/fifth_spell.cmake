@@ -15,5 +15,5 @@ endif()
 # and w.toml.
 add_executable(thaum_with_mend ${PROJECT_SOURCE_DIR}/game/app/main.cpp $<TARGET_OBJECTS:spell_mend>)
 target_link_libraries(thaum_with_mend PRIVATE thaum_commands thaum_flags)
-add_test(NAME fifth_spell.program COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/fifth_spell/program.sh
+add_test(NAME fifth_spell.program COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/fifth_spell/program.sh
     $<TARGET_FILE:thaum_with_mend> $<TARGET_FILE:thaum> ${PROJECT_SOURCE_DIR}/assets)

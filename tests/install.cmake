@@ -8,6 +8,6 @@ endif()
 add_subdirectory(${PROJECT_SOURCE_DIR}/engine/examples ${PROJECT_BINARY_DIR}/engine/examples)
 add_executable(install_probe install/probe.cpp)
 target_link_libraries(install_probe PRIVATE Thaum::physics Thaum::render Thaum::audio thaum_flags)
-add_test(NAME install.package COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/package.sh
+add_test(NAME install.package COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/install/package.sh
     ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER})
 set_tests_properties(install.package PROPERTIES TIMEOUT ${longest_test} COST 50)

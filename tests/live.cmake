@@ -36,7 +36,7 @@ endif()
 # at once, and they start first. Their limit ends only tests that hang: with other programs on every core a test takes
 # ten times as long.
 function(thaum_driver_test name)
-    add_test(NAME drivers.${name} COMMAND ${ARGN})
+    add_test(NAME drivers.${name} COMMAND ${timed} ${ARGN})
     set_tests_properties(drivers.${name} PROPERTIES
         SKIP_RETURN_CODE 77 RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
 endfunction()
@@ -91,22 +91,22 @@ set_tests_properties(${slow_drivers} PROPERTIES LABELS slow RESOURCE_LOCK arm)
 # A hundred runs by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
-add_test(NAME drivers.kill_recording COMMAND kill_recording 8)
+add_test(NAME drivers.kill_recording COMMAND ${timed} $<TARGET_FILE:kill_recording> 8)
 set_tests_properties(drivers.kill_recording PROPERTIES RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test})
-add_test(NAME drivers.hostile_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
+add_test(NAME drivers.hostile_files COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
 if(THAUM_SANITIZE)
     # The sanitizers' shadow memory takes terabytes of address space.
     set_tests_properties(drivers.hostile_files PROPERTIES ENVIRONMENT "THAUM_MEMORY_KB=unlimited;THAUM_PATIENCE_S=30")
 endif()
-add_test(NAME drivers.verify COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/verify.sh $<TARGET_FILE:thaum> $<TARGET_FILE:forge_log>)
+add_test(NAME drivers.verify COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/verify.sh $<TARGET_FILE:thaum> $<TARGET_FILE:forge_log>)
 thaum_driver_test(homeless ${CMAKE_CURRENT_SOURCE_DIR}/drivers/homeless.sh $<TARGET_FILE:thaum>)
 if(NOT THAUM_SANITIZE)  # Other tests show the sanitizers how files are written.
-    add_test(NAME drivers.outputs COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/outputs.sh $<TARGET_FILE:thaum>)
+    add_test(NAME drivers.outputs COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/outputs.sh $<TARGET_FILE:thaum>)
     set_tests_properties(drivers.outputs PROPERTIES COST 50)
 endif()
-add_test(NAME drivers.lab_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab_files.sh $<TARGET_FILE:thaum>)
-add_test(NAME drivers.gesture_check COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_check.sh $<TARGET_FILE:thaum>)
-add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)
+add_test(NAME drivers.lab_files COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab_files.sh $<TARGET_FILE:thaum>)
+add_test(NAME drivers.gesture_check COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_check.sh $<TARGET_FILE:thaum>)
+add_test(NAME drivers.commands COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)
 set_tests_properties(drivers.hostile_files drivers.commands PROPERTIES COST 50)
 if(umockdev_FOUND)
     thaum_driver_test(duel_to_death ${CMAKE_CURRENT_SOURCE_DIR}/drivers/duel_to_death.sh

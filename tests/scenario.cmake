@@ -12,7 +12,7 @@ file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lu
 foreach(script ${scenarios})
     get_filename_component(name ${script} NAME_WE)
     add_test(NAME scenario.${name}
-        COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
+        COMMAND ${timed} $<TARGET_FILE:thaum> scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
         set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} COST 50 LABELS "scenario;slow")
     else()
@@ -28,7 +28,7 @@ set_tests_properties(scenario.late_frames_same_result PROPERTIES
 add_executable(passivity drivers/passivity.cpp)
 target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
-add_test(NAME haptics.passivity COMMAND passivity ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
+add_test(NAME haptics.passivity COMMAND ${timed} $<TARGET_FILE:passivity> ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
 set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
 # The force traces of the scenarios (replays/forces) are exact within one rules version. After a change of
@@ -49,11 +49,11 @@ file(GLOB replays CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/replays/*.thauml
 foreach(log ${replays})
     get_filename_component(name ${log} NAME_WE)
     string(REGEX MATCH "[0-9]+$" version ${name})
-    add_test(NAME replay.${name} COMMAND thaum replay ${log} --verify)
+    add_test(NAME replay.${name} COMMAND ${timed} $<TARGET_FILE:thaum> replay ${log} --verify)
     if(version EQUAL rules_version)
         if(NOT THAUM_SANITIZE)
             # Makes the C library use its functions for processors without AVX2 and FMA.
-            add_test(NAME replay.${name}.older_libm COMMAND thaum replay ${log} --verify)
+            add_test(NAME replay.${name}.older_libm COMMAND ${timed} $<TARGET_FILE:thaum> replay ${log} --verify)
             set_tests_properties(replay.${name}.older_libm PROPERTIES
                 ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
         endif()
@@ -69,9 +69,9 @@ if(NOT THAUM_SANITIZE)
     # A log is never overwritten, so the log of the last run is deleted first.
     add_test(NAME replay.long_duel.clear COMMAND ${CMAKE_COMMAND} -E rm -f ${long_duel}.thaumlog)
     add_test(NAME replay.long_duel.record
-        COMMAND thaum --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
+        COMMAND ${timed} $<TARGET_FILE:thaum> --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
             --out ${long_duel})
-    add_test(NAME replay.long_duel.older_libm COMMAND thaum replay ${long_duel}.thaumlog --verify)
+    add_test(NAME replay.long_duel.older_libm COMMAND ${timed} $<TARGET_FILE:thaum> replay ${long_duel}.thaumlog --verify)
     set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS slow)
     set_tests_properties(replay.long_duel.record PROPERTIES
         FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT ${longest_test})
@@ -91,13 +91,13 @@ if(NOT THAUM_SANITIZE)
             if(THAUM_PORTABLE AND feature STREQUAL bmi1)
                 continue()
             endif()
-            add_test(NAME start.without_${feature} COMMAND ${qemu} -cpu ${model} $<TARGET_FILE:thaum> --version)
+            add_test(NAME start.without_${feature} COMMAND ${timed} ${qemu} -cpu ${model} $<TARGET_FILE:thaum> --version)
             if(NOT THAUM_PORTABLE)
                 set_tests_properties(start.without_${feature} PROPERTIES PASS_REGULAR_EXPRESSION
                     "this one lacks[a-z0-9_ ]* ${feature}[ ;]")
             endif()
         endforeach()
-        add_test(NAME start.without_fma COMMAND ${qemu} -cpu Haswell,-fma $<TARGET_FILE:thaum> --version)
+        add_test(NAME start.without_fma COMMAND ${timed} ${qemu} -cpu Haswell,-fma $<TARGET_FILE:thaum> --version)
     endif()
 endif()
 

@@ -1,43 +1,78 @@
 #!/usr/bin/env bash
-# tools/tidy.sh BUILD: clang-tidy over every source of ours in BUILD/compile_commands.json.
+# tools/tidy.sh [SOURCE...]: clang-tidy over the named sources of ours, each compiled alone; without a name, over all of
+# them, in batches as the build makes them.
 #
-# clang-tidy is slow, so a source that passed is remembered under a key. The key is a hash of everything the
-# source depends on: the settings, the compiler's command, and the text of the source and of every header of
-# ours that it includes (known to ninja).
+# clang-tidy is slow, so a batch that passed is remembered under a key. The key is a hash of everything that the batch
+# depends on: the settings, the compiler's command, and the text of its sources and of every header of ours that they
+# include. The build folders of clang-tidy have no precompiled headers, since clang cannot read GCC's, and since a source
+# must include all that it uses.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
-build=$(readlink -f "$1")
 cache=$root/build/tidy
 mkdir -p "$cache"
 
-# Prints lines "SOURCE TAB FILE": each file of ours that a source's object was made from, the source included.
-dependencies() {
-    ninja -C "$build" -t deps | awk -v root="$root/" -v build="$build/" '
-        /^[^ ]/ { source = ""; next }
-        NF == 0 { next }
-        {
-            sub(/^ +/, "")
-            # A compiler cache may have made paths relative to the build folder, which is two levels below the
-            # root.
-            if (!sub(/^\.\.\/\.\.\//, root) && $0 !~ /^\//) $0 = build $0
-            if (source == "") source = $0
-            if (index($0, root) == 1 && index(source, root) == 1) print source "\t" $0
-        }'
+# configured UNITY: makes a build folder with a compile database alone, and prints its name.
+configured() {
+    local folder=$root/build/tidy-$1
+    if [[ ! -f $folder/build.ninja ]]; then
+        cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
+            -DTHAUM_PORTABLE=ON -DBUILD_TESTING=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD="$1" \
+            -DCMAKE_UNITY_BUILD_BATCH_SIZE=32 >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
+    else
+        # Brings the list of sources up to date.
+        ninja -C "$folder" build.ninja >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
+    fi
+    echo "$folder"
 }
 
-# Prints lines "KEY TAB SOURCE".
+sources_in() { sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$1/compile_commands.json" | sort -u; }
+
+# Reads names of sources, and prints lines "SOURCE TAB FILE": each file of ours on which a source depends, the source
+# included. Includes are written from the root, from engine/ or tests/, or beside the file.
+dependencies() {
+    awk -v root="$root/" '
+        function exists(file,    line, found) {
+            if (!(file in known)) { found = (getline line < file); close(file); known[file] = found >= 0 }
+            return known[file]
+        }
+        function place(name, from,    folder, i) {
+            if (name ~ /^\//) return name
+            folder = from; sub(/[^\/]*$/, "", folder)
+            if (exists(folder name)) return folder name
+            for (i = 1; i <= 3; ++i) if (exists(root where[i] name)) return root where[i] name
+            return ""
+        }
+        # Prints each file that a source reaches.
+        function follow(source, file,    i, line, count) {
+            if ((source, file) in seen) return
+            seen[source, file] = 1
+            print source "\t" file
+            if (!(file in includes)) {
+                includes[file] = 0
+                while ((getline line < file) > 0) {
+                    if (line !~ /^ *# *include *"/) continue
+                    sub(/^ *# *include *"/, "", line); sub(/".*/, "", line)
+                    line = place(line, file)
+                    if (line != "") included[file, ++includes[file]] = line
+                }
+                close(file)
+            }
+            count = includes[file]
+            for (i = 1; i <= count; ++i) follow(source, included[file, i])
+        }
+        BEGIN { where[1] = ""; where[2] = "engine/"; where[3] = "tests/" }
+        { follow($0, $0) }'
+}
+
+# keys FOLDER: reads names of sources and prints lines "KEY TAB SOURCE".
 keys() {
     local common
-    common=$({ clang-tidy --version && cat "$root/.clang-tidy" && grep -h '"command"' "$build/compile_commands.json" |
+    common=$({ clang-tidy --version && cat "$root/.clang-tidy" && grep -h '"command"' "$1/compile_commands.json" |
         sed 's/.*"command": "\(.*\) -o .*/\1/' | sort -u; } | sha256sum | cut -c1-16)
-    dependencies | sort -u >"$cache/dependencies"
-    # One hash per file, then per source a hash of its hashes. Objects of deleted sources may still be in the
-    # build folder.
-    cut -f2 "$cache/dependencies" | sort -u | while IFS= read -r file; do
-        if [[ -f $file ]]; then printf '%s\n' "$file"; fi
-    done |
-        xargs -r -d '\n' sha256sum >"$cache/hashes"
+    dependencies >"$cache/dependencies"
+    # One hash per file, then per source a hash of its hashes.
+    cut -f2 "$cache/dependencies" | sort -u | xargs -r -d '\n' sha256sum >"$cache/hashes"
     awk -F '\t' -v common="$common" '
         NR == FNR { hash[substr($0, 67)] = substr($0, 1, 64); next }
         { all[$1] = all[$1] hash[$2] }
@@ -49,7 +84,7 @@ keys() {
 
 check_one() {
     local key=${1%%$'\t'*} source=${1#*$'\t'} output
-    if output=$(clang-tidy --quiet -p "$build" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option \
+    if output=$(clang-tidy --quiet -p "$folder" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option \
         --extra-arg=-Wno-unknown-pragmas "$source" 2>&1); then
         : >"$cache/$key"
     else
@@ -58,13 +93,19 @@ check_one() {
     fi
 }
 export -f check_one
-export root build cache
+export root cache folder
 
-keys >"$cache/keys"
+if (($# > 0)); then
+    folder=$(configured OFF)
+    readlink -f "$@" | keys "$folder" >"$cache/keys"
+else
+    folder=$(configured ON)
+    sources_in "$folder" | keys "$folder" >"$cache/keys"
+fi
 while IFS=$'\t' read -r key source; do
     if [[ -e $cache/$key ]]; then touch "$cache/$key"; else printf '%s\t%s\n' "$key" "$source"; fi
 done <"$cache/keys" >"$cache/todo"
-echo "clang-tidy: $(wc -l <"$cache/keys") sources, $(wc -l <"$cache/todo") of them new or changed"
+echo "clang-tidy: $(wc -l <"$cache/keys") sources or batches, $(wc -l <"$cache/todo") of them new or changed"
 find "$cache" -type f -mtime +30 -delete
 # shellcheck disable=SC2016  # $1 belongs to the inner shell
 xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'check_one "$1"' check_one <"$cache/todo"
