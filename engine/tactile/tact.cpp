@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "core/text.h"
 
 namespace thaum::tactile {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int deepest = 32;
 constexpr std::size_t longest_name = 200;
@@ -39,23 +37,15 @@ int depth_of(std::string_view json) {
     return greatest;
 }
 
-/// Member of an object; null if there is none.
-const Json* member(const Json& json, const char* key) {
-    if (!json.is_object()) return nullptr;
-    const auto found = json.find(key);
-    return found == json.end() ? nullptr : &*found;
-}
-
 /// Elements of a member that is an array; empty otherwise.
-const Json::array_t& elements(const Json& json, const char* key) {
-    static const Json::array_t none;
-    const auto* found = member(json, key);
-    return found != nullptr && found->is_array() ? found->get_ref<const Json::array_t&>() : none;
+std::span<const Json> elements(const Json& json, std::string_view key) {
+    const auto* found = json.find(key);
+    return found != nullptr ? found->elements() : std::span<const Json>();
 }
 
-std::string text_of(const Json& json, const char* key) {
-    const auto* found = member(json, key);
-    return found != nullptr && found->is_string() ? found->get<std::string>() : std::string();
+std::string text_of(const Json& json, std::string_view key) {
+    const auto* found = json.find(key);
+    return found != nullptr ? found->string() : std::string();
 }
 
 /// Values of a file, and what was wrong with them.
@@ -63,14 +53,17 @@ class Reader {
 public:
     std::size_t clipped{}, skipped{};
 
-    /// A number that may be written as a text, clipped to a range.
-    double number(const Json& json, const char* key, double low, double high, double fallback) {
-        const auto* found = member(json, key);
+    /// A number in an object; the fallback if it is missing.
+    double number(const Json& json, std::string_view key, double low, double high, double fallback) {
+        return number(json.find(key), low, high, fallback);
+    }
+    /// A number that may be written as a text, clipped to a range. `found` may be null.
+    double number(const Json* found, double low, double high, double fallback) {
         double value = fallback;
         if (found != nullptr && found->is_number()) {
-            value = found->get<double>();
+            value = found->number();
         } else if (found != nullptr && found->is_string()) {
-            const auto& s = found->get_ref<const std::string&>();
+            const auto& s = found->string();
             const auto end = std::from_chars(s.data(), s.data() + s.size(), value);
             if (end.ec != std::errc() || end.ptr != s.data() + s.size()) ++skipped, value = fallback;
         }
@@ -78,9 +71,9 @@ public:
         ++clipped;
         return value > high ? high : low;  // NaN gives the low end
     }
-    bool flag(const Json& json, const char* key) {
-        const auto* found = member(json, key);
-        return found != nullptr && found->is_boolean() && found->get<bool>();
+    bool flag(const Json& json, std::string_view key) {
+        const auto* found = json.find(key);
+        return found != nullptr && found->boolean();
     }
 };
 
@@ -139,7 +132,7 @@ void draw_points(Reader& reader, Canvas& canvas, const Side& side, std::size_t f
 
 void draw_dots(Reader& reader, Canvas& canvas, const Side& side, const Json& mode) {
     const bool connected = reader.flag(mode, "dotConnected");
-    const auto& steps = elements(mode, "feedback");
+    const auto steps = elements(mode, "feedback");
     for (std::size_t i = 0; i < steps.size() && !canvas.full; ++i) {
         const double from = reader.number(steps[i], "startTime", 0, longest_ms, 0);
         const double to = reader.number(steps[i], "endTime", from, std::max(from, longest_ms), from);
@@ -221,12 +214,12 @@ void draw_paths(Reader& reader, Canvas& canvas, const Side& side, const Json& mo
 }
 
 void draw_effect(Reader& reader, Canvas& canvas, const Json& effect) {
-    const auto* modes = member(effect, "modes");
+    const auto* modes = effect.find("modes");
     if (modes == nullptr || !modes->is_object()) {
         ++reader.skipped;
         return;
     }
-    for (const auto& [position, mode] : modes->items()) {
+    for (const auto& [position, mode] : modes->members()) {
         if (position != "VestFront" && position != "VestBack") {
             ++reader.skipped;
             continue;
@@ -235,8 +228,8 @@ void draw_effect(Reader& reader, Canvas& canvas, const Json& effect) {
         side.first_cell = position == "VestFront" ? 0 : clip_side;
         side.start = reader.number(effect, "startTime", 0, longest_ms, 0);
         side.length = reader.number(effect, "offsetTime", 0, longest_ms, 0);
-        const auto* dots = member(mode, "dotMode");
-        const auto* paths = member(mode, "pathMode");
+        const auto* dots = mode.find("dotMode");
+        const auto* paths = mode.find("pathMode");
         if (text_of(mode, "mode") == "PATH_MODE") {
             if (paths != nullptr) draw_paths(reader, canvas, side, *paths);
         } else if (dots != nullptr) {
@@ -247,8 +240,8 @@ void draw_effect(Reader& reader, Canvas& canvas, const Json& effect) {
 
 void draw_project(Reader& reader, Canvas& canvas, const Json& project) {
     for (const auto& track : elements(project, "tracks")) {
-        const auto* enabled = member(track, "enable");
-        if (enabled != nullptr && enabled->is_boolean() && !enabled->get<bool>()) continue;
+        const auto* enabled = track.find("enable");
+        if (enabled != nullptr && enabled->is_boolean() && !enabled->boolean()) continue;
         for (const auto& effect : elements(track, "effects")) {
             if (!canvas.full) draw_effect(reader, canvas, effect);
         }
@@ -259,7 +252,7 @@ void draw_project(Reader& reader, Canvas& canvas, const Json& project) {
 }
 
 void draw_baked(Reader& reader, Canvas& canvas, const Json& feedback) {
-    for (const auto& [key, sides] : feedback.items()) {
+    for (const auto& [key, sides] : feedback.members()) {
         double ms = -1;
         const auto end = std::from_chars(key.data(), key.data() + key.size(), ms);
         if (end.ec != std::errc() || !(ms >= 0) || !sides.is_array()) {
@@ -270,15 +263,14 @@ void draw_baked(Reader& reader, Canvas& canvas, const Json& feedback) {
             canvas.too_long = true;
             continue;
         }
-        for (const auto& side : sides) {
+        for (const auto& side : sides.elements()) {
             const auto position = text_of(side, "position");
-            const auto& values = elements(side, "values");
+            const auto values = elements(side, "values");
             if (position != "VestFront" && position != "VestBack") ++reader.skipped;
             for (std::size_t i = 0; i < values.size() && i < clip_side && position.starts_with("Vest"); ++i) {
-                const Json holder{{"value", values[i]}};
                 canvas.raise(static_cast<std::size_t>(ms / clip_ms),
                              (position == "VestBack" ? clip_side : 0) + i,
-                             reader.number(holder, "value", 0, 100, 0) / 100);
+                             reader.number(&values[i], 0, 100, 0) / 100);
             }
         }
     }
@@ -295,12 +287,12 @@ Expected<TactImport> import_tact(std::string_view json) {
     if (json.size() > most_tact_bytes)
         return fail(text("the file has more than ", most_tact_bytes >> 20U, " MiB"));
     if (depth_of(json) > deepest) return fail(text("the file is nested deeper than ", deepest, " levels"));
-    const auto root = Json::parse(json, nullptr, false);
-    if (!root.is_object()) return fail("the file is not a JSON object");
+    const auto root = parse_json(json);
+    if (!root || !root->is_object()) return fail("the file is not a JSON object");
     Reader reader;
     Canvas canvas;
-    const auto* project = member(root, "project");
-    const auto* feedback = member(root, "feedback");
+    const auto* project = root->find("project");
+    const auto* feedback = root->find("feedback");
     if (project != nullptr) draw_project(reader, canvas, *project);
     if (!has_strength(canvas) && !canvas.full && feedback != nullptr && feedback->is_object())
         draw_baked(reader, canvas, *feedback);
@@ -308,7 +300,7 @@ Expected<TactImport> import_tact(std::string_view json) {
     if (canvas.too_long) return fail("the effect is longer than a minute");
     if (!has_strength(canvas)) return fail("the file has nothing for the vest (VestFront or VestBack)");
     auto name = project != nullptr ? text_of(*project, "name") : std::string();
-    if (name.empty()) name = text_of(root, "name");
+    if (name.empty()) name = text_of(*root, "name");
     if (name.size() > longest_name) name.clear();
     return TactImport{{std::move(name), std::move(canvas.frames)}, reader.clipped, reader.skipped};
 }
@@ -326,14 +318,19 @@ Json dot_points(const ClipFrame& frame, std::size_t first_cell) {
     return points;
 }
 
+std::span<const std::uint8_t> cells_of(const ClipFrame& frame, std::size_t first_cell) {
+    return std::span(frame.strength).subspan(first_cell, clip_side);
+}
+
 /// One side of the vest: a step for each run of equal frames.
 Json dot_mode(const Clip& clip, std::size_t first_cell) {
     auto steps = Json::array();
     for (std::size_t from = 0; from < clip.frames.size();) {
-        const auto points = dot_points(clip.frames[from], first_cell);
+        const auto cells = cells_of(clip.frames[from], first_cell);
         auto to = from + 1;
-        while (to < clip.frames.size() && dot_points(clip.frames[to], first_cell) == points) ++to;
-        if (!points.empty())
+        while (to < clip.frames.size() && std::ranges::equal(cells_of(clip.frames[to], first_cell), cells))
+            ++to;
+        if (const auto points = dot_points(clip.frames[from], first_cell); !points.elements().empty())
             steps.push_back({{"startTime", clip_frame_ticks * from},
                              {"endTime", clip_frame_ticks * to},
                              {"playbackType", "NONE"},
@@ -350,14 +347,14 @@ Json baked(const Clip& clip) {
     auto feedback = Json::object();
     for (std::size_t f = 0; f < clip.frames.size(); ++f) {
         auto sides = Json::array();
-        for (const auto* position : {"VestFront", "VestBack"}) {
-            const auto first = clip.frames[f].strength.begin() + (sides.empty() ? 0 : clip_side);
-            sides.push_back({{"position", position},
+        for (const std::size_t first_cell : {std::size_t{0}, clip_side}) {
+            const auto cells = cells_of(clip.frames[f], first_cell);
+            sides.push_back({{"position", first_cell == 0 ? "VestFront" : "VestBack"},
                              {"mode", "DOT_MODE"},
-                             {"values", std::vector<int>(first, first + clip_side)},
+                             {"values", std::vector<std::uint64_t>(cells.begin(), cells.end())},
                              {"texture", 0}});
         }
-        feedback[text(clip_frame_ticks * f)] = sides;
+        feedback.set(text(clip_frame_ticks * f), std::move(sides));
     }
     return feedback;
 }
@@ -391,7 +388,7 @@ std::string export_tact(const Clip& clip) {
     const Json root{
         {"intervalMillis", clip_frame_ticks},          {"size", clip_side},       {"name", clip.name},
         {"durationMillis", length + clip_frame_ticks}, {"feedback", baked(clip)}, {"project", project}};
-    return root.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return dump(root);
 }
 
 }  // namespace thaum::tactile

@@ -5,13 +5,14 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <map>
 
 #include "audio/mixer.h"
 #include "audio/sound_device.h"
 #include "audio/synth.h"
 #include "core/clock.h"
 #include "core/file.h"
+#include "core/json.h"
 #include "core/one_line.h"
 #include "core/processor.h"
 #include "core/text.h"
@@ -355,14 +356,24 @@ std::string_view word(State state) {
     return state == State::good ? "good" : state == State::note ? "note" : "MISSING";
 }
 
+/// Keys in the order of the alphabet, as in the whole report.
+Json json_of(const Finding& f) {
+    Json json{{"advice", f.advice}, {"detail", f.detail}};
+    std::map<std::string_view, double> sorted;
+    for (const auto& [name, value] : f.metrics) sorted[name] = value;
+    Json metrics;
+    for (const auto& [name, value] : sorted) metrics.set(name, value);
+    if (!sorted.empty()) json.set("metrics", metrics);
+    json.set("state", word(f.state));
+    json.set("what", f.what);
+    return json;
+}
+
 std::string as_json(const std::vector<Finding>& findings) {
-    nlohmann::json report{{"thaum", THAUM_VERSION}, {"findings", nlohmann::json::array()}};
-    for (const auto& f : findings) {
-        report["findings"].push_back(
-            {{"what", f.what}, {"state", word(f.state)}, {"detail", f.detail}, {"advice", f.advice}});
-        for (const auto& [name, value] : f.metrics) report["findings"].back()["metrics"][name] = value;
-    }
-    return report.dump(2) + "\n";
+    auto list = Json::array();
+    for (const auto& f : findings) list.push_back(json_of(f));
+    const Json report{{"findings", list}, {"thaum", THAUM_VERSION}};
+    return dump(report, 2) + "\n";
 }
 
 void print(const std::vector<Finding>& findings) {

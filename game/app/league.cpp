@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/file.h"
+#include "core/json.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/bots/league.h"
@@ -244,42 +244,49 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
     return lines + text("own ", percent(ratio(s.own_deaths, all)), "\n");
 }
 
-nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
-    nlohmann::ordered_json json;
-    json["league"] = {{"rules", plan.choice.rules},
-                      {"match", plan.choice.match},
-                      {"arena", plan.choice.arena},
-                      {"seed", plan.seed}};
-    json["pairs"] = nlohmann::ordered_json::array();
-    for (const auto& p : s.pairs) {
-        json["pairs"].push_back({{"low", p.low},
-                                 {"high", p.high},
-                                 {"matches", p.matches},
-                                 {"low_wins", p.low_wins},
-                                 {"high_wins", p.high_wins},
-                                 {"draws", p.matches - p.low_wins - p.high_wins},
-                                 {"high_share", p.high_share()}});
-    }
-    json["levels"] = nlohmann::ordered_json::array();
-    for (const auto& l : s.levels) {
-        json["levels"].push_back({{"level", l.level},
-                                  {"shots", l.shots},
-                                  {"hits", l.hits},
-                                  {"kills", l.kills},
-                                  {"deaths", l.deaths},
-                                  {"falls", l.falls},
-                                  {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}});
-    }
-    json["seats"] = {{"player_1_wins", s.seat_wins[0]}, {"player_2_wins", s.seat_wins[1]}};
-    json["rounds"] = {{"count", s.round_s.size()},
-                      {"median_s", s.median_round_s()},
-                      {"p10_s", at_share(s.round_s, 0.1)},
-                      {"p90_s", at_share(s.round_s, 0.9)},
-                      {"time_out_share", time_out_share(s)}};
+Json json_of(const game::LeaguePair& p) {
+    return {{"low", p.low},
+            {"high", p.high},
+            {"matches", p.matches},
+            {"low_wins", p.low_wins},
+            {"high_wins", p.high_wins},
+            {"draws", p.matches - p.low_wins - p.high_wins},
+            {"high_share", p.high_share()}};
+}
+
+Json json_of(const game::LeagueLevel& l) {
+    return {{"level", l.level},
+            {"shots", l.shots},
+            {"hits", l.hits},
+            {"kills", l.kills},
+            {"deaths", l.deaths},
+            {"falls", l.falls},
+            {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}};
+}
+
+Json json_of(const Plan& plan, const game::LeagueSummary& s) {
+    auto pairs = Json::array(), levels = Json::array();
+    for (const auto& p : s.pairs) pairs.push_back(json_of(p));
+    for (const auto& l : s.levels) levels.push_back(json_of(l));
+    auto kills = Json::object();
     for (std::size_t cause = 0; cause < game::causes().size(); ++cause)
-        json["kills"][std::string(game::causes()[cause])] = s.kills[cause];
-    json["kills"]["own"] = s.own_deaths;
-    return json;
+        kills.set(game::causes()[cause], s.kills[cause]);
+    kills.set("own", s.own_deaths);
+    return {{"league",
+             {{"rules", plan.choice.rules},
+              {"match", plan.choice.match},
+              {"arena", plan.choice.arena},
+              {"seed", plan.seed}}},
+            {"pairs", pairs},
+            {"levels", levels},
+            {"seats", {{"player_1_wins", s.seat_wins[0]}, {"player_2_wins", s.seat_wins[1]}}},
+            {"rounds",
+             {{"count", s.round_s.size()},
+              {"median_s", s.median_round_s()},
+              {"p10_s", at_share(s.round_s, 0.1)},
+              {"p90_s", at_share(s.round_s, 0.9)},
+              {"time_out_share", time_out_share(s)}}},
+            {"kills", kills}};
 }
 
 /// Faults of the results in words; empty: none.
@@ -315,7 +322,7 @@ int run_league(const std::vector<std::string>& words) {
     const auto matches = play(*plan, std::make_shared<const game::MatchData>(std::move(*loaded)));
     if (!matches) return refuse(matches.error());
     const auto summary = game::summarise(*matches);
-    const auto json = json_of(*plan, summary).dump(1) + "\n";
+    const auto json = dump(json_of(*plan, summary), 1) + "\n";
     std::printf("%s", plan->json == "-" ? json.c_str() : table(*plan, summary).c_str());
     if (to_file) {
         if (const auto written = write_text_file(plan->json, json); !written) return refuse(written.error());

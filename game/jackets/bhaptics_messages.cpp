@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "core/json.h"
 #include "core/text.h"
 
 namespace thaum::app {
@@ -48,12 +48,11 @@ std::string part_of(const tactile::TactileFrame& frame, const Side& side) {
 }
 
 /// True for a place that a vest has: its name, or its number.
-bool is_vest(const nlohmann::json& position) {
+bool is_vest(const Json& position) {
     constexpr std::array<std::string_view, 3> names{"Vest", "VestFront", "VestBack"};
     constexpr std::array<std::int64_t, 3> numbers{3, 201, 202};
-    if (position.is_string()) return std::count(names.begin(), names.end(), position.get<std::string>()) > 0;
-    return position.is_number_integer() &&
-           std::count(numbers.begin(), numbers.end(), position.get<std::int64_t>()) > 0;
+    if (position.is_string()) return std::count(names.begin(), names.end(), position.string()) > 0;
+    return position.is_integer() && std::count(numbers.begin(), numbers.end(), position.integer()) > 0;
 }
 
 }  // namespace
@@ -65,14 +64,14 @@ std::string bhaptics_request(const tactile::TactileFrame& frame) {
 
 Expected<BhapticsReply> read_bhaptics_reply(std::string_view json) {
     if (json.size() > most_reply_bytes) return fail("the Player's reply is too long");
-    const auto reply = nlohmann::json::parse(json, nullptr, false);
-    if (!reply.is_object()) return fail("the Player's reply is no JSON object");
+    const auto reply = parse_json(json);
+    if (!reply || !reply->is_object()) return fail("the Player's reply is no JSON object");
     BhapticsReply read;
-    const auto count = reply.find("ConnectedDeviceCount");
-    if (count != reply.end() && count->is_number_integer()) read.devices = count->get<std::int64_t>();
-    const auto positions = reply.find("ConnectedPositions");
-    if (positions != reply.end() && positions->is_array())
-        read.vest = std::any_of(positions->begin(), positions->end(), is_vest);
+    const auto* count = reply->find("ConnectedDeviceCount");
+    if (count != nullptr && count->is_integer()) read.devices = count->integer();
+    const auto* positions = reply->find("ConnectedPositions");
+    if (positions != nullptr && positions->is_array())
+        read.vest = std::ranges::any_of(positions->elements(), is_vest);
     return read;
 }
 

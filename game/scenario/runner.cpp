@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/file.h"
 #include "core/hash.h"
+#include "core/json.h"
 #include "core/text.h"
 #include "ecs/diff.h"
 #include "game/scenario/verbs.h"
@@ -282,7 +282,7 @@ Expected<std::vector<ScenarioResult>> run_scenarios(
 }
 
 std::string scenario_report(const std::vector<ScenarioResult>& results) {
-    auto list = nlohmann::ordered_json::array();
+    auto list = Json::array();
     for (const auto& result : results) {
         list.push_back({{"name", result.name},
                         {"passed", result.passed},
@@ -291,9 +291,8 @@ std::string scenario_report(const std::vector<ScenarioResult>& results) {
                         {"message", result.message},
                         {"files", result.files}});
     }
-    const nlohmann::ordered_json report{{"scenarios", list}};
-    // A message can contain a script's text that is not UTF-8.
-    return report.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const Json report{{"scenarios", list}};
+    return dump(report, 1) + "\n";
 }
 
 std::filesystem::path scenarios_beside(const std::filesystem::path& assets) {

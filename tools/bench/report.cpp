@@ -4,15 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/json.h"
 #include "core/text.h"
 
 namespace thaum::bench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string cpu_name() {
     std::ifstream in("/proc/cpuinfo");
@@ -36,20 +34,22 @@ bool beats(const Row& a, const Row& b) {
 }
 
 Json row_json(const Row& row) {
-    Json out{{"area", row.area}, {"case", row.name}, {"setting", Json::object()}};
+    auto settings = Json::object(), metrics = Json::object();
     for (const auto& setting : row.setting) {
-        std::visit([&](const auto& v) { out["setting"][setting.first] = v; }, setting.second);
+        std::visit([&](const auto& v) { settings.set(setting.first, v); }, setting.second);
     }
+    for (const auto& [name, value] : row.metrics) metrics.set(name, value);
+    Json out{{"area", row.area}, {"case", row.name}, {"setting", settings}};
     if (row.time_us) {
-        out["time_us"] = {
-            {"min", row.time_us->min}, {"median", row.time_us->median}, {"p99", row.time_us->p99}};
+        out.set("time_us",
+                {{"min", row.time_us->min}, {"median", row.time_us->median}, {"p99", row.time_us->p99}});
     }
-    if (row.error) out["error"] = {{"name", row.error->name}, {"value", row.error->value}};
-    out["front"] = row.front;
-    out["default"] = row.is_default;
-    for (const auto& [name, value] : row.metrics) out["metrics"][name] = value;
-    if (row.hash) out["hash"] = *row.hash;
-    if (!row.fault.empty()) out["fault"] = row.fault;
+    if (row.error) out.set("error", {{"name", row.error->name}, {"value", row.error->value}});
+    out.set("front", row.front);
+    out.set("default", row.is_default);
+    if (!row.metrics.empty()) out.set("metrics", metrics);
+    if (row.hash) out.set("hash", *row.hash);
+    if (!row.fault.empty()) out.set("fault", row.fault);
     return out;
 }
 
@@ -152,12 +152,13 @@ void mark_fronts(std::vector<Row>& rows) {
 
 std::string to_json(const Report& report) {
     const auto& m = report.machine;
+    auto rows = Json::array();
+    for (const auto& row : report.rows) rows.push_back(row_json(row));
     Json out{{"thaum", report.version},
-             {"machine", {{"cpu", m.cpu}, {"cores", m.cores}, {"build", m.build}}},
-             {"rows", Json::array()}};
-    for (const auto& row : report.rows) out["rows"].push_back(row_json(row));
-    if (!report.faults.empty()) out["faults"] = report.faults;
-    return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+             {"machine", {{"cpu", m.cpu}, {"cores", m.cores}, {"build", m.build}}}};
+    out.set("rows", std::move(rows));
+    if (!report.faults.empty()) out.set("faults", report.faults);
+    return dump(out, 1) + "\n";
 }
 
 std::string to_table(const Report& report) {

@@ -1,66 +1,73 @@
 // Reports come from other machines and versions, so every value is checked before use. A report that would
 // be costly to read or print for its length, such as a table of a thousand columns, is refused.
+#include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/json.h"
 #include "core/text.h"
 #include "tools/bench/report.h"
 
 namespace thaum::bench {
 namespace {
 
-using SortedJson = nlohmann::json;  // keeps keys sorted; the ordered kind is slow with many keys
-
 constexpr std::size_t most_rows = 200'000;
 constexpr std::size_t most_names = 128;  ///< largest number of different settings and metrics in a report
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-const SortedJson& member(const SortedJson& object, const char* key) {
-    static const SortedJson nothing;
-    const auto found = object.find(key);
-    return found == object.end() ? nothing : *found;
+const Json& member(const Json& object, std::string_view key) {
+    static const Json nothing;
+    const auto* found = object.find(key);
+    return found == nullptr ? nothing : *found;
 }
 
-Expected<std::string> word(const SortedJson& object, const char* key) {
-    const SortedJson& value = member(object, key);
+/// Members in the order of their keys, whatever their order in the file.
+std::vector<const JsonMember*> sorted_members(const Json& object) {
+    std::vector<const JsonMember*> members;
+    for (const auto& item : object.members()) members.push_back(&item);
+    std::ranges::sort(members, {}, &JsonMember::key);
+    return members;
+}
+
+Expected<std::string> word(const Json& object, const char* key) {
+    const Json& value = member(object, key);
     if (!value.is_string()) return fail(text("'", key, "' must be a text"));
-    return value.get<std::string>();
+    return value.string();
 }
 
 /// Reads a boolean; a missing key counts as false.
-Expected<bool> mark(const SortedJson& object, const char* key) {
-    const SortedJson& value = member(object, key);
+Expected<bool> mark(const Json& object, const char* key) {
+    const Json& value = member(object, key);
     if (value.is_null()) return false;
     if (!value.is_boolean()) return fail(text("'", key, "' must be true or false"));
-    return value.get<bool>();
+    return value.boolean();
 }
 
-Expected<double> number(const SortedJson& value, std::string_view key) {
+Expected<double> number(const Json& value, std::string_view key) {
     if (value.is_null()) return no_number;
     if (!value.is_number()) return fail(text("'", key, "' must be a number"));
-    return value.get<double>();
+    return value.number();
 }
 
-Expected<Value> setting(const SortedJson& value, const std::string& key) {
-    if (value.is_string()) return value.get<std::string>();
-    if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
-    const bool fits = !value.is_number_unsigned() ||
-                      value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
-    if (value.is_number_integer() && fits) return value.get<std::int64_t>();
+Expected<Value> setting(const Json& value, const std::string& key) {
+    if (value.is_string()) return value.string();
+    if (value.is_boolean()) return std::string(value.boolean() ? "true" : "false");
+    const bool fits = !value.is_unsigned() ||
+                      value.unsigned_integer() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    if (value.is_integer() && fits) return value.integer();
     const auto real = number(value, key);
     if (!real) return tl::unexpected(real.error());
     return *real;
 }
 
 /// Reads an object; null if the key is missing.
-Expected<const SortedJson*> object(const SortedJson& row, const char* key) {
-    const SortedJson& value = member(row, key);
+Expected<const Json*> object(const Json& row, const char* key) {
+    const Json& value = member(row, key);
     if (!value.is_null() && !value.is_object()) return fail(text("'", key, "' must be an object"));
     return &value;
 }
 
-Expected<void> read_times(const SortedJson& from, Row& row) {
+Expected<void> read_times(const Json& from, Row& row) {
     const auto times = object(from, "time_us");
     if (!times) return tl::unexpected(times.error());
     if ((*times)->is_null()) return {};
@@ -75,7 +82,7 @@ Expected<void> read_times(const SortedJson& from, Row& row) {
     return {};
 }
 
-Expected<void> read_error(const SortedJson& from, Row& row) {
+Expected<void> read_error(const Json& from, Row& row) {
     const auto error = object(from, "error");
     if (!error) return tl::unexpected(error.error());
     if ((*error)->is_null()) return {};
@@ -87,29 +94,29 @@ Expected<void> read_error(const SortedJson& from, Row& row) {
     return {};
 }
 
-Expected<void> read_settings(const SortedJson& from, Row& row) {
+Expected<void> read_settings(const Json& from, Row& row) {
     const auto settings = object(from, "setting");
     if (!settings) return tl::unexpected(settings.error());
-    for (const auto& item : (*settings)->items()) {
-        const auto value = setting(item.value(), text("setting.", item.key()));
+    for (const auto* item : sorted_members(**settings)) {
+        const auto value = setting(item->value, text("setting.", item->key));
         if (!value) return tl::unexpected(value.error());
-        row.setting.emplace_back(item.key(), *value);
+        row.setting.emplace_back(item->key, *value);
     }
     return {};
 }
 
-Expected<void> read_metrics(const SortedJson& from, Row& row) {
+Expected<void> read_metrics(const Json& from, Row& row) {
     const auto metrics = object(from, "metrics");
     if (!metrics) return tl::unexpected(metrics.error());
-    for (const auto& item : (*metrics)->items()) {
-        const auto value = number(item.value(), text("metrics.", item.key()));
+    for (const auto* item : sorted_members(**metrics)) {
+        const auto value = number(item->value, text("metrics.", item->key));
         if (!value) return tl::unexpected(value.error());
-        row.metrics.emplace_back(item.key(), *value);
+        row.metrics.emplace_back(item->key, *value);
     }
     return {};
 }
 
-Expected<void> read_marks(const SortedJson& from, Row& row) {
+Expected<void> read_marks(const Json& from, Row& row) {
     const auto front = mark(from, "front");
     if (!front) return tl::unexpected(front.error());
     const auto is_default = mark(from, "default");
@@ -128,7 +135,7 @@ Expected<void> read_marks(const SortedJson& from, Row& row) {
     return {};
 }
 
-Expected<Row> read_row(const SortedJson& from) {
+Expected<Row> read_row(const Json& from) {
     if (!from.is_object()) return fail("it must be an object");
     Row row;
     const auto area = word(from, "area");
@@ -144,15 +151,15 @@ Expected<Row> read_row(const SortedJson& from) {
 }
 
 /// Reads the machine. Missing values stay unknown, because only the figures matter.
-Machine read_machine(const SortedJson& json) {
+Machine read_machine(const Json& json) {
     Machine machine{"unknown", 0, "unknown"};
     const auto from = object(json, "machine");
     if (!from || (*from)->is_null()) return machine;
     if (const auto cpu = word(**from, "cpu")) machine.cpu = *cpu;
     if (const auto build = word(**from, "build")) machine.build = *build;
-    const SortedJson& cores = member(**from, "cores");
-    if (cores.is_number_unsigned() && cores.get<std::uint64_t>() < 1'000'000)
-        machine.cores = cores.get<unsigned>();
+    const Json& cores = member(**from, "cores");
+    if (cores.is_unsigned() && cores.unsigned_integer() < 1'000'000)
+        machine.cores = static_cast<unsigned>(cores.unsigned_integer());
     return machine;
 }
 
@@ -161,28 +168,18 @@ void note_names(const Row& row, std::set<std::string>& names) {
     for (const auto& item : row.metrics) names.insert(item.first);
 }
 
-Expected<SortedJson> parse(std::string_view json) {
-    try {
-        return SortedJson::parse(json);
-    } catch (const SortedJson::parse_error& error) {
-        return fail(text("is not JSON from byte ", error.byte, " on"));
-    } catch (const SortedJson::out_of_range&) {
-        return fail("is not JSON: a number is too large");
-    }
-}
-
 }  // namespace
 
 Expected<Report> from_json(std::string_view json) {
-    const auto parsed = parse(json);
+    const auto parsed = parse_json(json);
     if (!parsed) return tl::unexpected(parsed.error());
     if (!parsed->is_object() || !member(*parsed, "rows").is_array())
         return fail("is no report: it has no list 'rows'; `thaum bench --json FILE` writes one");
-    const SortedJson& rows = member(*parsed, "rows");
+    const auto rows = member(*parsed, "rows").elements();
     if (rows.size() > most_rows) return fail(text("has more than ", most_rows, " rows"));
     Report report{word(*parsed, "thaum").value_or("unknown"), read_machine(*parsed), {}};
     std::set<std::string> names;
-    for (const SortedJson& from : rows) {
+    for (const Json& from : rows) {
         auto row = read_row(from);
         if (!row) return fail(text("row ", report.rows.size(), ": ", row.error().message));
         note_names(*row, names);

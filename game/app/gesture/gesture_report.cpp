@@ -1,8 +1,9 @@
 #include "game/app/gesture/gesture_report.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <cmath>
 
+#include "core/json.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -44,15 +45,16 @@ std::string reliability_text(const Evaluation& e) {
     return out;
 }
 
-nlohmann::json reliability_json(const Evaluation& e) {
-    auto bins = nlohmann::json::array();
+/// Keys in the order of the alphabet.
+Json reliability_json(const Evaluation& e) {
+    auto bins = Json::array();
     for (std::size_t b = 0; b < e.reliability.size(); ++b) {
         const auto& bin = e.reliability[b];
         bins.push_back({{"from", static_cast<double>(b) / 10},
-                        {"to", static_cast<double>(b + 1) / 10},
-                        {"strokes", bin.count},
                         {"probability", bin.confidence},
-                        {"right", bin.right}});
+                        {"right", bin.right},
+                        {"strokes", bin.count},
+                        {"to", static_cast<double>(b + 1) / 10}});
     }
     return bins;
 }
@@ -151,27 +153,27 @@ std::string report_text(const GestureReport& r) {
 
 std::string report_json(const GestureReport& r) {
     const auto& e = r.evaluation;
-    nlohmann::ordered_json json{{"file", r.file},
-                                {"method", r.method},
-                                {"protocol", r.protocol},
-                                {"templates", r.templates},
-                                {"repeats", r.repeats},
-                                {"channels", r.channels},
-                                {"strokes", r.strokes},
-                                {"users", r.users},
-                                {"trials", e.trials.size()},
-                                {"accuracy", e.accuracy},
-                                {"us_per_recognition", {{"median", r.median_us}, {"p99", r.p99_us}}},
-                                {"calibration_error", e.calibration_error}};
-    if (r.has_own_calibration) json["calibration_error_from_templates"] = r.own_calibration_error;
+    Json json{{"file", r.file},
+              {"method", r.method},
+              {"protocol", r.protocol},
+              {"templates", r.templates},
+              {"repeats", r.repeats},
+              {"channels", r.channels},
+              {"strokes", r.strokes},
+              {"users", r.users},
+              {"trials", e.trials.size()},
+              {"accuracy", e.accuracy},
+              {"us_per_recognition", {{"median", r.median_us}, {"p99", r.p99_us}}},
+              {"calibration_error", e.calibration_error}};
+    if (r.has_own_calibration) json.set("calibration_error_from_templates", r.own_calibration_error);
     if (e.open_set)
-        json["open_set"] = {{"correct_accepts", e.open_set->correct_accepts},
-                            {"false_accepts", e.open_set->false_accepts},
-                            {"correct_accepts_at_one_percent", e.open_set->best_correct_accepts}};
-    json["gestures"] = e.gestures;
-    json["confusion"] = e.confusion;
-    json["reliability"] = reliability_json(e);
-    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+        json.set("open_set", {{"correct_accepts", e.open_set->correct_accepts},
+                              {"false_accepts", e.open_set->false_accepts},
+                              {"correct_accepts_at_one_percent", e.open_set->best_correct_accepts}});
+    json.set("gestures", e.gestures);
+    json.set("confusion", Json::array(std::vector<Json>(e.confusion.begin(), e.confusion.end())));
+    json.set("reliability", reliability_json(e));
+    return dump(json, 1) + "\n";
 }
 
 std::string report_svg(const GestureReport& r) {

@@ -1,8 +1,8 @@
 // thaum gesture spot: how well gestures are found in continuous motion, without a button.
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "core/file.h"
+#include "core/json.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
@@ -81,7 +81,7 @@ void print_score(const char* name, const gesture::SpottingScore& s) {
                 fixed(s.delay, 2).c_str());
 }
 
-nlohmann::ordered_json json_of(const gesture::SpottingScore& s) {
+Json json_of(const gesture::SpottingScore& s) {
     return {{"f1", s.f1},
             {"precision", s.precision},
             {"recall", s.recall},
@@ -96,16 +96,16 @@ nlohmann::ordered_json json_of(const gesture::SpottingScore& s) {
 }
 
 std::string json_of(const SpotPlan& plan, const gesture::Spotting& r) {
-    nlohmann::ordered_json json{{"sessions", r.sessions},
-                                {"labels", r.labels},
-                                {"hours", r.hours},
-                                {"templates", plan.settings.templates},
-                                {"repeats", plan.settings.repeats},
-                                {"best_f1", json_of(r.best)},
-                                {"at_six_per_hour", json_of(r.at_six)},
-                                {"at_two_per_hour", json_of(r.at_two)},
-                                {"skipped_ends", r.skipped}};
-    return json.dump(1) + "\n";
+    const Json json{{"sessions", r.sessions},
+                    {"labels", r.labels},
+                    {"hours", r.hours},
+                    {"templates", plan.settings.templates},
+                    {"repeats", plan.settings.repeats},
+                    {"best_f1", json_of(r.best)},
+                    {"at_six_per_hour", json_of(r.at_six)},
+                    {"at_two_per_hour", json_of(r.at_two)},
+                    {"skipped_ends", r.skipped}};
+    return dump(json, 1) + "\n";
 }
 
 void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
