@@ -1,4 +1,4 @@
-// thaum scenario: runs gameplay scenarios, each one twice.
+// thaum scenario: runs gameplay scenarios, and shows that each gives the same match again.
 #include <cstdio>
 #include <cstdlib>
 
@@ -14,15 +14,17 @@ namespace thaum::app {
 namespace {
 
 constexpr std::string_view scenario_help =
-    R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR] [--once]
+    R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR]
+                      [--once | --twice]
 
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
-time. Each runs twice and must give equal state hashes. Without a name: all of them.
+time. The log of each is replayed and must give equal hashes. Without a name: all of them.
 
   --json FILE   the results as JSON, replacing an older file; - for standard output
   --out DIR     folder for logs, traces and pictures; older ones are replaced
                 (default: out/scenarios)
-  --once        one run only: half the time, without comparing hashes
+  --once        without the replay
+  --twice       plays each script, and its bots, twice instead of replaying its log
 
 The hands' forces are compared with the traces in tests/replays/forces, to the
 bit; THAUM_KEEP_FORCES=tests/replays/forces records new traces.
@@ -74,7 +76,8 @@ game::ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
     chosen.take_picture = [&painter](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);
     };
-    chosen.once = arguments.has("--once");
+    if (arguments.has("--once")) chosen.same_again = game::SameAgain::unchecked;
+    if (arguments.has("--twice")) chosen.same_again = game::SameAgain::by_second_run;
     chosen.read_screen = game::words_over_views;
     if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
     return chosen;
@@ -91,7 +94,7 @@ void protect_scripts(const std::vector<std::filesystem::path>& scripts, const ga
 }
 
 int run_scenario(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}, {"--once"}};
+    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}, {"--once"}, {"--twice"}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto json = arguments->value("--json");

@@ -9,6 +9,7 @@
 #include "core/json.h"
 #include "core/text.h"
 #include "ecs/diff.h"
+#include "game/match/playback.h"
 #include "game/scenario/verbs.h"
 
 namespace thaum::game {
@@ -167,6 +168,32 @@ std::string fault_of(const Outcome& one, const Outcome& two) {
     return {};
 }
 
+/// Replays the log of a run. Returns an empty string, or the fault.
+std::string fault_of_replay(const std::filesystem::path& log, const ScenarioOptions& options) {
+    auto playback = Playback::open(log, options.assets);
+    if (!playback) return playback.error().message;
+    while (!playback->divergence() && playback->step()) {}
+    if (const auto& divergence = playback->divergence())
+        return text("the replay of its log differs: ", described(*divergence));
+    return playback->missing_hashes();
+}
+
+/// Shows that the scenario gives the same match again. Returns an empty string, or the fault of the run or of that.
+std::string fault_of_repeat(std::string_view source, const std::string& name, const ScenarioOptions& options,
+                            const Outcome& one) {
+    const auto log = options.out / (name + ".thaumlog");
+    const bool has_log = one.ended && !one.scene_set && !options.out.empty() && std::filesystem::exists(log);
+    const bool replays = options.same_again == SameAgain::by_replay && has_log;
+    const bool twice = one.ended && !replays && options.same_again != SameAgain::unchecked;
+    const auto two = twice ? run_once(source, name, options, {.run = 2}) : Outcome{};
+    if (auto fault = fault_of(one, twice ? two : one); !fault.empty()) return fault;
+    if (replays) return fault_of_replay(log, options);
+    const auto differs = twice ? first_difference(one, two) : std::nullopt;
+    if (!differs) return {};
+    return text("tick ", *differs, ": the two runs have different states",
+                describe_difference(source, name, options, *differs));
+}
+
 constexpr std::size_t most_force_trace = 1U << 20U;
 
 /// Writes the force trace, or compares it with the kept one. Returns an empty string, or the fault.
@@ -209,13 +236,7 @@ ScenarioResult run_source(std::string_view source, const std::string& name, cons
                           .message = {},
                           .output = std::move(one.output),
                           .files = std::move(one.files)};
-    const auto two = one.ended && !options.once ? run_once(source, name, options, {.run = 2}) : Outcome{};
-    result.message = fault_of(one, options.once ? one : two);
-    const auto differs = result.message.empty() && !options.once ? first_difference(one, two) : std::nullopt;
-    if (differs) {
-        result.message = text("tick ", *differs, ": the two runs have different states",
-                              describe_difference(source, name, options, *differs));
-    }
+    result.message = fault_of_repeat(source, name, options, one);
     if (result.message.empty() && one.forces && !kept.empty())
         result.message = check_forces(*one.forces, name, kept, !options.keep_forces.empty());
     result.passed = result.message.empty();

@@ -1,9 +1,9 @@
 // game/scenario/runner.h: runs scenarios. A scenario is a Lua script that plays a match through the players'
 // own devices, faster than real time, and checks what a player would notice.
 //
-// Each scenario runs twice from scratch, in two separate matches. The state hashes of both must agree every
-// 128 ticks and at the end. The match must also have changed, because a match without any action proves
-// nothing. A run leaves these files:
+// After a scenario its log is replayed. The state and force hashes of both must agree every 128 ticks and at the end. A
+// scenario without a log runs twice from scratch instead. The match must also have changed, because a match without any
+// action proves nothing. A run leaves these files:
 //
 //     NAME.thaumlog     the match, for `thaum replay`; absent if the script set the scene
 //     NAME.TRACE.csv    one for each `trace`
@@ -44,6 +44,13 @@ using TakePicture =
 /// Returns all words over both players' views of the match's present state.
 using ReadScreen = std::function<std::vector<std::string>(const Simulation& match)>;
 
+/// How a scenario is shown to give the same match again.
+enum class SameAgain : std::uint8_t {
+    unchecked,
+    by_replay,      ///< its log is replayed; where it has none, by a second run
+    by_second_run,  ///< the script runs twice, bots included
+};
+
 struct ScenarioOptions {
     std::filesystem::path assets;
     std::filesystem::path out;      ///< folder for output, created when needed; empty: no files
@@ -53,7 +60,7 @@ struct ScenarioOptions {
     /// Folder for writing force traces. If it is empty, traces are compared with those in ../replays/forces
     /// beside the script's folder, if that folder exists.
     std::filesystem::path keep_forces{};
-    bool once{};                   ///< skips the second run, so the runs are not compared
+    SameAgain same_again = SameAgain::by_replay;
     Tick most_ticks = ticks(660);  ///< longest duration of one run
     SandboxLimits limits;
     /// Hook for tests of the runner: called before every tick of each run (1, 2). It may corrupt the match.

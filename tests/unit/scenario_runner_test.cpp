@@ -93,6 +93,7 @@ TEST(ScenarioRunner, NothingChangedIsAFailure) {
 TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     const Folder folder;
     auto options = options_for(folder);
+    options.same_again = SameAgain::by_second_run;
     options.spoil = [](Simulation& match, int number) {
         if (number != 2 || match.now() != 700) return;
         const auto wizard = wizard_of(match.world(), 1);
@@ -105,10 +106,26 @@ TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     EXPECT_TRUE(has(result.message, "points: 100 and 99.99")) << result.message;
 }
 
+/// The log does not hold a change from outside, so its replay cannot make it.
+TEST(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
+    const Folder folder;
+    auto options = options_for(folder);
+    options.spoil = [](Simulation& match, int) {
+        if (match.now() == 700)
+            match.world_to_change().get<Health>(wizard_of(match.world(), 1)).points -= 1e-9;
+    };
+    const auto result = run_scenario_source(walk, "test", options);
+    EXPECT_FALSE(result.passed);
+    EXPECT_TRUE(has(result.message, "the replay of its log differs: tick 768: state")) << result.message;
+    options.same_again = SameAgain::unchecked;
+    EXPECT_TRUE(run_scenario_source(walk, "test", options).passed);
+}
+
 /// A change that is not in the input must be seen by the checks that replay the input.
 TEST(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
     const Folder folder;
     auto options = options_for(folder);
+    options.same_again = SameAgain::by_second_run;
     options.spoil = [](Simulation& match, int) {
         if (match.now() == 700) match.world_to_change().single<Dice>().spread.next();
     };
@@ -333,6 +350,7 @@ TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     kept.options.keep_forces.clear();
     EXPECT_EQ(kept.play(), "");
     // Adds a force of almost zero in one tick.
+    kept.options.same_again = SameAgain::by_second_run;
     kept.options.spoil = [](Simulation& match, int) {
         if (match.now() != 500) return;
         auto& kick = match.world_to_change().get<HandState>(wizard_of(match.world(), 0)).kick;

@@ -25,7 +25,7 @@ game::ScenarioOptions options_in(const fs::path& folder) {
     options.assets = game::find_assets();
     options.scripts = game::scenarios_beside(options.assets);
     options.out = folder;
-    options.once = true;
+    options.same_again = game::SameAgain::unchecked;
     options.read_screen = game::words_over_views;
     // Pictures do not matter here, so a blank one serves.
     options.take_picture = [](const auto&, auto, const auto&) -> Expected<game::Pixels> {
