@@ -28,7 +28,7 @@ double search(const std::string& script, int seed, int percent) {
                    text("local seed, percent, limit = ", seed, ", ", percent, ", ", limit, "\n"));
     ScenarioOptions options;
     options.assets = root / "assets";
-    options.once = true;
+    options.same_again = SameAgain::unchecked;
     const auto result = run_scenario_source(source, text("follow_", seed, "_", percent), options);
     EXPECT_TRUE(result.passed) << result.message;
     const std::string_view found = "found after ";
