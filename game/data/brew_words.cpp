@@ -47,12 +47,18 @@ BrewWords brew_words_of(const MatchData& data) {
     return words;
 }
 
-std::string words_of_order(const BrewWords& words, std::uint32_t detail) {
-    std::string all;
+std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32_t detail) {
+    std::vector<std::string_view> names;
     for (std::uint32_t i = 1; i <= most_recipe_ingredients; ++i) {
         const auto name = words.ingredient((detail >> (8 * i)) & 0xFFU);
-        if (!name.empty()) all += text(all.empty() ? "" : ", ", name);
+        if (!name.empty()) names.push_back(name);
     }
+    return names;
+}
+
+std::string words_of_order(const BrewWords& words, std::uint32_t detail) {
+    std::string all;
+    for (const auto name : names_of_order(words, detail)) all += text(all.empty() ? "" : ", ", name);
     return all;
 }
 

@@ -33,7 +33,9 @@ struct BrewWords {
 };
 BrewWords brew_words_of(const MatchData& data);
 
-/// Ingredients of a told recipe in their order: "moss, salt, mist" (EventKind::recipe_told).
+/// Names of the ingredients of a told recipe in their order (EventKind::recipe_told). They point into `words`.
+std::vector<std::string_view> names_of_order(const BrewWords& words, std::uint32_t detail);
+/// The same in one text: "moss, salt, mist".
 std::string words_of_order(const BrewWords& words, std::uint32_t detail);
 
 }  // namespace thaum::game

@@ -406,6 +406,23 @@ void set(lua_State* lua, int table, const char* name, lua_CFunction ours) {
     lua_setfield(lua, table, name);
 }
 
+/// Stands for string.find, match, gmatch and gsub (name: upvalue 1). Lua's own matcher counts no steps, so one
+/// call with a few repetitions could take longer than a whole match.
+int no_patterns(lua_State* lua) {
+    lua_pushfstring(lua,
+                    "string.%s: patterns are not available in scenarios: compare whole texts, take one apart "
+                    "with string.sub, or use the lists in events and reports",
+                    lua_tostring(lua, lua_upvalueindex(1)));
+    return raise_at_script(lua);
+}
+
+void refuse_patterns(lua_State* lua, int table, const char* name) {
+    table = lua_absindex(lua, table);
+    lua_pushstring(lua, name);
+    lua_pushcclosure(lua, no_patterns, 1);
+    lua_setfield(lua, table, name);
+}
+
 void open_base(lua_State* lua) {
     luaL_requiref(lua, LUA_GNAME, luaopen_base, 1);
     remove_fields(lua, -1, {"load", "loadfile", "dofile", "collectgarbage", "warn", "next", "xpcall"});
@@ -422,7 +439,7 @@ void open_string(lua_State* lua) {
     wrap(lua, -1, "format", safe_format);
     wrap(lua, -1, "rep", safe_rep);
     wrap(lua, -1, "byte", counted_by_range);
-    set_matching(lua);
+    for (const char* name : {"find", "match", "gmatch", "gsub"}) refuse_patterns(lua, -1, name);
     // Arithmetic on text would call the machine's own pow, like the operator ^.
     lua_pushliteral(lua, "");
     lua_getmetatable(lua, -1);

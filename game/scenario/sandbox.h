@@ -4,9 +4,10 @@
 // and no other code. `pairs` visits keys in sorted order, and no address becomes text. The functions of
 // `math` come from core/maths.h. The operator ^ is rejected, because it calls the machine's own pow.
 //
-// A script always ends. Its steps, memory and processor time are limited. One step is one instruction, 64
-// bytes of requested memory, one byte compared by a pattern, or 16 bytes of a plain search. Once the steps
-// are used up, no pcall and no coroutine can continue.
+// A script always ends. Its steps, memory and processor time are limited. One step is one instruction or 64
+// bytes of requested memory, and a function that goes through a text or a list costs its length. Once the
+// steps are used up, no pcall and no coroutine can continue. There are no patterns, since Lua's own matcher
+// counts nothing: string.find, match, gmatch and gsub raise an error that says so.
 //
 //     Sandbox sandbox;
 //     sandbox.add("answer", [](lua_State* lua, void*) { lua_pushinteger(lua, 42); return 1; }, nullptr);

@@ -49,6 +49,8 @@
 //     stall(seconds)      stops the match while arms go on; the match catches up in the ticks that follow
 //     expect(condition, message), expect_near(value, wanted, tolerance, message), fail(message)
 //     events(kind | {kind = , subject = , by = }), expect_event{kind = , subject = , by = , within = seconds}
+//                         what happened, as {kind = , time = , with = , subject = , by = , amount = , detail = , place = };
+//                         "recipe_told" also has ingredients = names in their order
 //     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = ,
 //           velocity = , surface = , friction = , restitution = }
 //                         sets the scene: adds a thing with position(), velocity(), place(at [, velocity]),

@@ -4,6 +4,7 @@
 
 #include "ecs/diff.h"
 #include "game/components/fog.h"
+#include "game/data/brew_words.h"
 #include "game/match/tables.h"
 #include "game/scenario/detail/verb.h"
 
@@ -50,8 +51,20 @@ void set_player(lua_State* lua, const char* key, std::uint32_t player) {
     lua_setfield(lua, -2, key);
 }
 
+/// Sets the names of the ingredients of a told recipe in their order, as a list.
+void set_ingredients(lua_State* lua, const Play& play, const Event& event) {
+    const auto words = brew_words_of(*play.data);
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto name : names_of_order(words, event.detail)) {
+        lua_pushlstring(lua, name.data(), name.size());
+        lua_rawseti(lua, -2, ++count);
+    }
+    lua_setfield(lua, -2, "ingredients");
+}
+
 void push_event(lua_State* lua, const Play& play, const Event& event) {
-    lua_createtable(lua, 0, 8);
+    lua_createtable(lua, 0, 9);
     const auto with = with_of(event, *play.match);
     lua_pushlstring(lua, with.data(), with.size());
     lua_setfield(lua, -2, "with");
@@ -68,6 +81,7 @@ void push_event(lua_State* lua, const Play& play, const Event& event) {
     lua_setfield(lua, -2, "place");
     set_player(lua, "subject", event.subject);
     set_player(lua, "by", event.by);
+    if (event.kind == EventKind::recipe_told) set_ingredients(lua, play, event);
 }
 
 int verb_events(lua_State* lua, void* context) {

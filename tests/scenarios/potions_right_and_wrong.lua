@@ -19,9 +19,7 @@ local function scry_the_order()
     wait(0.1)
     me:release("stir")
     wait(0.1)
-    for name in expect_event({kind = "recipe_told", by = 1}).with:match(": (.*)"):gmatch("%a+") do
-        azoth[#azoth + 1] = name
-    end
+    for i, name in ipairs(expect_event({kind = "recipe_told", by = 1}).ingredients) do azoth[i] = name end
     expect(#azoth == 3, "three ingredients of Azoth are told")
 end
 wait(1)

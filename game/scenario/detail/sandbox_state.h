@@ -56,9 +56,6 @@ int raise_at_script(lua_State* lua);
 /// Opens the safe parts of Lua's libraries, and replacements for the others.
 void open_library(lua_State* lua);
 
-/// Adds the counted find, match, gmatch and gsub to the table on top of the stack.
-void set_matching(lua_State* lua);
-
 /// Line of the first operator ^ in a source; std::nullopt if there is none.
 std::optional<int> line_of_power(std::string_view source);
 
