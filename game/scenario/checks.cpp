@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <thread>
 
@@ -9,7 +10,9 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "ecs/diff.h"
+#include "game/match/simulation.h"
 #include "game/scenario/play.h"
+#include "game/scenario/play_senses.h"
 
 namespace thaum::game {
 namespace {
@@ -175,7 +178,7 @@ std::string check_threads(const Play& play, unsigned workers) {
 
 std::string check_senses(const Play& play, const std::vector<std::string>& layouts, Tick quit) {
     Simulation plain(play.data, play.match->setup()), other(play.data, play.match->setup());
-    auto senses = PlaySenses::create(play.options->assets, *play.data->presentation, layouts, true);
+    auto senses = PlaySenses::create(play.options->assets, presentation_of(play), layouts, true);
     if (!senses) return senses.error().message;
     for (const auto& frame : play.frames) {
         plain.tick(frame);

@@ -1,10 +1,11 @@
 #include "game/scenario/force_trace.h"
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "game/components/hand_state.h"
 #include "physics/bullet_maths.h"
 
 namespace thaum::game {
@@ -30,17 +31,16 @@ std::string told(const std::string& first, std::string_view key) {
 
 }  // namespace
 
-void ForceRecord::add(const Simulation& match) {
-    for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& world = match.world();
-        const vec3 force = world.get<HandState>(wizard_of(world, player)).servo.safety.output;
+void ForceRecord::add(Tick now, std::span<const vec3, players> forces) {
+    for (std::size_t player = 0; player < players; ++player) {
+        const vec3 force = forces[player];
         sums_[player].peak = std::max(sums_[player].peak, glm::length(force));
         sums_[player].sum += force;
         const auto bytes = std::as_bytes(std::span(&force, 1));
         hash_ = hash_bytes(bytes, hash_);
         block_hash_ = hash_bytes(bytes, block_hash_);
     }
-    now_ = match.now();
+    now_ = now;
     if (++ticks_ % block_ticks == 0) end_block();
 }
 
@@ -60,10 +60,10 @@ void ForceRecord::end_block() {
     block_hash_ = 0;
 }
 
-std::string ForceRecord::file() {
+std::string ForceRecord::file(std::uint32_t rules) {
     if (ticks_ % block_ticks != 0) end_block();
-    return text("# thaum forces, rules ", rules_version, ", maths ", hex(physics::maths_probe()), ", ",
-                ticks_, " ticks, hash ", hex(hash_),
+    return text("# thaum forces, rules ", rules, ", maths ", hex(physics::maths_probe()), ", ", ticks_,
+                " ticks, hash ", hex(hash_),
                 "\nfrom_tick,p1_peak_n,p1_x_n,p1_y_n,p1_z_n,p2_peak_n,p2_x_n,p2_y_n,p2_z_n,hash\n", rows_);
 }
 
@@ -74,7 +74,7 @@ std::string difference_of_forces(const std::string& kept, const std::string& now
     const auto rules = told(a[0], "rules ");
     if (rules != told(b[0], "rules "))
         return text("the kept force trace is of rules version ", rules, ", this program plays ",
-                    rules_version);
+                    told(b[0], "rules "));
     if (told(a[0], "maths ") != told(b[0], "maths "))
         return text("the kept force trace was made with other elementary functions: probe ",
                     told(a[0], "maths "), ", here ", told(b[0], "maths "));

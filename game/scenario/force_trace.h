@@ -9,18 +9,22 @@
 // force, rounded for reading and plotting, and a hash of all their bits. The `hash` in the first line covers
 // all ticks.
 #pragma once
+#include <array>
+#include <span>
 #include <string>
 
-#include "game/match/simulation.h"
+#include "core/maths.h"
+#include "core/units.h"
+#include "game/components/wizard.h"
 
 namespace thaum::game {
 
 class ForceRecord {
 public:
-    /// Adds the tick that the match has just played.
-    void add(const Simulation& match);
-    /// Text of the whole trace file.
-    std::string file();
+    /// Adds the forces on both hands (N) in the tick that the match has just played. `now`: ticks played.
+    void add(Tick now, std::span<const vec3, players> forces);
+    /// Text of the whole trace file. `rules`: version of the rules.
+    std::string file(std::uint32_t rules);
 
 private:
     void end_block();

@@ -7,9 +7,17 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/bots/bot.h"
 #include "game/components/hand_state.h"
+#include "game/components/station.h"
+#include "game/hand/arm_system.h"
 #include "game/match/own_gestures.h"
 #include "game/match/tables.h"
+#include "game/orb/orb.h"
+#include "game/scenario/detail/part.h"
+#include "game/scenario/match_options.h"
+#include "game/scenario/play_senses.h"
+#include "game/scenario/script_arm.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -39,7 +47,7 @@ void open_log(Play& play) {
     auto log = input::LogWriter::create(play.log_path, log_header(*play.data, play.match->setup(), names),
                                         input::WhenBehind::wait);
     if (!log) return note_fault(play, log.error());
-    play.log.emplace(std::move(*log));
+    play.log = std::make_unique<input::LogWriter>(std::move(*log));
 }
 
 /// Returns the part of a turn that fits in one tick, and subtracts it.
@@ -70,7 +78,7 @@ input::InputFrame frame_of(Play& play) {
         sample.change = from.changes.front();
         from.changes.erase(from.changes.begin());
     }
-    if (!play.bots.empty()) play.bots.sample(*play.match, frame);
+    if (play.bots) play.bots->sample(*play.match, frame);
     take_samples(play.arms, frame);
     return frame;
 }
@@ -88,12 +96,27 @@ void keep_keyframe(Play& play) {
 
 void note_forces(Play& play) {
     if (!play.felt) return;
-    play.felt->record.add(*play.match);
+    std::array<vec3, players> forces;
+    for (std::uint32_t player = 0; player < players; ++player)
+        forces[player] = part<HandState>(play, player).servo.safety.output;
+    play.felt->record.add(play.match->now(), forces);
     if (!play.keeps_files || play.options->out.empty() || play.felt->csv.size() > most_trace_bytes) return;
     append_forces(*play.match, play.felt->csv);
 }
 
+/// Hands the match's latest orders to the arms.
+void publish_orders(const Simulation& match, ScriptArms& arms) {
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& arm = arms[player];
+        if (arm && fill_order(match.world(), match.haptic_setup(), player, arm->servo.order()))
+            arm->servo.publish();
+    }
+}
+
 }  // namespace
+
+Play::Play() = default;
+Play::~Play() = default;
 
 Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
     auto data = load_match_data(play.options->assets, wanted.data);
@@ -124,7 +147,8 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
         if (level == 0) continue;
         const auto skill = load_bot_skill(play.options->assets, level);
         if (!skill) return tl::unexpected(skill.error());
-        play.bots.add(*play.match, player, player, *skill, wanted.seed);
+        if (!play.bots) play.bots = std::make_unique<Bots>();
+        play.bots->add(*play.match, player, player, *skill, wanted.seed);
     }
     play.match->save(play.begun);
     open_log(play);
@@ -141,7 +165,7 @@ void tick(Play& play) {
         --play.behind;
     }
     const auto frame = frame_of(play);
-    tick_and_record(match, frame, play.log ? &*play.log : nullptr);
+    tick_and_record(match, frame, play.log.get());
     publish_orders(match, play.arms);
     play.frames.push_back(frame);
     collect_events(play);
@@ -189,6 +213,71 @@ void end_match(Play& play) {
     for (const auto& trace : play.traces)
         put_table(play, text(play.name, ".", trace.name, ".csv"), trace.csv);
     if (play.felt) put_table(play, play.name + ".forces.csv", play.felt->csv);
+}
+
+// ---- what runner and verbs read ---------------------------------------------------------------------------
+
+Tick now_of(const Play& play) { return play.match->now(); }
+Tick played_in(const Play& play) { return play.match->match().played; }
+std::uint64_t state_hash_of(const Play& play) { return play.match->state_hash(); }
+void save_state(const Play& play, Bytes& out) { play.match->save(out); }
+
+std::optional<std::string> force_trace_of(Play& play) {
+    if (!play.felt) return std::nullopt;
+    return play.felt->record.file(rules_version);
+}
+
+std::uint64_t differing_forces(const Play& play) { return differing_forces(play.arms); }
+
+const ecs::World& world_of(const Play& play) { return std::as_const(*play.match).world(); }
+ecs::World& world_to_change(Play& play) { return play.match->world_to_change(); }
+physics::Physics& physics_of(Play& play) { return play.match->physics(); }
+const Presentation& presentation_of(const Play& play) { return *play.data->presentation; }
+const OrbRules* orb_rules_of(const Play& play) { return play.data->orb ? &*play.data->orb : nullptr; }
+
+std::string with_of(const Play& play, const Event& event) { return with_of(event, *play.match); }
+
+void record_by_hand(Play& play, const Event& event) { record(play.match->context_to_change(), event); }
+
+std::vector<FlyingMissile> missiles_of(const Play& play) {
+    std::vector<FlyingMissile> all;
+    for (const auto& wand : play.data->wands)
+        wand.rules->show(world_of(play), [&](const Missile& missile) {
+            all.push_back({missile.position, missile.velocity, missile.player, missile.size});
+        });
+    return all;
+}
+
+std::vector<SensedKind> sensed_kinds_of(const Play& play) {
+    const auto& rows = play.data->presentation->events;
+    std::vector<SensedKind> named;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto name = name_of(static_cast<EventKind>(i));
+        if (!name.empty() && !(rows[i].sound.empty() && rows[i].tactile.empty()))
+            named.push_back({name, rows[i].sound, rows[i].tactile});
+    }
+    return named;
+}
+
+vec3 current_at(const Play& play, vec3 place) {
+    return current_at(world_of(play), play.match->brew(), place, played_in(play));
+}
+
+double surface_at(const Play& play, vec3 place) {
+    return surface_at(play.match->brew(), world_of(play).single<Cauldron>(), place);
+}
+
+const std::string& ingredient_name(const Play& play, std::size_t ingredient) {
+    return play.data->cauldron->ingredients[ingredient].name;
+}
+
+std::optional<CoreInHand> core_in_hand(const Play& play, std::uint32_t player) {
+    const auto* station = world_of(play).find<AtStation>(wizard_entity(play, player));
+    if (station == nullptr || station->kind != StationKind::orb) return std::nullopt;
+    const auto& orb = world_of(play).single<Orb>();
+    const auto core = core_of(orb);
+    const auto frame = probe_frame(*play.data->orb, orb, station->yaw);
+    return CoreInHand{frame.to_device(core.middle), glm::conjugate(frame.turn) * core.axis};
 }
 
 double readiness(const Play& play, std::uint32_t player) {
@@ -283,6 +372,8 @@ bool read_subject(const Play& play, std::string_view subject, bool& thing, std::
 }
 
 }  // namespace
+
+void begin_force_trace(Play& play) { play.felt.emplace(FeltForces{{}, forces_header()}); }
 
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace) {
     const auto point = column.find('.');

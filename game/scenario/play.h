@@ -1,23 +1,41 @@
 // game/scenario/play.h: one run of one scenario: a match, its simulated hands, and all records of it. This
-// file does not depend on Lua; verbs.cpp offers it to scripts.
+// file does not depend on Lua; verbs.cpp offers it to scripts. It names the match and its data without their
+// headers, which are long: most verbs need only components and the functions below.
 #pragma once
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "game/bots/bot.h"
-#include "game/match/record.h"
-#include "game/match/simulation.h"
+#include "core/bytes.h"
+#include "ecs/entity.h"
+#include "game/components/match.h"
+#include "game/components/wizard.h"
 #include "game/scenario/force_trace.h"
-#include "game/scenario/play_senses.h"
 #include "game/scenario/runner.h"
-#include "game/scenario/script_arm.h"
-#include "input/log.h"
+#include "input/frame.h"
+
+namespace thaum::ecs {
+class World;
+}
+namespace thaum::input {
+class LogWriter;
+}
+namespace thaum::physics {
+class Physics;
+}
 
 namespace thaum::game {
+
+class Bots;
+class PlaySenses;
+struct MatchData;
+struct MatchOptions;
+struct OrbRules;
+struct Presentation;
+struct ScriptArm;
+using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 
 /// State of a script's hand. It becomes one device sample per tick.
 struct Hand {
@@ -29,22 +47,6 @@ struct Hand {
     std::uint8_t wand{};                        ///< wand whose key is down, 1 to input::most_wands; 0: none
     std::int32_t trigger{255};                  ///< pull of the trigger while fire is held, 0 to 255
     std::vector<input::FaderChange> changes{};  ///< moves of faders still to be sent, one in each tick
-};
-
-/// Settings of a match that a script asks for.
-struct MatchOptions {
-    DataChoice data;
-    std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays
-    using Percents = std::array<std::optional<std::uint32_t>, players>;
-    Percents force{};   ///< share of the device's force for each player (%); null: set by the rules
-    Percents weight{};  ///< share of a carried thing's weight that the player feels (%); null: 100 %
-    Percents blows{};   ///< share of a carried thing's blows that the player feels (%); null: 100 %
-    /// Shares of a stirred brew's forces, by haptics::fluid_modes (%); null: 100 %.
-    std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players> modes{};
-    std::array<bool, players> casts_freely{};   ///< true if the player casts without a button
-    std::array<bool, players> arm{};            ///< true if the player holds a simulated arm of a real device
-    std::vector<input::ProfileData> profile{};  ///< own gestures of the players
 };
 
 /// A thing that the script has added to the world.
@@ -74,6 +76,11 @@ struct Keyframe {
 };
 
 struct Play {
+    Play();
+    ~Play();
+    Play(const Play&) = delete;
+    Play& operator=(const Play&) = delete;
+
     const ScenarioOptions* options{};
     std::string name;
     bool keeps_files{};  ///< true in the first of the two runs: writes log, traces and pictures
@@ -81,7 +88,7 @@ struct Play {
 
     std::shared_ptr<const MatchData> data;
     std::unique_ptr<Simulation> match;  ///< null until the script calls match{}
-    Bots bots;
+    std::unique_ptr<Bots> bots;         ///< null until a bot plays
     std::array<int, players> bot_level{};
     std::array<Hand, players> hands{};
     ScriptArms arms{};
@@ -105,7 +112,7 @@ struct Play {
 
     bool no_picture{};  ///< the script asked for a picture, but no picture function is set
     bool scene_set{};   ///< the script has changed the world, so input alone does not lead to this state
-    std::optional<input::LogWriter> log;
+    std::unique_ptr<input::LogWriter> log;
     std::filesystem::path log_path;
     std::optional<Tick> save_at;  ///< tick at which `saved` is taken, to examine a difference
     Bytes saved;
@@ -114,6 +121,7 @@ struct Play {
     bool waits{};       ///< a verb has set wait_until
 };
 
+/// Begins the match that a script asks for (game/scenario/match_options.h).
 Expected<void> begin_match(Play& play, const MatchOptions& wanted);
 
 /// Plays one tick of the match with the input of all hands.
@@ -128,14 +136,68 @@ void scene_is_set(Play& play);
 /// Closes the log and writes the traces.
 void end_match(Play& play);
 
+/// Text of the force trace; std::nullopt: the script has asked for none.
+std::optional<std::string> force_trace_of(Play& play);
+/// Number of ticks in which the match computed another force than an arm's thread. It must be 0.
+std::uint64_t differing_forces(const Play& play);
+
+// What runner and verbs read of a match that has begun.
+
+/// Ticks played, pauses included.
+Tick now_of(const Play& play);
+/// Ticks played, without pauses.
+Tick played_in(const Play& play);
+/// Hash of the match's state.
+std::uint64_t state_hash_of(const Play& play);
+/// Writes the match's present state.
+void save_state(const Play& play, Bytes& out);
+
+const ecs::World& world_of(const Play& play);
+ecs::World& world_to_change(Play& play);
+physics::Physics& physics_of(Play& play);
+const Presentation& presentation_of(const Play& play);
+/// Rules of the orb; null if the match has none.
+const OrbRules* orb_rules_of(const Play& play);
+
 /// Charge or draw of the wand in hand, 0 to 1.
 double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
-template <class C>
-const C& part(const Play& play, std::uint32_t player) {
-    return play.match->world().get<C>(wizard_entity(play, player));
-}
+
+/// What an event was about, in words, as in the table of events.
+std::string with_of(const Play& play, const Event& event);
+/// Records an event that has not happened.
+void record_by_hand(Play& play, const Event& event);
+
+/// A missile in flight.
+struct FlyingMissile {
+    vec3 position{}, velocity{};
+    std::uint32_t player{};
+    double size{};
+};
+/// All missiles, in the order of the wands.
+std::vector<FlyingMissile> missiles_of(const Play& play);
+
+/// A kind of event that is heard or felt. An empty name: it has no sound, or no effect.
+struct SensedKind {
+    std::string_view kind, sound, tactile;
+};
+/// All kinds that are heard or felt, by their numbers.
+std::vector<SensedKind> sensed_kinds_of(const Play& play);
+
+/// Velocity of the brew at a place (m/s, world). Zero outside the brew.
+vec3 current_at(const Play& play, vec3 place);
+/// Height of the brew's surface at a place (m, world). The match has a cauldron.
+double surface_at(const Play& play, vec3 place);
+/// Name of an ingredient of the cauldron.
+const std::string& ingredient_name(const Play& play, std::size_t ingredient);
+
+/// The orb's hidden core in the device frame of a wizard who scries.
+struct CoreInHand {
+    vec3 place{}, axis{};
+};
+/// The core, if the wizard of this player stands at the orb.
+std::optional<CoreInHand> core_in_hand(const Play& play, std::uint32_t player);
 
 /// Mouse counts that turn a wizard towards a place.
 struct LookCounts {
@@ -143,6 +205,8 @@ struct LookCounts {
 };
 LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target);
 
+/// Begins to record the forces on both hands.
+void begin_force_trace(Play& play);
 /// Adds the column "1.x", "2.health" or "t3.speed". The error says that there is no such column.
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace);
 /// Adds one line to the trace.

@@ -1,16 +1,28 @@
 // game/scenario/play_senses.h: what both players hear and feel during a run, for scripts that ask for it.
 #pragma once
-#include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "audio/analysis.h"
-#include "audio/mixer.h"
-#include "game/senses/senses.h"
+#include "core/error.h"
+
+namespace thaum::audio {
+struct SoundBank;
+}
+namespace thaum::tactile {
+struct Layout;
+struct MixerCounts;
+struct TactileFrame;
+}  // namespace thaum::tactile
 
 namespace thaum::game {
+
+class Simulation;
+struct HeardLine;
+struct Presentation;
 
 /// Layouts, words and mixed sound of one run.
 class PlaySenses {
@@ -20,30 +32,35 @@ public:
     static Expected<std::unique_ptr<PlaySenses>> create(const std::filesystem::path& assets,
                                                         const Presentation& shown,
                                                         const std::vector<std::string>& layouts, bool mixed);
+    ~PlaySenses();
+    PlaySenses(const PlaySenses&) = delete;
+    PlaySenses& operator=(const PlaySenses&) = delete;
 
     /// Follows the match after each tick.
     void follow(const Simulation& match);
 
-    const Senses& senses() const { return *senses_; }
+    const audio::SoundBank& bank() const;
+    /// What the player has heard in words, the oldest first.
+    std::span<const HeardLine> lines(std::uint32_t player) const;
+    /// Newest frame and counts of a layout, by its number.
+    const tactile::TactileFrame& felt(std::uint32_t player, std::size_t layout) const;
+    const tactile::MixerCounts& counts(std::uint32_t player, std::size_t layout) const;
     /// Number of a layout by name; std::nullopt: the script has not asked for it.
     std::optional<std::size_t> layout(std::string_view name) const;
     const tactile::Layout& layout(std::size_t number) const;
     /// What the loudspeakers have played since the last call (left ear).
-    std::vector<float> take_mixed() { return std::exchange(mixed_, {}); }
-    bool mixes() const { return mixer_.has_value(); }
+    std::vector<float> take_mixed();
+    bool mixes() const;
     /// One sound alone as the loudspeakers play it, two metres ahead (left ear).
     std::vector<float> play_alone(std::uint32_t sound);
     /// Number of the sound of the bank that these samples resemble most.
     std::size_t nearest(const std::vector<float>& samples);
 
 private:
-    std::unique_ptr<Senses> senses_;
-    std::vector<std::string> names_{"abstract_4x5"};  ///< of the layouts, by number
-    std::deque<tactile::Layout> layouts_;             ///< numbers 1 and up of `senses_`
-    std::optional<audio::Mixer> mixer_;
-    std::array<float, audio::block_values> block_{};
-    std::vector<float> mixed_;
-    std::vector<audio::Signature> known_;  ///< of each sound, once `nearest` was asked
+    struct Inside;
+    explicit PlaySenses(std::unique_ptr<Inside> inside);
+
+    std::unique_ptr<Inside> inside_;
 };
 
 }  // namespace thaum::game

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "ecs/diff.h"
 #include "game/match/playback.h"
+#include "game/scenario/play.h"
 #include "game/scenario/verbs.h"
 
 namespace thaum::game {
@@ -66,7 +67,7 @@ bool is_deed(const ecs::Difference& d) {
 
 bool has_changed(const Play& play) {
     Bytes now;
-    play.match->save(now);
+    save_state(play, now);
     const auto found = ecs::diff(play.begun, now, 100000);
     return found && std::any_of(found->begin(), found->end(), is_deed);
 }
@@ -75,8 +76,8 @@ bool has_changed(const Play& play) {
 Expected<void> play_on(Play& play) {
     if (!play.waits) return fail("coroutine.yield outside of a coroutine: tick() waits");
     play.waits = false;
-    while (play.match->now() < play.wait_until) {
-        if (play.match->now() >= play.options->most_ticks) {
+    while (now_of(play) < play.wait_until) {
+        if (now_of(play) >= play.options->most_ticks) {
             return fail(text("it takes more than ", seconds(play.options->most_ticks), " s"));
         }
         tick(play);
@@ -114,17 +115,17 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
     Outcome outcome;
     Sandbox sandbox(options.limits);
     auto done = run_script(sandbox, play, source);
-    if (done && differing_forces(play.arms) != 0)
+    if (done && differing_forces(play) != 0)
         done = fail("the match has computed other forces than an arm's thread had");
     outcome.ended = done.has_value();
     outcome.output = sandbox.output();
     outcome.no_picture = play.no_picture;
     outcome.scene_set = play.scene_set;
     if (play.match) {
-        outcome.ticks = play.match->now();
-        outcome.hash = play.match->state_hash();
+        outcome.ticks = now_of(play);
+        outcome.hash = state_hash_of(play);
         outcome.changed = has_changed(play);
-        if (play.felt) outcome.forces = play.felt->record.file();
+        outcome.forces = force_trace_of(play);
         if (!done) keep_failure_picture(play);
         end_match(play);
         if (done && !play.write_fault.empty()) done = fail(play.write_fault);

@@ -22,10 +22,12 @@
 #include <string>
 #include <vector>
 
-#include "game/match/simulation.h"
+#include "core/units.h"
 #include "game/scenario/sandbox.h"
 
 namespace thaum::game {
+
+class Simulation;
 
 enum class Split : std::uint32_t { side_by_side, top_bottom };
 

@@ -1,7 +1,5 @@
 #include "game/scenario/script_arm.h"
 
-#include "game/hand/arm_system.h"
-
 namespace thaum::game {
 namespace {
 
@@ -33,14 +31,6 @@ void step_arms(ScriptArms& arms) {
 void take_samples(ScriptArms& arms, input::InputFrame& frame) {
     for (const auto& arm : arms)
         if (arm) frame.devices[arm->device] = arm->servo.take();
-}
-
-void publish_orders(const Simulation& match, ScriptArms& arms) {
-    for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& arm = arms[player];
-        if (arm && fill_order(match.world(), match.haptic_setup(), player, arm->servo.order()))
-            arm->servo.publish();
-    }
 }
 
 std::uint64_t differing_forces(const ScriptArms& arms) {

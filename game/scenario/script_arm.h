@@ -5,8 +5,10 @@
 #include <array>
 #include <memory>
 
-#include "game/match/simulation.h"
+#include "core/maths.h"
+#include "game/components/wizard.h"
 #include "input/arm_servo.h"
+#include "input/frame.h"
 
 namespace thaum::game {
 
@@ -24,8 +26,6 @@ using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 void step_arms(ScriptArms& arms);
 /// Puts the next sample of each arm into the input frame.
 void take_samples(ScriptArms& arms, input::InputFrame& frame);
-/// Hands the match's latest orders to the arms.
-void publish_orders(const Simulation& match, ScriptArms& arms);
 /// Number of ticks in which the match computed another force than the arm's thread. It must be 0.
 std::uint64_t differing_forces(const ScriptArms& arms);
 

@@ -11,9 +11,13 @@
 #include "game/components/hand_state.h"
 #include "game/match/haptic_setup.h"
 #include "game/match/own_gestures.h"
+#include "game/match/simulation.h"
 #include "game/player/walk.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
+#include "game/scenario/match_options.h"
+#include "game/scenario/script_arm.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -391,15 +395,14 @@ void push_reading(lua_State* lua, const Play& play, std::uint32_t player) {
     const auto* gestures = gestures_of(play.match->context(), player);
     const auto name = gestures == nullptr ? std::string_view() : gestures->name(reading.gesture);
     if (reading.at == 0 || name.empty()) return;
-    lua_pushlstring(lua, name.data(), name.size());
-    lua_setfield(lua, -2, "gesture");
+    arg::set_text(lua, "gesture", name);
 }
 
 /// What a player who casts without a button did last: `cast_at`, and of a near miss `missed_at` (ticks, 0: never), `like`
 /// (a gesture), `probability` and `reason`.
 void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     constexpr std::array reasons{"none", "unclear", "too fast", "too small", "too soon"};
-    const auto& world = std::as_const(*play.match).world();
+    const auto& world = world_of(play);
     const auto wizard = wizard_of(world, player);
     const auto* hand = world.find<FreeHand>(wizard);
     const auto* miss = world.find<NearMiss>(wizard);
@@ -411,8 +414,7 @@ void push_free_casting(lua_State* lua, const Play& play, std::uint32_t player) {
     arg::set_number(lua, "probability", miss->probability);
     const auto* gestures = gestures_of(play.match->context(), player);
     const auto name = miss->at == 0 ? std::string_view() : gestures->name(miss->gesture);
-    lua_pushlstring(lua, name.data(), name.size());
-    lua_setfield(lua, -2, "like");
+    arg::set_text(lua, "like", name);
     lua_pushstring(lua, reasons.at(static_cast<std::size_t>(miss->reason)));
     lua_setfield(lua, -2, "reason");
 }
@@ -426,8 +428,7 @@ void push_potions(lua_State* lua, const Play& play, std::uint32_t player) {
     for (std::size_t i = 0; i < play.data->recipes.size(); ++i)
         if (played < potions.until.at(i))
             arg::set_number(lua, play.data->recipes[i].name.c_str(), seconds(potions.until.at(i) - played));
-    lua_pushboolean(lua, static_cast<int>(potions.work_half));
-    lua_setfield(lua, -2, "work_half");
+    arg::set_flag(lua, "work_half", potions.work_half != 0);
 }
 
 /// Harm that the wizard's shield still takes (HP).

@@ -97,10 +97,11 @@
 // Verbs that set the scene are not actions of a player, so the input alone cannot replay the match. A scenario
 // that uses them leaves no log and cannot use check_seek, check_late, check_threads or check_senses.
 #pragma once
-#include "game/scenario/play.h"
 #include "game/scenario/sandbox.h"
 
 namespace thaum::game {
+
+struct Play;
 
 /// Adds all verbs to the sandbox. `play` must outlive the sandbox.
 Expected<void> add_verbs(Sandbox& sandbox, Play& play);

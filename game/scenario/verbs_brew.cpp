@@ -1,5 +1,6 @@
 // Verbs for the cauldron's brew and the players who stir it.
-#include "game/cauldron/cauldron.h"
+#include "game/components/cauldron.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -19,7 +20,7 @@ void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
     lua_Integer count = 0;
     for (const auto ingredient : cauldron.contents) {
         if (ingredient == no_ingredient) continue;
-        const auto& name = play.data->cauldron->ingredients[ingredient].name;
+        const auto& name = ingredient_name(play, ingredient);
         lua_pushlstring(lua, name.data(), name.size());
         lua_rawseti(lua, -2, ++count);
     }
@@ -35,11 +36,9 @@ int verb_brew(lua_State* lua, void* context) {
     arg::set_number(lua, "reached", cauldron.reached);
     arg::set_number(lua, "viscosity", cauldron.viscosity);
     arg::set_number(lua, "density", cauldron.density);
-    arg::push_place(lua, cauldron.middle);
-    lua_setfield(lua, -2, "middle");
+    arg::set_place(lua, "middle", cauldron.middle);
     if (cauldron.owner < players) arg::set_number(lua, "owner", cauldron.owner + 1);
-    lua_pushboolean(lua, static_cast<int>(cauldron.step_running == 0 && cauldron.surface_asleep != 0));
-    lua_setfield(lua, -2, "asleep");
+    arg::set_flag(lua, "asleep", cauldron.step_running == 0 && cauldron.surface_asleep != 0);
     set_contents(lua, play, cauldron);
     return 1;
 }
@@ -47,14 +46,15 @@ int verb_brew(lua_State* lua, void* context) {
 int verb_current(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto place = arg::place(lua, 1, "place", farthest);
-    arg::push_place(lua, current_at(world_of(play), play.match->brew(), place, play.match->match().played));
+    arg::push_place(lua, current_at(play, place));
     return 1;
 }
 
 int verb_surface(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto place = arg::place(lua, 1, "place", farthest);
-    lua_pushnumber(lua, surface_at(play.match->brew(), cauldron_of(play), place));
+    cauldron_of(play);
+    lua_pushnumber(lua, surface_at(play, place));
     return 1;
 }
 

@@ -1,4 +1,5 @@
 // Verbs for strokes: a pad's stick and strokes of generated users.
+#include <cmath>
 #include <string>
 
 #include "game/scenario/detail/verb.h"

@@ -7,6 +7,8 @@
 #include "game/crystal/crystal.h"
 #include "game/crystal/crystal_shape.h"
 #include "game/match/great_work.h"
+#include "game/match/simulation.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -54,12 +56,10 @@ int verb_crystal(lua_State* lua, void* context) {
     arg::set_number(lua, "voxel", spacing_of(crystal));
     arg::set_number(lua, "chipped", seconds(crystal.chipped));
     arg::set_text(lua, "seed", text(crystal.seed));
-    lua_pushboolean(lua, static_cast<int>(crystal.touched));
-    lua_setfield(lua, -2, "touched");
+    arg::set_flag(lua, "touched", crystal.touched != 0);
     if (crystal.carver < players) arg::set_number(lua, "carver", crystal.carver + 1);
     if (crystal.touched != 0) arg::set_text(lua, "hash", voxel_hash_of(world_of(play), crystal));
-    arg::push_place(lua, crystal.middle);
-    lua_setfield(lua, -2, "middle");
+    arg::set_place(lua, "middle", crystal.middle);
     return 1;
 }
 
@@ -127,19 +127,15 @@ int verb_carver(lua_State* lua, void* context) {
     if (lens == nullptr) fault("this match has no crystal");
     lua_createtable(lua, 0, 6);
     arg::set_text(lua, "tool", play.data->crystal->tools.at(lens->tool).name);
-    lua_pushboolean(lua, static_cast<int>(lens->held));
-    lua_setfield(lua, -2, "lens");
+    arg::set_flag(lua, "lens", lens->held != 0);
     const auto tick = play.match->match().played;
     const bool works = world.count<GreatWork>() > 0;
     arg::set_number(lua, "great_work", works ? seconds(held_both_for(world, player, tick)) : 0);
     const auto* chisel = world.find<Chisel>(wizard);
     if (chisel == nullptr) return 1;
-    lua_pushboolean(lua, static_cast<int>(chisel->cutting));
-    lua_setfield(lua, -2, "cutting");
-    arg::push_place(lua, chisel->place);
-    lua_setfield(lua, -2, "place");
-    arg::push_place(lua, chisel->force);
-    lua_setfield(lua, -2, "force");
+    arg::set_flag(lua, "cutting", chisel->cutting != 0);
+    arg::set_place(lua, "place", chisel->place);
+    arg::set_place(lua, "force", chisel->force);
     return 1;
 }
 

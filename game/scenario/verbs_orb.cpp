@@ -1,8 +1,7 @@
 // Verbs for wizards who scry.
-#include "game/components/hand_state.h"
 #include "game/components/orb.h"
-#include "game/components/station.h"
-#include "game/orb/orb.h"
+#include "game/data/orb_rules.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -14,9 +13,10 @@ namespace arg = arguments;
 void set_modes(lua_State* lua, const Play& play, const WornModes& modes) {
     lua_newtable(lua);
     lua_Integer count = 0;
+    const auto& known = orb_rules_of(play)->modes;
     for (const auto mode : modes.worn) {
-        if (mode >= play.data->orb->modes.size()) continue;
-        const auto& name = play.data->orb->modes[mode].name;
+        if (mode >= known.size()) continue;
+        const auto& name = known[mode].name;
         lua_pushlstring(lua, name.data(), name.size());
         lua_rawseti(lua, -2, ++count);
     }
@@ -34,15 +34,11 @@ int verb_scrying(lua_State* lua, void* context) {
         return 1;
     }
     lua_createtable(lua, 0, 7);
-    arg::push_place(lua, scrying->place);
-    lua_setfield(lua, -2, "place");
-    arg::push_place(lua, scrying->force);
-    lua_setfield(lua, -2, "force");
+    arg::set_place(lua, "place", scrying->place);
+    arg::set_place(lua, "force", scrying->force);
     arg::set_number(lua, "distance", scrying->distance);
-    lua_pushboolean(lua, static_cast<int>(scrying->near_since != 0));
-    lua_setfield(lua, -2, "near");
-    lua_pushboolean(lua, static_cast<int>(scrying->drawing != 0));
-    lua_setfield(lua, -2, "drawing");
+    arg::set_flag(lua, "near", scrying->near_since != 0);
+    arg::set_flag(lua, "drawing", scrying->drawing != 0);
     set_modes(lua, play, part<WornModes>(play, player));
     return 1;
 }
@@ -51,14 +47,10 @@ int verb_scrying(lua_State* lua, void* context) {
 /// and its direction.
 int verb_core(lua_State* lua, void* context) {
     const auto& play = began(context);
-    const auto wizard = wizard_entity(play, arg::player(lua, 1));
-    const auto* station = world_of(play).find<AtStation>(wizard);
-    if (station == nullptr || station->kind != StationKind::orb) arg::fault("this wizard does not scry");
-    const auto& orb = world_of(play).single<Orb>();
-    const auto core = core_of(orb);
-    const auto frame = probe_frame(*play.data->orb, orb, station->yaw);
-    arg::push_place(lua, frame.to_device(core.middle));
-    arg::push_place(lua, glm::conjugate(frame.turn) * core.axis);
+    const auto core = core_in_hand(play, arg::player(lua, 1));
+    if (!core) arg::fault("this wizard does not scry");
+    arg::push_place(lua, core->place);
+    arg::push_place(lua, core->axis);
     return 2;
 }
 
@@ -66,8 +58,9 @@ int verb_core(lua_State* lua, void* context) {
 int verb_curve(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
-    if (!play.data->orb) arg::fault("this match has no orb");
-    const auto count = static_cast<double>(play.data->orb->modes.size());
+    const auto* rules = orb_rules_of(play);
+    if (rules == nullptr) arg::fault("this match has no orb");
+    const auto count = static_cast<double>(rules->modes.size());
     const auto mode = static_cast<std::size_t>(arg::integer(lua, 2, "the mode's key", {1, count})) - 1;
     const double property = arg::number(lua, 3, "the property", {-1e6, 1e6});
     lua_pushnumber(lua, part<WornModes>(play, player).strength[mode](property));

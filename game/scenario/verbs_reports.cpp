@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <set>
 
+#include "core/random.h"
 #include "ecs/diff.h"
+#include "game/components/body.h"
 #include "game/components/fog.h"
+#include "game/components/power_up.h"
 #include "game/data/brew_words.h"
-#include "game/match/tables.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -65,20 +68,15 @@ void set_ingredients(lua_State* lua, const Play& play, const Event& event) {
 
 void push_event(lua_State* lua, const Play& play, const Event& event) {
     lua_createtable(lua, 0, 9);
-    const auto with = with_of(event, *play.match);
-    lua_pushlstring(lua, with.data(), with.size());
-    lua_setfield(lua, -2, "with");
-    lua_pushnumber(lua, seconds(event.tick));
-    lua_setfield(lua, -2, "time");
+    const auto with = with_of(play, event);
+    arg::set_text(lua, "with", with);
+    arg::set_number(lua, "time", seconds(event.tick));
     const auto name = name_of(event.kind);
-    lua_pushlstring(lua, name.data(), name.size());
-    lua_setfield(lua, -2, "kind");
-    lua_pushnumber(lua, event.amount);
-    lua_setfield(lua, -2, "amount");
+    arg::set_text(lua, "kind", name);
+    arg::set_number(lua, "amount", event.amount);
     lua_pushinteger(lua, event.detail);
     lua_setfield(lua, -2, "detail");
-    arg::push_place(lua, event.place);
-    lua_setfield(lua, -2, "place");
+    arg::set_place(lua, "place", event.place);
     set_player(lua, "subject", event.subject);
     set_player(lua, "by", event.by);
     if (event.kind == EventKind::recipe_told) set_ingredients(lua, play, event);
@@ -111,19 +109,16 @@ int verb_next_event(lua_State* lua, void* context) {
 
 int verb_power_ups(lua_State* lua, void* context) {
     const auto& play = began(context);
-    const auto played = play.match->match().played;
+    const auto played = played_in(play);
     lua_newtable(lua);
     world_of(play).view<const PowerUp, const Motion>().each([&](const PowerUp& p, const Motion& motion) {
         lua_createtable(lua, 0, 4);
         const auto name = power_up_names[static_cast<std::size_t>(p.kind)];
-        lua_pushlstring(lua, name.data(), name.size());
-        lua_setfield(lua, -2, "kind");
-        arg::push_place(lua, motion.position);
-        lua_setfield(lua, -2, "place");
+        arg::set_text(lua, "kind", name);
+        arg::set_place(lua, "place", motion.position);
         lua_pushboolean(lua, played >= p.back_at);
         lua_setfield(lua, -2, "there");
-        lua_pushnumber(lua, played >= p.back_at ? 0.0 : seconds(p.back_at - played));
-        lua_setfield(lua, -2, "back_in");
+        arg::set_number(lua, "back_in", played >= p.back_at ? 0.0 : seconds(p.back_at - played));
         lua_rawseti(lua, -2, p.number + 1);
     });
     return 1;
@@ -131,17 +126,14 @@ int verb_power_ups(lua_State* lua, void* context) {
 
 int verb_fogs(lua_State* lua, void* context) {
     const auto& play = began(context);
-    const auto played = play.match->match().played;
+    const auto played = played_in(play);
     lua_newtable(lua);
     lua_Integer count = 0;
     world_of(play).view<const Fog, const Motion>().each([&](const Fog& fog, const Motion& motion) {
         lua_createtable(lua, 0, 4);
-        arg::push_place(lua, motion.position);
-        lua_setfield(lua, -2, "place");
-        lua_pushnumber(lua, fog.radius);
-        lua_setfield(lua, -2, "radius");
-        lua_pushnumber(lua, fog.until > played ? seconds(fog.until - played) : 0.0);
-        lua_setfield(lua, -2, "left");
+        arg::set_place(lua, "place", motion.position);
+        arg::set_number(lua, "radius", fog.radius);
+        arg::set_number(lua, "left", fog.until > played ? seconds(fog.until - played) : 0.0);
         set_player(lua, "player", fog.player);
         lua_rawseti(lua, -2, ++count);
     });
@@ -152,18 +144,13 @@ int verb_missiles(lua_State* lua, void* context) {
     const auto& play = began(context);
     lua_newtable(lua);
     lua_Integer count = 0;
-    for (const auto& wand : play.data->wands) {
-        wand.rules->show(world_of(play), [&](const Missile& missile) {
-            lua_createtable(lua, 0, 4);
-            arg::push_place(lua, missile.position);
-            lua_setfield(lua, -2, "position");
-            arg::push_place(lua, missile.velocity);
-            lua_setfield(lua, -2, "velocity");
-            set_player(lua, "player", missile.player);
-            lua_pushnumber(lua, missile.size);
-            lua_setfield(lua, -2, "size");
-            lua_rawseti(lua, -2, ++count);
-        });
+    for (const auto& missile : missiles_of(play)) {
+        lua_createtable(lua, 0, 4);
+        arg::set_place(lua, "position", missile.position);
+        arg::set_place(lua, "velocity", missile.velocity);
+        set_player(lua, "player", missile.player);
+        arg::set_number(lua, "size", missile.size);
+        lua_rawseti(lua, -2, ++count);
     }
     return 1;
 }
@@ -195,7 +182,7 @@ int verb_deeds(lua_State* lua, void* context) {
 int verb_state(lua_State* lua, void* context) {
     auto& play = began(context);
     if (play.states.size() == most_states) fault("there are ", most_states, " states already");
-    play.match->save(play.states.emplace_back());
+    save_state(play, play.states.emplace_back());
     lua_pushinteger(lua, static_cast<lua_Integer>(play.states.size()));
     return 1;
 }
@@ -205,17 +192,12 @@ const Bytes& state_at(const Play& play, lua_State* lua, int index) {
     return play.states[static_cast<std::size_t>(number - 1)];
 }
 
-void set_text(lua_State* lua, const char* key, const std::string& value) {
-    lua_pushlstring(lua, value.data(), value.size());
-    lua_setfield(lua, -2, key);
-}
-
 void push_difference(lua_State* lua, const ecs::Difference& d) {
     lua_createtable(lua, 0, 5);
-    set_text(lua, "component", d.component);
-    set_text(lua, "field", d.field);
-    set_text(lua, "before", d.a);
-    set_text(lua, "after", d.b);
+    arg::set_text(lua, "component", d.component);
+    arg::set_text(lua, "field", d.field);
+    arg::set_text(lua, "before", d.a);
+    arg::set_text(lua, "after", d.b);
     if (d.entity == ecs::none) return;  // a blob belongs to no entity
     lua_pushinteger(lua, d.entity);
     lua_setfield(lua, -2, "entity");
@@ -225,7 +207,7 @@ int verb_changes(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto& before = state_at(play, lua, 1);
     Bytes now;
-    if (lua_isnoneornil(lua, 2)) play.match->save(now);
+    if (lua_isnoneornil(lua, 2)) save_state(play, now);
     const auto& after = lua_isnoneornil(lua, 2) ? now : state_at(play, lua, 2);
     const auto found = ecs::diff(before, after, 1000);
     if (!found) fault(found.error().message);
@@ -253,8 +235,7 @@ int verb_trace(lua_State* lua, void* context) {
         const auto column = arg::string(lua, -1, "a column");
         const auto added = add_column(play, column, trace);
         if (!added) fault(added.error().message);
-        if (!play.felt && column.find(".force_") != std::string::npos)
-            play.felt.emplace(FeltForces{{}, forces_header()});
+        if (!play.felt && column.find(".force_") != std::string::npos) begin_force_trace(play);
         lua_pop(lua, 1);
     }
     trace.csv += '\n';
@@ -365,7 +346,7 @@ int verb_picture_colours(lua_State* lua, void* context) {
 void need_replayable(const Play& play, std::string_view verb) {
     if (play.scene_set)
         fault(verb, ": this scenario has set the scene itself, so its input alone does not lead here");
-    if (play.match->now() == 0) fault(verb, ": nothing has been played yet");
+    if (now_of(play) == 0) fault(verb, ": nothing has been played yet");
 }
 
 std::uint64_t read_seed(lua_State* lua, const Options& options) {
@@ -376,7 +357,7 @@ int verb_check_seek(lua_State* lua, void* context) {
     const auto& play = began(context);
     need_replayable(play, "check_seek");
     const Options options(lua, 1, "check_seek", {"ticks", "count", "seed"});
-    const auto now = static_cast<double>(play.match->now());
+    const auto now = static_cast<double>(now_of(play));
     const Range most{0, static_cast<double>(most_sought)};
     std::vector<Tick> ticks;
     if (options.has("ticks")) {
@@ -391,7 +372,7 @@ int verb_check_seek(lua_State* lua, void* context) {
     }
     auto random = random_stream(read_seed(lua, options), 0);
     const auto count = options.has("count") ? arg::integer(lua, -1, "count", most) : 0;
-    for (std::int64_t i = 0; i < count; ++i) ticks.push_back(random.below(play.match->now() + 1));
+    for (std::int64_t i = 0; i < count; ++i) ticks.push_back(random.below(now_of(play) + 1));
     if (const auto found = check_seek(play, ticks); !found.empty()) fault(found);
     return 0;
 }

@@ -1,7 +1,15 @@
 // Verbs for what players hear and feel: the cells of a jacket, words, and the mixed sound.
 #include <algorithm>
+#include <cmath>
 
+#include "audio/analysis.h"
+#include "audio/sound.h"
 #include "game/scenario/detail/verb.h"
+#include "game/scenario/play_senses.h"
+#include "game/sound/heard.h"
+#include "tactile/frame.h"
+#include "tactile/layout.h"
+#include "tactile/mixer.h"
 
 namespace thaum::game {
 namespace {
@@ -38,7 +46,7 @@ int verb_senses(lua_State* lua, void* context) {
     std::vector<std::string> layouts;
     if (options.has("layouts")) layouts = read_layouts(lua);
     const bool mixed = options.has("sound") && lua_toboolean(lua, -1) != 0;
-    auto senses = PlaySenses::create(play.options->assets, *play.data->presentation, layouts, mixed);
+    auto senses = PlaySenses::create(play.options->assets, presentation_of(play), layouts, mixed);
     if (!senses) fault(senses.error().message);
     play.senses = std::move(*senses);
     play.senses->follow(*play.match);
@@ -60,14 +68,13 @@ int verb_body(lua_State* lua, void* context) {
     const auto player = arg::player(lua, 1);
     const auto number = read_layout(lua, senses);
     const double age = lua_isnoneornil(lua, 3) ? 0 : arg::number(lua, 3, "age", {0, 100});
-    const auto& newest = senses.senses().felt(player, number);
+    const auto& newest = senses.felt(player, number);
     const auto frame = tactile::frame_at(newest, newest.tick + ticks(age));
     const auto& actuators = senses.layout(number).actuators;
     lua_createtable(lua, static_cast<int>(actuators.size()), 0);
     for (std::size_t i = 0; i < actuators.size(); ++i) {
         lua_createtable(lua, 0, 3);
-        arg::push_place(lua, actuators[i].place.at);
-        lua_setfield(lua, -2, "at");
+        arg::set_place(lua, "at", actuators[i].place.at);
         arg::set_number(lua, "felt", i < frame.count ? static_cast<double>(frame.amplitude.at(i)) : 0);
         arg::set_number(lua, "hz", i < frame.count ? static_cast<double>(frame.carrier_hz.at(i)) : 0);
         lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
@@ -78,7 +85,7 @@ int verb_body(lua_State* lua, void* context) {
 int verb_body_counts(lua_State* lua, void* context) {
     const auto& senses = sensed(context);
     const auto player = arg::player(lua, 1);
-    const auto& counts = senses.senses().counts(player, read_layout(lua, senses));
+    const auto& counts = senses.counts(player, read_layout(lua, senses));
     lua_createtable(lua, 0, 3);
     arg::set_number(lua, "offered", static_cast<double>(counts.offered));
     arg::set_number(lua, "started", static_cast<double>(counts.started));
@@ -88,15 +95,14 @@ int verb_body_counts(lua_State* lua, void* context) {
 
 int verb_heard(lua_State* lua, void* context) {
     const auto& senses = sensed(context);
-    const auto lines = senses.senses().lines(arg::player(lua, 1));
+    const auto lines = senses.lines(arg::player(lua, 1));
     lua_createtable(lua, static_cast<int>(lines.size()), 0);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         lua_createtable(lua, 0, 4);
         arg::set_text(lua, "line", words_of(lines[i]));
         arg::set_text(lua, "words", lines[i].words);
         arg::set_text(lua, "side", heard_from_words.at(static_cast<std::size_t>(lines[i].from)));
-        lua_pushboolean(lua, static_cast<int>(lines[i].important));
-        lua_setfield(lua, -2, "important");
+        arg::set_flag(lua, "important", lines[i].important);
         lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     return 1;
@@ -134,7 +140,7 @@ int verb_sound(lua_State* lua, void* context) {
 }
 
 int verb_sounds(lua_State* lua, void* context) {
-    const auto& sounds = sensed(context).senses().data().bank.sounds;
+    const auto& sounds = sensed(context).bank().sounds;
     lua_createtable(lua, static_cast<int>(sounds.size()), 0);
     for (std::size_t i = 0; i < sounds.size(); ++i) {
         lua_pushlstring(lua, sounds[i].name.data(), sounds[i].name.size());
@@ -147,7 +153,7 @@ int verb_sounds(lua_State* lua, void* context) {
 /// most.
 int verb_loopback(lua_State* lua, void* context) {
     auto& senses = mixing(context);
-    const auto& bank = senses.senses().data().bank;
+    const auto& bank = senses.bank();
     const auto name = arg::string(lua, 1, "a sound");
     const auto number = bank.find(name);
     if (!number) fault("there is no sound '", name, "'");
@@ -163,7 +169,7 @@ int verb_loopback(lua_State* lua, void* context) {
 int verb_happen(lua_State* lua, void* context) {
     auto& play = began(context);
     const Options options(lua, 1, "happen", {"kind", "subject", "by", "amount", "at"});
-    Event event{.tick = play.match->match().played};
+    Event event{.tick = played_in(play)};
     options.need("kind");
     event.kind = read_kind(lua, -1);
     if (options.has("subject")) event.subject = arg::player(lua, -1);
@@ -171,21 +177,19 @@ int verb_happen(lua_State* lua, void* context) {
     if (options.has("amount")) event.amount = arg::number(lua, -1, "amount", {0, 1000});
     if (options.has("at")) event.place = arg::place(lua, -1, "at", farthest);
     scene_is_set(play);
-    record(play.match->context_to_change(), event);
+    record_by_hand(play, event);
     return 0;
 }
 
 int verb_event_rows(lua_State* lua, void* context) {
-    const auto& rows = began(context).data->presentation->events;
+    const auto rows = sensed_kinds_of(began(context));
     lua_newtable(lua);
     lua_Integer count = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const auto name = name_of(static_cast<EventKind>(i));
-        if (name.empty() || (rows[i].sound.empty() && rows[i].tactile.empty())) continue;
+    for (const auto& row : rows) {
         lua_createtable(lua, 0, 3);
-        arg::set_text(lua, "kind", name);
-        arg::set_text(lua, "sound", rows[i].sound);
-        arg::set_text(lua, "tactile", rows[i].tactile);
+        arg::set_text(lua, "kind", row.kind);
+        arg::set_text(lua, "sound", row.sound);
+        arg::set_text(lua, "tactile", row.tactile);
         lua_rawseti(lua, -2, ++count);
     }
     return 1;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "game/arena/spawn.h"
+#include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -70,9 +71,9 @@ int verb_spawn(lua_State* lua, void* context) {
     const auto thing = read_thing(lua, options);
     const vec3 velocity = options.has("velocity") ? arg::place(lua, -1, "velocity", fastest) : vec3(0);
     scene_is_set(play);
-    const auto entity = spawn_thing(play.match->world_to_change(), thing);
-    play.match->physics().set_velocity(entity.index, velocity);
-    play.match->world_to_change().get<Motion>(entity).velocity = velocity;
+    const auto entity = spawn_thing(world_to_change(play), thing);
+    physics_of(play).set_velocity(entity.index, velocity);
+    world_to_change(play).get<Motion>(entity).velocity = velocity;
     play.things.push_back({entity, thing.body.mass});
     lua_pushinteger(lua, static_cast<lua_Integer>(play.things.size()));
     return 1;
@@ -114,8 +115,8 @@ int verb_place_thing(lua_State* lua, void* context) {
     motion.position = arg::place(lua, 2, "place", farthest);
     if (!lua_isnoneornil(lua, 3)) motion.velocity = arg::place(lua, 3, "velocity", fastest);
     scene_is_set(play);
-    play.match->world_to_change().get<Motion>(entity) = motion;
-    play.match->physics().set_state(entity.index, motion);
+    world_to_change(play).get<Motion>(entity) = motion;
+    physics_of(play).set_state(entity.index, motion);
     return 0;
 }
 
@@ -126,14 +127,14 @@ int verb_push_thing(lua_State* lua, void* context) {
     if (glm::length(impulse) > fastest * thing.mass)
         fault("that impulse makes it faster than ", fastest, " m/s");
     scene_is_set(play);
-    play.match->physics().apply_central_impulse(thing.entity.index, impulse);
+    physics_of(play).apply_central_impulse(thing.entity.index, impulse);
     return 0;
 }
 
 int verb_clear_props(lua_State*, void* context) {
     auto& play = began(context);
     scene_is_set(play);
-    auto& world = play.match->world_to_change();
+    auto& world = world_to_change(play);
     std::vector<ecs::Entity> props;
     world.view<const Prop>().each([&](ecs::Entity e, const Prop&) { props.push_back(e); });
     for (const auto e : props) world.destroy(e);

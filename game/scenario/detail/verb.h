@@ -2,6 +2,7 @@
 #pragma once
 #include <span>
 
+#include "game/data/event_kinds.h"
 #include "game/scenario/detail/arguments.h"
 #include "game/scenario/play.h"
 #include "game/scenario/sandbox.h"
@@ -40,7 +41,5 @@ inline EventKind read_kind(lua_State* lua, int index) {
     if (!kind) arguments::fault("there is no event '", name, "'");
     return *kind;
 }
-
-inline const ecs::World& world_of(const Play& play) { return play.match->world(); }
 
 }  // namespace thaum::game

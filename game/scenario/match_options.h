@@ -1,0 +1,22 @@
+// game/scenario/match_options.h: settings of a match that a script asks for.
+#pragma once
+#include "game/data/match_data.h"
+
+namespace thaum::game {
+
+struct MatchOptions {
+    DataChoice data;
+    std::uint64_t seed = 1;
+    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays
+    using Percents = std::array<std::optional<std::uint32_t>, players>;
+    Percents force{};   ///< share of the device's force for each player (%); null: set by the rules
+    Percents weight{};  ///< share of a carried thing's weight that the player feels (%); null: 100 %
+    Percents blows{};   ///< share of a carried thing's blows that the player feels (%); null: 100 %
+    /// Shares of a stirred brew's forces, by haptics::fluid_modes (%); null: 100 %.
+    std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players> modes{};
+    std::array<bool, players> casts_freely{};   ///< true if the player casts without a button
+    std::array<bool, players> arm{};            ///< true if the player holds a simulated arm of a real device
+    std::vector<input::ProfileData> profile{};  ///< own gestures of the players
+};
+
+}  // namespace thaum::game
