@@ -1,0 +1,228 @@
+"""The CTest cases of a build: what they are, how one is run, and how CTest would judge it."""
+import contextlib
+import dataclasses
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+from common import stop
+
+PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
+TIME_LIMIT = "time limit"
+USUAL_LIMIT = 1800  # s, of a case without a limit of its own
+MEMORY = 8 << 30    # bytes of address space of a case
+DISK = 2 << 30      # bytes of one file that a case writes
+
+
+@dataclasses.dataclass
+class Case:
+    name: str
+    command: list
+    properties: dict
+    before: list = dataclasses.field(default_factory=list)  # cases that must run first (CTest's fixtures)
+
+    @property
+    def limit(self):
+        """Seconds for the case and for those before it."""
+        return float(self.properties.get("TIMEOUT", USUAL_LIMIT)) + sum(other.limit for other in self.before)
+
+    def locks(self):
+        """No two cases with a common lock run at once. A case also locks itself, since two mutants may both want it and
+        it may write files of a fixed name."""
+        names = {f"case {self.name}", *as_list(self.properties.get("RESOURCE_LOCK"))}
+        for other in self.before:
+            names |= other.locks()
+        return names
+
+
+@dataclasses.dataclass
+class Outcome:
+    verdict: str
+    how: str
+    seconds: float
+
+
+class Stopped(Exception):
+    """The user wants to stop."""
+
+
+def as_list(value):
+    return value if isinstance(value, list) else [value] if value else []
+
+
+def read_cases(folder, names_file):
+    """All cases of the build that can be run, by name. `names_file` restricts them; it has a name a line."""
+    shown = subprocess.run(["ctest", "--test-dir", str(folder / "build"), "--show-only=json-v1"], capture_output=True,
+                           text=True)
+    if shown.returncode != 0:
+        stop(f"ctest cannot list the cases; run the step build first: {shown.stderr.strip()}")
+    cases = {}
+    for test in json.loads(shown.stdout)["tests"]:
+        properties = {p["name"]: p["value"] for p in test.get("properties", [])}
+        # A program that was not built has no command, or one without a file.
+        if test.get("command") and shutil.which(test["command"][0]) and not properties.get("DISABLED"):
+            cases[test["name"]] = Case(test["name"], test["command"], properties)
+    add_fixtures(cases)
+    if not names_file:
+        return cases
+    wanted = {line.strip() for line in Path(names_file).read_text().splitlines()} - {""}
+    return {name: case for name, case in cases.items() if name in wanted}
+
+
+def add_fixtures(cases):
+    makers = {}
+    for case in cases.values():
+        for fixture in as_list(case.properties.get("FIXTURES_SETUP")):
+            makers.setdefault(fixture, []).append(case)
+    for case in cases.values():
+        case.before = [maker for fixture in as_list(case.properties.get("FIXTURES_REQUIRED"))
+                       for maker in makers.get(fixture, [])]
+
+
+class Runner:
+    """Runs cases, from several threads."""
+
+    def __init__(self, folder):
+        self.scratch = folder / "tmp"
+        shutil.rmtree(self.scratch, ignore_errors=True)
+        self.scratch.mkdir()
+        self.locks = {}
+        self.guard = threading.Lock()
+        self.sessions = set()
+        self.stopping = False
+
+    def stop(self):
+        """Ends all cases that run; run() then raises Stopped."""
+        with self.guard:
+            self.stopping = True
+            sessions = set(self.sessions)
+        for session in sessions:
+            end_session(session)
+
+    def run(self, case, limit, mutant=0, reached=None):
+        """Runs a case, and what must run before it. `limit` (s) is for all together."""
+        with contextlib.ExitStack() as held:
+            for name in sorted(case.locks()):
+                with self.guard:
+                    lock = self.locks.setdefault(name, threading.Lock())
+                held.enter_context(lock)
+            return self._run_held(case, limit, mutant, reached)
+
+    def _run_held(self, case, limit, mutant, reached):
+        seconds = 0.0
+        for other in case.before:
+            outcome = self._run_held(other, limit - seconds, mutant, reached)
+            seconds += outcome.seconds
+            if outcome.verdict == FAILED:
+                return Outcome(FAILED, f"{other.name} before it: {outcome.how}", seconds)
+        outcome = self._run_alone(case, max(limit - seconds, 1), mutant, reached)
+        outcome.seconds += seconds
+        return outcome
+
+    def _run_alone(self, case, limit, mutant, reached):
+        # A mutant may delete or fill what it should not: folders for temporary files and of the user are its own.
+        place = Path(tempfile.mkdtemp(dir=self.scratch, prefix=""))
+        place.chmod(0o755)  # some cases run a program as another user
+        (place / "t").mkdir()
+        (place / "h").mkdir()
+        environment = {name: value for name, value in os.environ.items()
+                       if not name.startswith(("XDG_", "THAUM_MUTANT"))}
+        environment |= {"TMPDIR": str(place / "t"), "HOME": str(place / "h"), "THAUM_MUTANT": str(mutant)}
+        if reached:
+            environment["THAUM_MUTANTS_REACHED"] = str(reached)
+        for setting in as_list(case.properties.get("ENVIRONMENT")):
+            name, _, value = setting.partition("=")
+            environment[name] = value
+        try:
+            with open(place / "output", "w+b") as output:
+                code, seconds = self._run_limited(case, limit, environment, output)
+                output.seek(0)
+                text = output.read(16 << 20).decode(errors="replace")
+        finally:
+            shutil.rmtree(place, ignore_errors=True)
+        verdict, how = judge(case, code, text)
+        return Outcome(verdict, how, seconds)
+
+    def _run_limited(self, case, limit, environment, output):
+        """Returns the exit code, or None if the limit (s) ended the case, and the time taken (s)."""
+        with self.guard:
+            if self.stopping:
+                raise Stopped
+            begin = time.monotonic()
+            process = subprocess.Popen([*limits(), *case.command], env=environment, stdin=subprocess.DEVNULL,
+                                       stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
+                                       cwd=case.properties.get("WORKING_DIRECTORY") or None)
+            self.sessions.add(process.pid)
+        try:
+            code = process.wait(timeout=limit)
+        except subprocess.TimeoutExpired:
+            code = None
+        seconds = time.monotonic() - begin
+        end_session(process.pid)
+        process.wait()
+        with self.guard:
+            self.sessions.discard(process.pid)
+            if self.stopping:
+                raise Stopped
+        return code, seconds
+
+
+def limits():
+    """A prefix of a command that bounds what the command may take. Only the soft limits change."""
+    result = ["prlimit", "--core=0:"]
+    for name, kind, most in (("as", resource.RLIMIT_AS, MEMORY), ("fsize", resource.RLIMIT_FSIZE, DISK)):
+        hard = resource.getrlimit(kind)[1]
+        result.append(f"--{name}={most if hard == resource.RLIM_INFINITY else min(most, hard)}:")
+    return result
+
+
+def end_session(session):
+    """Kills what a case left behind: the processes of its session, those with a process group of their own too."""
+    for _ in range(100):
+        members = [pid for pid in map(int, filter(str.isdigit, os.listdir("/proc"))) if session_of(pid) == session]
+        if not members:
+            return
+        for pid in members:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGKILL)
+        time.sleep(0.01)
+
+
+def session_of(pid):
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return 0
+    return 0 if fields[0] in "ZX" else int(fields[3])
+
+
+def judge(case, code, text):
+    """Judges as CTest does."""
+    properties = case.properties
+    if code is None:
+        return FAILED, TIME_LIMIT
+    if str(properties.get("SKIP_RETURN_CODE", "")) == str(code):
+        return SKIPPED, f"exit code {code}"
+    if says_one_of(properties.get("SKIP_REGULAR_EXPRESSION"), text):
+        return SKIPPED, "output"
+    how = f"signal {-code}" if code < 0 else f"exit code {code}"
+    good = code == 0
+    if properties.get("PASS_REGULAR_EXPRESSION"):
+        good, how = says_one_of(properties["PASS_REGULAR_EXPRESSION"], text), "output"
+    if says_one_of(properties.get("FAIL_REGULAR_EXPRESSION"), text):
+        good, how = False, "output"
+    if properties.get("WILL_FAIL"):
+        good = not good
+    return (PASSED if good else FAILED), how
+
+
+def says_one_of(expressions, text):
+    return any(re.search(expression, text) for expression in as_list(expressions))

@@ -1,0 +1,50 @@
+// tools/mutants/mutant_switch.h: decides at run time which mutant of a mutated build is active. Every C++ source of the
+// copied tree includes it first (see tree.py). The original tree does not use it.
+#pragma once
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace thaum_mutants {
+
+struct Switch {
+    int active = 0;                    ///< number of the active mutant; 0: none
+    unsigned char* reached = nullptr;  ///< one byte per mutant, shared with the file; may be null
+    int count = 0;                     ///< size of `reached`
+};
+
+/// Reads THAUM_MUTANT (a number) and maps the file that THAUM_MUTANTS_REACHED names. The file is shared memory, so what
+/// a program reached is known even if it is killed.
+inline Switch read_environment() {
+    Switch result;
+    if (const char* active = std::getenv("THAUM_MUTANT")) result.active = std::atoi(active);
+    const char* name = std::getenv("THAUM_MUTANTS_REACHED");
+    const int file = name != nullptr ? ::open(name, O_RDWR | O_CLOEXEC) : -1;
+    if (file < 0) return result;
+    struct stat about {};
+    if (::fstat(file, &about) == 0 && about.st_size > 0) {
+        const auto size = static_cast<unsigned long>(about.st_size);
+        void* map = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        if (map != MAP_FAILED) {
+            result.reached = static_cast<unsigned char*>(map);
+            result.count = static_cast<int>(size);
+        }
+    }
+    ::close(file);
+    return result;
+}
+
+/// Returns true if the mutant is active, and notes that its line was reached. Works in constructors of static objects and
+/// on any thread. Allocates nothing.
+inline bool on(int mutant) {
+    static const Switch the_switch = read_environment();
+    // A byte that is set is not written again, so threads do not take the cache line from each other.
+    if (mutant < the_switch.count && __atomic_load_n(the_switch.reached + mutant, __ATOMIC_RELAXED) == 0)
+        __atomic_store_n(the_switch.reached + mutant, static_cast<unsigned char>(1), __ATOMIC_RELAXED);
+    return mutant == the_switch.active;
+}
+
+}  // namespace thaum_mutants
