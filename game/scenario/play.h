@@ -83,7 +83,7 @@ struct Play {
 
     const ScenarioOptions* options{};
     std::string name;
-    bool keeps_files{};  ///< true in the first of the two runs: writes log, traces and pictures
+    bool keeps_files{};  ///< true in the first run: writes log, traces and pictures
     int run{};           ///< number of the run, 1 or 2
 
     std::shared_ptr<const MatchData> data;
@@ -91,7 +91,7 @@ struct Play {
     std::unique_ptr<Bots> bots;         ///< null until a bot plays
     std::array<int, players> bot_level{};
     std::array<Hand, players> hands{};
-    ScriptArms arms{};
+    ScriptArms arms;
     Tick behind{};  ///< ticks that the arms ran while the match stood still
 
     std::vector<input::InputFrame> frames;  ///< all input frames so far

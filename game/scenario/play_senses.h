@@ -13,7 +13,7 @@ namespace thaum::audio {
 struct SoundBank;
 }
 namespace thaum::tactile {
-struct Layout;
+class Layout;
 struct MixerCounts;
 struct TactileFrame;
 }  // namespace thaum::tactile
