@@ -34,7 +34,7 @@ std::vector<std::size_t> order_of_keys(std::span<const JsonMember> members) {
     return order;
 }
 
-/// Of members with equal keys, keeps the place of the first and the value of the last. Sorting finds them,
+/// Merges members with equal keys: the first one's place and the last one's value stay. Sorting finds them,
 /// because comparing all with all takes minutes for a hostile file.
 std::vector<JsonMember> without_equal_keys(std::vector<JsonMember> members) {
     const auto order = order_of_keys(members);
@@ -204,7 +204,7 @@ using Library = nlohmann::ordered_json;  // keeps the order of members
 class Builder {
 public:
     Json result;
-    std::string fault;  ///< what is wrong with the text
+    std::string fault;  ///< fault of the text, for the error's line
 
     bool null() { return add({}); }
     bool boolean(bool value) { return add(value); }

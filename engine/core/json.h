@@ -50,7 +50,7 @@ public:
     static Json array(std::initializer_list<Json> elements = {});
     static Json array(std::vector<Json> elements);
     static Json object();
-    /// Of members with the same key, the first gives the place and the last gives the value.
+    /// Makes an object. Where members have the same key, the first gives the place and the last the value.
     static Json object(std::vector<JsonMember> members);
 
     /// Adds an element to an array. Null becomes an array.

@@ -9,7 +9,8 @@
 //     };
 //
 // The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked where a
-// World declares the component, once in a program. It makes the bytes of a component a function of its value, so the bytes can be hashed. An
+// World declares the component, once in a program. Without padding, the bytes of a component are a function of
+// its value, so they can be hashed. An
 // empty struct with a name is a tag. A tag costs one bit per entity, and adding or removing it moves no data.
 //
 // State that is one large array of numbers, such as the samples of a fluid, is a blob. A World has one array

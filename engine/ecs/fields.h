@@ -10,12 +10,12 @@
 #pragma once
 #include <string_view>
 
-/// Inside a struct: makes it a component, named as in C++, with these fields in the order of its memory.
+/// Makes the struct in which it stands a component, named as in C++, with these fields in the order of its memory.
 #define THAUM_COMPONENT(Type, ...)                  \
     static constexpr std::string_view name = #Type; \
     THAUM_FIELDS(Type, __VA_ARGS__)
 
-/// Inside a struct: lists the fields of a part of components.
+/// Lists the fields of the struct in which it stands. Components may have fields of such a type.
 #define THAUM_FIELDS(Type, ...)                         \
     template <class Visit>                              \
     static constexpr void visit_fields(Visit&& visit) { \
@@ -23,7 +23,7 @@
     }                                                   \
     using ListedFields = Type
 
-/// In the namespace of a struct: lists the fields of a struct from a part that does not use components.
+/// Lists the fields of a struct from a part that does not use components. Stands in the namespace of the struct.
 #define THAUM_FIELDS_OF(Type, ...)                               \
     template <class Visit>                                       \
     constexpr void visit_fields_of(const Type*, Visit&& visit) { \

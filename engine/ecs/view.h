@@ -64,7 +64,7 @@ decltype(auto) argument(typename Term<T>::value* base, std::size_t row) {
 template <class... Ts>
 struct Terms {};
 
-/// Those of the terms that are arguments, as Terms<...>.
+/// The list Terms<...> of a view's terms that are passed as arguments; tags and Without are not.
 template <class Kept, class... Left>
 struct Arguments;
 template <class... Kept>

@@ -141,7 +141,7 @@ std::optional<std::string> force_trace_of(Play& play);
 /// Number of ticks in which the match computed another force than an arm's thread. It must be 0.
 std::uint64_t differing_forces(const Play& play);
 
-// What runner and verbs read of a match that has begun.
+// Readings of a begun match, for the runner and the verbs.
 
 /// Ticks played, pauses included.
 Tick now_of(const Play& play);
@@ -164,7 +164,7 @@ double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 
-/// What an event was about, in words, as in the table of events.
+/// Words for the subject of an event, as in the table of events.
 std::string with_of(const Play& play, const Event& event);
 /// Records an event that has not happened.
 void record_by_hand(Play& play, const Event& event);

@@ -40,7 +40,7 @@ public:
     void follow(const Simulation& match);
 
     const audio::SoundBank& bank() const;
-    /// What the player has heard in words, the oldest first.
+    /// Returns the words for all that the player has heard, the oldest first.
     std::span<const HeardLine> lines(std::uint32_t player) const;
     /// Newest frame and counts of a layout, by its number.
     const tactile::TactileFrame& felt(std::uint32_t player, std::size_t layout) const;

@@ -20,7 +20,7 @@ std::string dump_of(const Oracle& json, int indent = -1) {
     return json.dump(indent, ' ', false, Oracle::error_handler_t::replace);
 }
 
-/// What a text becomes when it is read and written again, or why it cannot be read.
+/// Reads a text and writes it again. Returns the result, or the fault of a text that cannot be read.
 std::string reread(std::string_view source) {
     const auto json = parse_json(source);
     return json ? dump(*json) : json.error().message;
