@@ -7,9 +7,9 @@ thaum_test(test_core
 
 if(NOT THAUM_SANITIZE)
     # Rules of the source tree: dependencies between folders, no paths of one machine, no test left out of the
-    # build, no long file or function.
+    # build, no long file. clang-tidy finds long functions.
     thaum_test(test_structure
-        SOURCES structure/rules.cpp structure/functions.cpp structure/check_rules.cpp structure/check_tree.cpp)
+        SOURCES structure/rules.cpp structure/check_rules.cpp structure/check_tree.cpp)
 
     # The launcher with missing packages: a copy of it runs with stand-ins for apt-get and the other tools.
     add_test(NAME structure.launcher COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})

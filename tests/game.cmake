@@ -13,7 +13,7 @@ thaum_test(test_free_casting
     SOURCES unit/free_casting_test.cpp
     LINK thaum_duel thaum_strokes
     NOT_SANITIZED FreeCasting.TenMinutes* FreeCasting.FindsTheStrokes*
-    SLOW FreeCasting.TenMinutesOfBots*)
+    LONG FreeCasting.TenMinutesOfBots*)
 thaum_test(test_game_threads
     SOURCES unit/game_threads_test.cpp
     LINK thaum_duel
@@ -22,7 +22,7 @@ thaum_test(test_easiest_bot
     SOURCES unit/easiest_bot_test.cpp
     LINK thaum_duel
     NOT_SANITIZED EasiestBot.*
-    SLOW EasiestBot.*)
+    LONG EasiestBot.*)
 thaum_test(test_lab
     SOURCES unit/lab_test.cpp unit/saved_body_test.cpp unit/volume_lab_test.cpp
     LINK thaum_lab)

@@ -1,11 +1,12 @@
 # Every scenario is a test of its own, run by the program itself. Sanitizer builds run each scenario once, and
 # leave out long ones: more would show them no other code.
 set(scenario_runs "")
-# Ten minutes of a match take 20 s. A long scenario starts early, so that the whole run does not wait for it at the end.
+# Ten minutes of a match: only `./thaum test --long` runs it.
 set(long_scenarios no_cast_while_fighting)
+set(slow_scenarios "")
 if(THAUM_SANITIZE)
     set(scenario_runs --once)
-    set(long_scenarios no_cast_while_fighting bots_fight_to_a_kill brew_is_stirrable light_brew_lifts mix_red_green_to_yellow rest_costs_nothing
+    set(slow_scenarios bots_fight_to_a_kill brew_is_stirrable light_brew_lifts mix_red_green_to_yellow rest_costs_nothing
         same_on_1_and_2_threads seek_equals_play standard_best_of_three stir_against_flow_resists stir_makes_swirl_and_swirl_carries_hand thick_brew_slows_both)
 endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lua)
@@ -14,7 +15,9 @@ foreach(script ${scenarios})
     add_test(NAME scenario.${name}
         COMMAND ${timed} $<TARGET_FILE:thaum> scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} COST 50 LABELS "scenario;slow")
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} COST 50 LABELS "scenario;long")
+    elseif(name IN_LIST slow_scenarios)
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS "scenario;slow")
     else()
         set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS scenario FIXTURES_SETUP scenarios)
     endif()
@@ -28,8 +31,10 @@ set_tests_properties(scenario.late_frames_same_result PROPERTIES
 add_executable(passivity drivers/passivity.cpp)
 target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
-add_test(NAME haptics.passivity COMMAND ${timed} $<TARGET_FILE:passivity> ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
-set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
+if(NOT THAUM_SANITIZE)  # where most scenarios are left out
+    add_test(NAME haptics.passivity COMMAND ${timed} $<TARGET_FILE:passivity> ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
+    set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
+endif()
 
 # The force traces of the scenarios (replays/forces) are exact within one rules version. After a change of
 # rules, data or haptic scenarios run THAUM_KEEP_FORCES=tests/replays/forces ./thaum scenario, and say in the
@@ -72,10 +77,10 @@ if(NOT THAUM_SANITIZE)
         COMMAND ${timed} $<TARGET_FILE:thaum> --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
             --out ${long_duel})
     add_test(NAME replay.long_duel.older_libm COMMAND ${timed} $<TARGET_FILE:thaum> replay ${long_duel}.thaumlog --verify)
-    set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS slow)
+    set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS long)
     set_tests_properties(replay.long_duel.record PROPERTIES
-        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT ${longest_test})
-    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT ${longest_test}
+        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS long TIMEOUT ${longest_test})
+    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS long TIMEOUT ${longest_test}
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 
     # An ordinary build on older processors: prints one line, without an illegal instruction. Each processor
@@ -108,4 +113,4 @@ thaum_test(test_orb_follow
     SOURCES stability/orb_follow_test.cpp
     LINK thaum_scenario
     NOT_SANITIZED OrbFollow.*
-    SLOW OrbFollow.*)
+    LONG OrbFollow.*)

@@ -2,14 +2,16 @@
 # tools/tidy.sh [SOURCE...]: clang-tidy over the named sources of ours, each compiled alone; without a name, over all of
 # them, in batches as the build makes them.
 #
-# clang-tidy is slow, so a batch that passed is remembered under a key. The key is a hash of everything that the batch
+# clang-tidy is slow, so a batch that passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is
+# committed, so that a fresh checkout reads only what changed since. The key is a hash of everything that the batch
 # depends on: the settings, the compiler's command, and the text of its sources and of every header of ours that they
-# include. The build folders of clang-tidy have no precompiled headers, since clang cannot read GCC's, and since a source
+# include, each without the place of the checkout. The build folders of clang-tidy have no precompiled headers, since clang cannot read GCC's, and since a source
 # must include all that it uses.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 cache=$root/build/tidy
+list=$root/tools/tidied.txt
 mkdir -p "$cache"
 
 # configured UNITY: makes a build folder with a compile database alone, and prints its name.
@@ -69,16 +71,21 @@ dependencies() {
 keys() {
     local common
     common=$({ clang-tidy --version && cat "$root/.clang-tidy" && grep -h '"command"' "$1/compile_commands.json" |
-        sed 's/.*"command": "\(.*\) -o .*/\1/' | sort -u; } | sha256sum | cut -c1-16)
+        sed "s/.*\"command\": \"\(.*\) -o .*/\1/; s|$root||g" | sort -u; } | sha256sum | cut -c1-16)
     dependencies >"$cache/dependencies"
     # One hash per file, then per source a hash of its hashes.
-    cut -f2 "$cache/dependencies" | sort -u | xargs -r -d '\n' sha256sum >"$cache/hashes"
+    cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
+    grep -v "^$root/build/" "$cache/files" | xargs -r -d '\n' sha256sum >"$cache/hashes"
+    # A batch names its sources by their places.
+    { grep "^$root/build/" "$cache/files" || true; } | while IFS= read -r source; do
+        printf '%s  %s\n' "$(sed "s|$root||g" "$source" | sha256sum | cut -c1-64)" "$source"
+    done >>"$cache/hashes"
     awk -F '\t' -v common="$common" '
         NR == FNR { hash[substr($0, 67)] = substr($0, 1, 64); next }
         { all[$1] = all[$1] hash[$2] }
         END { for (source in all) print common all[source] "\t" source }' "$cache/hashes" "$cache/dependencies" |
         while IFS=$'\t' read -r text source; do
-            printf '%s\t%s\n' "$(printf '%s' "$text$source" | sha256sum | cut -c1-40)" "$source"
+            printf '%s\t%s\n' "$(printf '%s' "$text${source#"$root"}" | sha256sum | cut -c1-40)" "$source"
         done
 }
 
@@ -102,6 +109,8 @@ else
     folder=$(configured ON)
     sources_in "$folder" | keys "$folder" >"$cache/keys"
 fi
+# What passed in another checkout passed here.
+[[ ! -r $list ]] || awk '$1 ~ /^[0-9a-f]+$/ { print $1 }' "$list" | (cd "$cache" && xargs -r touch)
 while IFS=$'\t' read -r key source; do
     if [[ -e $cache/$key ]]; then touch "$cache/$key"; else printf '%s\t%s\n' "$key" "$source"; fi
 done <"$cache/keys" >"$cache/todo"
@@ -109,3 +118,8 @@ echo "clang-tidy: $(wc -l <"$cache/keys") sources or batches, $(wc -l <"$cache/t
 find "$cache" -type f -mtime +30 -delete
 # shellcheck disable=SC2016  # $1 belongs to the inner shell
 xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'check_one "$1"' check_one <"$cache/todo"
+# Everything passed.
+(($# > 0)) || {
+    echo "# Batches that passed clang-tidy, written by tools/tidy.sh: the hash of all that a batch depends on, and its name."
+    sort -k 2 "$cache/keys" | tr '\t' ' ' | sed "s|$root/build/tidy-ON/||; s|$root/||"
+} >"$list"

@@ -39,7 +39,7 @@ open_screen() {
     export ALSOFT_DRIVERS=null
     # Address sanitizer: X and OpenGL libraries leak a few blocks when they are unloaded, and umockdev must be
     # loaded before it. The tests without a window look for leaks of our own.
-    export ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0
+    export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0:verify_asan_link_order=0
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }
 

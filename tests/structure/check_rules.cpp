@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "structure/functions.h"
 #include "structure/rules.h"
 
 namespace thaum::structure {
@@ -142,58 +141,6 @@ TEST_F(Rules, LongFilesAreFound) {
     EXPECT_EQ(long_files(root()),
               Faults{"tests/unit/long.h:1: the file has 601 lines, more than 600; split it "
                      "where its subject changes"});
-}
-
-TEST_F(Rules, LongFunctionsAreFound) {
-    std::string body;
-    for (int i = 0; i < 38; ++i) body += "    go();\n";
-    add("game/hud/full.cpp", "void full() {\n" + body + "}\n");
-    add("tools/bench/long.cpp", "int a;\n\nvoid long_one(int,\n              int) {\n" + body + "}\n");
-    EXPECT_EQ(long_functions(root()),
-              Faults{"tools/bench/long.cpp:3: the function has 41 lines, more than 40; "
-                     "split it where its subject changes"});
-}
-
-/// Lines of all functions of a source, as "FIRST+COUNT" with spaces between.
-std::string extents(const std::string& source) {
-    std::string result;
-    for (const auto& f : functions_in(source))
-        result += (result.empty() ? "" : " ") + std::to_string(f.line) + "+" + std::to_string(f.count);
-    return result;
-}
-
-TEST(Functions, BeginWithTheirSignatureAndEndWithTheirBrace) {
-    EXPECT_EQ(extents("int f() {\n}\n"), "1+2");
-    EXPECT_EQ(extents("int f() {}"), "1+1");
-    EXPECT_EQ(extents("// note\nint a;\n\nstatic int f(int,\n      int) {\n  if (a) { b(); }\n}\n"), "4+4");
-    EXPECT_EQ(extents("TEST(A, B) {\n  go();\n}\n\nTEST(A, C) {\n}\n"), "1+3 5+2");
-    EXPECT_EQ(extents("template <class T>\nrequires(A<T>) auto f() -> int {\n}\n"), "1+3");
-    EXPECT_EQ(extents("template <class T = std::vector<int>>\nvoid f(T x = [] { return 1; }()) {\n}\n"),
-              "1+3");
-}
-
-TEST(Functions, AreFoundInEveryScope) {
-    EXPECT_EQ(extents("namespace a::b {\nnamespace {\nint f() {\n}\n}\n}\n"), "3+2");
-    EXPECT_EQ(extents("extern \"C\" {\nint f() {\n}\n}\nextern \"C\" int g() {\n}\n"), "2+2 5+2");
-    EXPECT_EQ(extents("class A final : public B<int> {\npublic:\n  A() : a{1}, b(2) {\n  }\n"
-                      "  bool operator()(int) const {\n  }\nprivate:\n  int a{};\n  int f() {\n  }\n};\n"),
-              "3+2 5+2 9+2");
-    EXPECT_EQ(extents("template <int N>\nstruct alignas(64) A {\n  int f() {\n  }\n  A() : a{} {\n  }\n};\n"),
-              "3+2 5+2");
-    EXPECT_EQ(extents("void f() {\n  struct A {\n    int g() {\n    }\n  };\n  go([] {\n  });\n}\n"), "1+8");
-}
-
-TEST(Functions, AreNotData) {
-    EXPECT_EQ(extents("enum class A : int {\n  b,\n  c,\n};\nstruct B {\n  int b{};\n} c;\n"), "");
-    EXPECT_EQ(extents("constexpr int a[] = {\n  1,\n};\nconst A b{\n  1};\nauto c = [](int) {\n};\n"), "");
-    EXPECT_EQ(extents("template <class T>\nconcept A = requires(T t) {\n  t.go();\n};\nint f();\n"), "");
-}
-
-TEST(Functions, AreNotMadeOrEndedByOtherText) {
-    EXPECT_EQ(extents("void f() {\n  // }\n  /* }\n  */ a(\"}\", '}', '\\'', \"\\\"}\");\n}\n"), "1+5");
-    EXPECT_EQ(extents("void f() {\n  a(R\"x(}\n)\" })x\");\n  b(1'000'000 + 0xf'f); // '}\n}\n"), "1+5");
-    EXPECT_EQ(extents("#define A(b) \\\n  void b() { \\\n  }\n  # if 1 // {\nint f() {\n}\n#endif\n"), "5+2");
-    EXPECT_EQ(extents("/* int f() {\n} */\nconst char* a = \"int f() {}\";\n"), "");
 }
 
 }  // namespace

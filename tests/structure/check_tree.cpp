@@ -15,7 +15,6 @@ TEST(structure, machine_paths) { expect_none(machine_paths(THAUM_SOURCE_DIR)); }
 TEST(structure, tests_are_built) { expect_none(unbuilt_tests(THAUM_SOURCE_DIR)); }
 TEST(structure, headers_open_with_their_title) { expect_none(headers_without_title(THAUM_SOURCE_DIR)); }
 TEST(structure, files_are_short) { expect_none(long_files(THAUM_SOURCE_DIR)); }
-TEST(structure, functions_are_short) { expect_none(long_functions(THAUM_SOURCE_DIR)); }
 
 }  // namespace
 }  // namespace thaum::structure

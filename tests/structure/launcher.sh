@@ -151,7 +151,7 @@ fresh_machine
 run test --nonsense
 expect "refuses an unknown option" code_is 2
 run test --help
-expect "has help" says "./thaum test [--quick] [FILTER]"
+expect "has help" says "./thaum test [--quick | --long] [FILTER]"
 run --help
 expect "passes --help on" says "started: --help"
 

@@ -10,8 +10,6 @@
 #include <sstream>
 #include <string_view>
 
-#include "structure/functions.h"
-
 namespace thaum::structure {
 namespace {
 
@@ -194,7 +192,6 @@ std::size_t find_path(const std::string& text, const std::string& path) {
 // ---- lengths ----------------------------------------------------------------------------------------------
 
 constexpr std::size_t most_file_lines = 600;
-constexpr std::size_t most_function_lines = 40;
 
 std::vector<fs::path> own_sources(const fs::path& root) {
     std::vector<fs::path> result;
@@ -281,18 +278,6 @@ Faults long_files(const fs::path& root) {
         if (lines > most_file_lines)
             faults.push_back(
                 at_line(relative_to(root, file), 1, too_long("the file", lines, most_file_lines)));
-    }
-    return faults;
-}
-
-Faults long_functions(const fs::path& root) {
-    Faults faults;
-    for (const auto& file : own_sources(root)) {
-        for (const auto& function : functions_in(read(file))) {
-            if (function.count > most_function_lines)
-                faults.push_back(at_line(relative_to(root, file), function.line,
-                                         too_long("the function", function.count, most_function_lines)));
-        }
     }
     return faults;
 }

@@ -24,8 +24,4 @@ Faults headers_without_title(const std::filesystem::path& root);
 /// A source in engine/, game/, tools/ or tests/ has at most 600 lines.
 Faults long_files(const std::filesystem::path& root);
 
-/// A function in engine/, game/, tools/ or tests/ has at most 40 lines, from the first line of its signature to
-/// its closing brace.
-Faults long_functions(const std::filesystem::path& root);
-
 }  // namespace thaum::structure

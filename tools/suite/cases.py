@@ -90,7 +90,9 @@ def add_fixtures(cases):
 class Runner:
     """Runs cases, from several threads."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, limited=True):
+        """`limited`: bounds what a case may take, since a mutant may want too much."""
+        self.limits = limits() if limited else []
         self.scratch = folder / "tmp"
         shutil.rmtree(self.scratch, ignore_errors=True)
         self.scratch.mkdir()
@@ -107,27 +109,27 @@ class Runner:
         for session in sessions:
             end_session(session)
 
-    def run(self, case, limit, mutant=0, reached=None):
-        """Runs a case, and what must run before it. `limit` (s) is for all together."""
+    def run(self, case, limit, variables):
+        """Runs a case, and what must run before it. `limit` (s) is for all together; `variables` are of the environment."""
         with contextlib.ExitStack() as held:
             for name in sorted(case.locks()):
                 with self.guard:
                     lock = self.locks.setdefault(name, threading.Lock())
                 held.enter_context(lock)
-            return self._run_held(case, limit, mutant, reached)
+            return self._run_held(case, limit, variables)
 
-    def _run_held(self, case, limit, mutant, reached):
+    def _run_held(self, case, limit, variables):
         seconds = 0.0
         for other in case.before:
-            outcome = self._run_held(other, limit - seconds, mutant, reached)
+            outcome = self._run_held(other, limit - seconds, variables)
             seconds += outcome.seconds
             if outcome.verdict == FAILED:
                 return Outcome(FAILED, f"{other.name} before it: {outcome.how}", seconds)
-        outcome = self._run_alone(case, max(limit - seconds, 1), mutant, reached)
+        outcome = self._run_alone(case, max(limit - seconds, 1), variables)
         outcome.seconds += seconds
         return outcome
 
-    def _run_alone(self, case, limit, mutant, reached):
+    def _run_alone(self, case, limit, variables):
         # A mutant may delete or fill what it should not: folders for temporary files and of the user are its own.
         place = Path(tempfile.mkdtemp(dir=self.scratch, prefix=""))
         place.chmod(0o755)  # some cases run a program as another user
@@ -135,9 +137,7 @@ class Runner:
         (place / "h").mkdir()
         environment = {name: value for name, value in os.environ.items()
                        if not name.startswith(("XDG_", "THAUM_MUTANT"))}
-        environment |= {"TMPDIR": str(place / "t"), "HOME": str(place / "h"), "THAUM_MUTANT": str(mutant)}
-        if reached:
-            environment["THAUM_MUTANTS_REACHED"] = str(reached)
+        environment |= {"TMPDIR": str(place / "t"), "HOME": str(place / "h"), **variables}
         for setting in as_list(case.properties.get("ENVIRONMENT")):
             name, _, value = setting.partition("=")
             environment[name] = value
@@ -157,7 +157,7 @@ class Runner:
             if self.stopping:
                 raise Stopped
             begin = time.monotonic()
-            process = subprocess.Popen([*limits(), *case.command], env=environment, stdin=subprocess.DEVNULL,
+            process = subprocess.Popen([*self.limits, *case.command], env=environment, stdin=subprocess.DEVNULL,
                                        stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
                                        cwd=case.properties.get("WORKING_DIRECTORY") or None)
             self.sessions.add(process.pid)

@@ -6,9 +6,9 @@ import shutil
 import time
 from pathlib import Path
 
-from common import SWITCH_HEADER, read_mutants, run_logged, say, stop, tracked_files, with_edits, write_json
+from common import SWITCH_HEADER, add_assets, read_mutants, run_logged, say, stop, tracked_files, with_edits, write_json
 
-INCLUDED = "tools/mutants/mutant_switch.h"  # its place in the copy
+INCLUDED = "tools/suite/mutant_switch.h"  # its place in the copy
 INCLUDE = ('add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-include${CMAKE_CURRENT_SOURCE_DIR}/' + INCLUDED + '>")\n')
 MOST_ROUNDS = 20
 # What later steps write about a build.
@@ -84,6 +84,7 @@ def build(options):
     for _ in range(MOST_ROUNDS):
         code, output = run_logged(["ninja", "-C", place, f"-j{options.jobs}", "-k0", *targets], folder / "build.log")
         if code == 0:
+            add_assets(place, tree)
             say(f"built in {time.monotonic() - begin:.0f} s")
             return
         if not withdraw_failed(options, output):

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tools/mutants/mutants.sh STEP OPTION...: measures how many small faults of the program its tests find. README.md says
+# tools/suite/mutants.sh STEP OPTION...: measures how many small faults of the program its tests find. README.md says
 # how; --help lists steps and options. Installs its packages (group "mutants" of tools/packages.txt) if they are missing.
 set -euo pipefail
 
@@ -19,4 +19,4 @@ install_packages() {
 }
 
 case ${1-} in draw | all) install_packages ;; esac
-PYTHONDONTWRITEBYTECODE=1 exec "$python" "$here/main.py" "$@"
+PYTHONDONTWRITEBYTECODE=1 exec "$python" "$here/mutants.py" "$@"

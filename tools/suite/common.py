@@ -1,7 +1,9 @@
-"""What several steps share: the folder of a measurement and its files."""
+"""What several steps share."""
+import concurrent.futures
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 KINDS = ("comparison", "call", "constant")
@@ -12,11 +14,11 @@ SWITCH_HEADER = Path(__file__).resolve().parent / "mutant_switch.h"
 
 
 def say(text):
-    print(f"mutants: {text}", flush=True)
+    print(f"{Path(sys.argv[0]).stem}: {text}", flush=True)
 
 
 def stop(text):
-    print(f"mutants: {text}", file=sys.stderr)
+    print(f"{Path(sys.argv[0]).stem}: {text}", file=sys.stderr)
     sys.exit(2)
 
 
@@ -40,6 +42,13 @@ def tracked_files(source):
     return sorted({name for name in listed.split("\0") if name and (source / name).is_file()})
 
 
+def add_assets(build, tree):
+    """Programs find their data files beside the folder of the build, which here is not in the tree."""
+    place = build / "assets"
+    if not place.is_symlink():
+        place.symlink_to(tree / "assets")
+
+
 def run_logged(command, log):
     """Runs a command with its output in a file. Returns its exit code and output."""
     with open(log, "wb") as out:
@@ -54,3 +63,21 @@ def with_edits(data, mutants):
     for begin, end, text in sorted(edits, reverse=True):
         data = data[:begin] + text.encode() + data[end:]
     return data
+
+
+def in_parallel(runner, jobs, function, items, what):
+    """Calls the function for each item, and says every half minute how far it is."""
+    done, last = 0, time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        futures = [pool.submit(function, item) for item in items]
+        try:
+            for future in concurrent.futures.as_completed(futures):
+                future.result()
+                done += 1
+                if time.monotonic() - last > 30:
+                    last = time.monotonic()
+                    say(f"{what}: {done} of {len(items)}")
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            runner.stop()
+            raise

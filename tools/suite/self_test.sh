@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tools/mutants/self_test.sh: the whole tool on a tiny project in which it is known what the tests find. Takes half a
+# tools/suite/self_test.sh: the whole tool on a tiny project in which it is known what the tests find. Takes half a
 # minute if nothing else runs. Prints each check; exits with 1 if one fails.
 set -euo pipefail
 

@@ -1,6 +1,5 @@
 """Steps reach, run and compare: which cases reach which mutants, and which mutants they find."""
 import collections
-import concurrent.futures
 import csv
 import json
 import mmap
@@ -9,7 +8,7 @@ import threading
 import time
 
 from cases import FAILED, PASSED, SKIPPED, TIME_LIMIT, Runner, read_cases
-from common import KINDS, read_mutants, say, stop
+from common import KINDS, in_parallel, read_mutants, say, stop
 
 COLUMNS = ("id", "kind", "file", "line", "column", "before", "after", "reached by", "result", "found by")
 FOUND, SURVIVED, UNDECIDED, NOT_REACHED = "found", "survived", "undecided", "not reached"
@@ -44,7 +43,7 @@ def reach(options):
 def reach_one(runner, folder, case, count):
     place = folder / "tmp" / f"reached-{threading.get_ident()}"
     place.write_bytes(bytes(count + 1))
-    outcome = runner.run(case, case.limit, reached=place)
+    outcome = runner.run(case, case.limit, {"THAUM_MUTANT": "0", "THAUM_MUTANTS_REACHED": str(place)})
     data = place.read_bytes()
     place.unlink()
     return {"case": case.name, "verdict": outcome.verdict, "how": outcome.how, "seconds": round(outcome.seconds, 3),
@@ -138,13 +137,14 @@ def finds(runner, case, usual, mutant, patience):
     found. A failure must happen twice, and a case that runs out of time must be quick without the mutant: a busy machine
     makes cases fail, too."""
     limit = LIMIT_FACTOR * usual + patience
+    on, off = {"THAUM_MUTANT": str(mutant)}, {"THAUM_MUTANT": "0"}
     for _ in range(MOST_TRIES):
-        outcome = runner.run(case, limit, mutant)
+        outcome = runner.run(case, limit, on)
         if outcome.verdict == FAILED and outcome.how != TIME_LIMIT:
-            outcome = runner.run(case, limit, mutant)
+            outcome = runner.run(case, limit, on)
         if outcome.verdict != FAILED or outcome.how != TIME_LIMIT:
             break
-        if runner.run(case, limit).seconds < limit / 2:
+        if runner.run(case, limit, off).seconds < limit / 2:
             break
         limit *= 2
     return outcome.how if outcome.verdict == FAILED else ""
@@ -187,24 +187,6 @@ def report_results(rows):
     for row in rows:
         if row["result"] != FOUND:
             say(f"{row['result']}: {row['id']} {row['file']}:{row['line']}: {row['before']} -> {row['after'] or 'dropped'}")
-
-
-def in_parallel(runner, jobs, function, items, what):
-    """Calls the function for each item, and says every half minute how far it is."""
-    done, last = 0, time.monotonic()
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        futures = [pool.submit(function, item) for item in items]
-        try:
-            for future in concurrent.futures.as_completed(futures):
-                future.result()
-                done += 1
-                if time.monotonic() - last > 30:
-                    last = time.monotonic()
-                    say(f"{what}: {done} of {len(items)}")
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            runner.stop()
-            raise
 
 
 # ---- compare -------------------------------------------------------------------------------------------------

@@ -1,0 +1,219 @@
+"""Chooses the cases that run under sanitizers, by the code that each reaches. See COVERAGE.md."""
+import argparse
+import array
+import collections
+import concurrent.futures
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+from cases import FAILED, PASSED, Runner, as_list, read_cases
+from common import OWN_TREE, add_assets, in_parallel, run_logged, say, stop
+
+LIST = OWN_TREE / "tests" / "left_out_under_sanitizers.txt"
+LIST_HEAD = """\
+# Cases that the sanitizers' build leaves out, because cheaper cases reach all code that they reach. Written by
+# tools/suite/coverage.sh; a case that is not named here runs.
+"""
+# These run whatever they reach: they try inputs and hostile values, not code.
+ALWAYS = re.compile(r"^fuzz\.")
+LEAST_COST = 0.05  # s of a processor that starting a case takes at least
+MAGIC_64_BIT = 0xC0BFFFFFFFFFFF64
+BATCH = 20_000  # addresses that one call of the symbolizer gets
+
+
+# ---- build ---------------------------------------------------------------------------------------------------
+
+def build(options):
+    """The sanitizers' build, which also notes which basic blocks of the program ran."""
+    place = options.out / "build"
+    flags = "-fsanitize-coverage=bb,trace-pc-guard"
+    code, output = run_logged(
+        ["cmake", "-S", OWN_TREE, "--preset", "asan+ubsan", "-B", place, "-DBUILD_TESTING=ON", f"-DCMAKE_C_FLAGS={flags}",
+         f"-DCMAKE_CXX_FLAGS={flags}"], options.out / "configure.log")
+    if code != 0:
+        stop(f"cmake failed: {output[-2000:]}")
+    code, output = run_logged(["ninja", "-C", place, f"-j{options.jobs}"], options.out / "build.log")
+    if code != 0:
+        stop(f"the build failed: {output[-2000:]}")
+    add_assets(place, OWN_TREE)
+
+
+# ---- reach ---------------------------------------------------------------------------------------------------
+
+def reach(options):
+    """Runs every case once. Its blocks go into reached/N.json; what is known already is not run again."""
+    folder = options.out
+    (folder / "reached").mkdir(exist_ok=True)
+    cases, known = read_cases(folder, options.cases), read_reach(folder)
+    todo = [case for name, case in cases.items() if name not in known and "slow" not in as_list(case.properties.get("LABELS"))]
+    # Cases with the same lock take turns, so that none keeps a place while it waits.
+    chains = collections.defaultdict(list)
+    for case in todo:
+        chains[as_list(case.properties.get("RESOURCE_LOCK"))[0] if case.properties.get("RESOURCE_LOCK") else case.name].append(case)
+    runner, guard = Runner(folder, limited=False), threading.Lock()
+    with open(folder / "reach.jsonl", "a") as log:
+        def one(chain):
+            for case in chain:
+                entry = reach_one(runner, folder, case)
+                with guard:
+                    log.write(json.dumps(entry) + "\n")
+                    log.flush()
+        in_parallel(runner, options.jobs, one, sorted(chains.values(), key=len, reverse=True), "reach")
+    for name, entry in sorted(read_reach(folder).items()):
+        if entry["verdict"] == FAILED:
+            say(f"fails, and is not judged ({entry['how']}): {name}")
+
+
+def reach_one(runner, folder, case):
+    place = folder / "tmp" / f"reached-{threading.get_ident()}"
+    place.mkdir()
+    place.chmod(0o777)  # some cases run a program as another user
+    times = place / "times"
+    # What the sanitizer says of coverage goes into files, since cases read what programs say.
+    outcome = runner.run(case, case.limit, {
+        "ASAN_OPTIONS": f"intercept_tls_get_addr=0:coverage=1:coverage_dir={place}:log_path={place}/log", "UBSAN_OPTIONS": "print_stacktrace=1",
+        "THAUM_CASE_TIMES": str(times)})
+    spent = sum(int(line.split("\t")[0]) for line in times.read_text().splitlines()) / 1000 if times.exists() else 0
+    blocks = collections.defaultdict(set)  # addresses by program
+    for file in place.glob("*.sancov"):
+        blocks[file.name.split(".")[0]].update(read_addresses(file))
+    shutil.rmtree(place)
+    known = {program: sorted(addresses) for program, addresses in blocks.items()}
+    (folder / "reached" / f"{file_name_of(case.name)}.json").write_text(json.dumps(known))
+    return {"case": case.name, "verdict": outcome.verdict, "how": outcome.how, "cost": spent or outcome.seconds}
+
+
+def file_name_of(case):
+    return re.sub(r"[^A-Za-z0-9_.-]", "_", case)
+
+
+def read_addresses(path):
+    words = array.array("Q")
+    data = path.read_bytes()
+    words.frombytes(data[:len(data) // 8 * 8])
+    if not words or words[0] != MAGIC_64_BIT:
+        return []  # of a process that was killed while it wrote
+    return words[1:]
+
+
+def read_reach(folder):
+    path = folder / "reach.jsonl"
+    if not path.exists():
+        return {}
+    entries = [json.loads(line) for line in path.read_text().splitlines() if line.endswith("}")]
+    return {entry["case"]: entry for entry in entries}
+
+
+# ---- choose --------------------------------------------------------------------------------------------------
+
+def choose(options):
+    """Writes the list of cases that reach nothing which the others do not."""
+    folder = options.out
+    known = {name: entry for name, entry in read_reach(folder).items() if entry["verdict"] == PASSED}
+    reached = places_reached(folder, known)
+    cost = {name: max(entry["cost"], LEAST_COST) for name, entry in known.items()}
+    chosen = cover(reached, cost, {name for name in known if ALWAYS.match(name)})
+    left_out = sorted(set(known) - chosen)
+    options.list.write_text(LIST_HEAD + "".join(f"{name}\n" for name in left_out))
+    every = set().union(*reached.values())
+    still = set().union(*(reached[name] for name in chosen))
+    say(f"{len(chosen)} of {len(known)} cases reach {len(still)} of {len(every)} places of engine and game; they take "
+        f"{sum(cost[name] for name in chosen):.0f} of {sum(cost.values()):.0f} s of a processor")
+    if still != every:
+        stop("the chosen cases do not reach all")
+
+
+def places_reached(folder, known):
+    """For each case the places in our sources that it reaches, as small numbers."""
+    addresses = collections.defaultdict(set)
+    files = {name: folder / "reached" / f"{file_name_of(name)}.json" for name in known}
+    for path in files.values():
+        for program, blocks in json.loads(path.read_text()).items():
+            addresses[program].update(blocks)
+    numbers, places = {}, {}
+    for program, blocks in sorted(addresses.items()):
+        found = [path for path in (folder / "build").rglob(program) if path.is_file() and os.access(path, os.X_OK)]
+        if not found:
+            continue  # a program that a case built itself
+        begin = time.monotonic()
+        places[program] = {address: numbers.setdefault(place, len(numbers))
+                           for address, place in symbolized(found[0], sorted(blocks)) if place}
+        say(f"{program}: {len(places[program])} of {len(blocks)} blocks are ours ({time.monotonic() - begin:.0f} s)")
+    result = {}
+    for name, path in files.items():
+        result[name] = {places[program][block] for program, blocks in json.loads(path.read_text()).items()
+                        if program in places for block in blocks if block in places[program]}
+    return result
+
+
+def symbolized(program, addresses):
+    """Yields each address with its place in engine/ or game/ ("file:line:column"), or nothing. A block of an inlined
+    function belongs to that function."""
+    parts = [addresses[i:i + BATCH] for i in range(0, len(addresses), BATCH)]
+    with concurrent.futures.ThreadPoolExecutor(max(os.cpu_count() or 1, 1)) as pool:
+        for part, lines in zip(parts, pool.map(lambda some: symbolize(program, some), parts)):
+            for address, line in zip(part, lines):
+                name = line.removeprefix(f"{OWN_TREE}/")
+                yield address, name if name.startswith(("engine/", "game/")) else ""
+
+
+def symbolize(program, addresses):
+    symbolizer = shutil.which("llvm-symbolizer") or shutil.which("llvm-symbolizer-14") or stop("no llvm-symbolizer")
+    text = "".join(f"{hex(a)}\n" for a in addresses)
+    shown = subprocess.run([symbolizer, f"--obj={program}", "--functions=none", "--no-inlines"], input=text,
+                           capture_output=True, text=True, check=True).stdout
+    return [block.strip() for block in shown.strip().split("\n\n")]
+
+
+def cover(reached, cost, always):
+    """A cheap set of cases that reaches all places: greedily the case with the most new places per second, then without
+    those that the rest has made needless, the dearest first."""
+    chosen, lacking = set(always), set().union(*reached.values()) - set().union(*(reached[name] for name in always))
+    gain = {name: len(places & lacking) for name, places in reached.items()}
+    while lacking:
+        while True:
+            name = max(gain, key=lambda name: gain[name] / cost[name])
+            now = len(reached[name] & lacking)
+            if now == gain[name]:
+                break
+            gain[name] = now  # the gain of a case only falls, so the others need not be counted again
+        chosen.add(name)
+        lacking -= reached[name]
+        gain[name] = 0
+    times = collections.Counter(place for name in chosen for place in reached[name])
+    for name in sorted(chosen - always, key=lambda name: -cost[name]):
+        if all(times[place] > 1 for place in reached[name]):
+            chosen.remove(name)
+            times.subtract(reached[name])
+    return chosen
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="coverage.sh", description=__doc__)
+    parser.add_argument("step", choices=("build", "reach", "choose", "all"))
+    parser.add_argument("--out", type=lambda text: Path(text).resolve(), required=True, help="folder of the measurement")
+    parser.add_argument("--cases", default="", help="file with names of cases, one a line; only these are run")
+    parser.add_argument("--list", type=Path, default=LIST, help="file that the step choose writes")
+    parser.add_argument("-j", "--jobs", type=int, default=max(os.cpu_count() or 1, 1))
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    for step in (build, reach, choose):
+        if options.step in (step.__name__, "all"):
+            step(options)
+
+
+if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        main()
+    except KeyboardInterrupt:
+        print("coverage: stopped; the same step goes on from here", file=sys.stderr)
+        sys.exit(130)
