@@ -165,7 +165,7 @@ Expected<Mixer> Mixer::create(const SoundBank& bank, const MixSettings& settings
     state->settings = detail::checked_settings(settings, state->report.bad_values);
     for (std::uint32_t i = 0; i < most_listeners; ++i) {
         auto device = detail::Loopback::open(bank, i == 0 && settings.headphones);
-        if (!device) return tl::unexpected(device.error());
+        if (!device) return device.error();
         state->mixes[i].emplace(std::move(*device), state->sounds, i);
     }
     state->hrtf_fails = settings.headphones && !state->mixes[0]->hrtf();

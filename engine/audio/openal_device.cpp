@@ -21,7 +21,7 @@ public:
         end();
         if (!al_.set_thread_context) {
             const auto found = detail::find_openal();
-            if (!found) return tl::unexpected(found.error());
+            if (!found) return found.error();
             al_ = *found;
         }
         device_ = alcOpenDevice(name_.empty() ? nullptr : name_.c_str());

@@ -203,7 +203,7 @@ double work_of(const Recipe& recipe) {
 
 Expected<Recipe> read_recipe(std::string_view toml, std::string name) {
     const auto config = Config::parse(toml, text(name, ".toml"), recipe_version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     const auto root = config->root();
     Recipe recipe;
     recipe.name = std::move(name);
@@ -214,7 +214,7 @@ Expected<Recipe> read_recipe(std::string_view toml, std::string name) {
     for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i)
         recipe.parts.push_back(read_part(parts[i], {recipe.seconds, recipe.loops}));
     if (work_of(recipe) > most_work) config->report("the sound takes too long to make; shorten its decays");
-    if (const auto checked = config->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = config->check(); !checked) return checked.error();
     return recipe;
 }
 

@@ -111,7 +111,7 @@ Sound head_of(const Recipe& recipe) {
 
 Expected<Recipe> load_recipe(const std::filesystem::path& file) {
     const auto toml = read_text_file(file, largest_recipe);
-    if (!toml) return tl::unexpected(toml.error());
+    if (!toml) return toml.error();
     auto recipe = read_recipe(*toml, file.stem().string());
     if (!recipe) return fail(text(file.parent_path().string(), "/", recipe.error().message));
     return recipe;
@@ -137,7 +137,7 @@ Sound make_sound(const Recipe& recipe) {
 
 Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples samples) {
     const auto files = recipes_in(folder);
-    if (!files) return tl::unexpected(files.error());
+    if (!files) return files.error();
     SoundBank bank;
     double seconds = 0;
     for (const auto& file : *files) {

@@ -31,7 +31,7 @@ WavWriter::WavWriter(FileWriter file, std::filesystem::path path, WavFormat form
 
 Expected<WavWriter> WavWriter::create(std::filesystem::path path, WavFormat format, std::uint16_t channels) {
     auto file = FileWriter::create(path);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     return WavWriter(std::move(*file), std::move(path), format, channels);
 }
 

@@ -281,7 +281,7 @@ std::optional<std::size_t> choice_in(Config::State& state, const toml::node& nod
 
 Expected<Config> Config::parse(std::string_view source, std::string name, std::int64_t version) {
     auto table = parse_toml(source, name);
-    if (!table) return tl::unexpected(table.error());
+    if (!table) return table.error();
     auto state = std::make_shared<State>();
     state->root = std::move(*table);
     state->name = std::move(name);

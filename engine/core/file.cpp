@@ -26,7 +26,7 @@ struct Descriptor {
     }
 };
 
-tl::unexpected<Error> system_error(const std::filesystem::path& path, std::string_view doing) {
+Error system_error(const std::filesystem::path& path, std::string_view doing) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
 }
 
@@ -77,9 +77,9 @@ Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most) 
 }
 
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit) {
-    return read_file(path, limit).map([](const Bytes& bytes) {
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    });
+    const auto bytes = read_file(path, limit);
+    if (!bytes) return bytes.error();
+    return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
 }
 
 Expected<void> make_folder(const std::filesystem::path& folder) {
@@ -105,13 +105,13 @@ TemporaryFolder::~TemporaryFolder() {
 
 Expected<void> check_output(const std::filesystem::path& path) {
     const auto file = FileWriter::create(path);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     return {};
 }
 
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     auto file = FileWriter::create(path);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     file->write(bytes);
     return file->close();
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t buffer_size = 1U << 16U;
 
-tl::unexpected<Error> fault(const std::filesystem::path& path, std::string_view doing, int why) {
+Error fault(const std::filesystem::path& path, std::string_view doing, int why) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(why)));
 }
 
@@ -65,7 +65,7 @@ FileWriter::~FileWriter() {
 
 Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
     auto target = writable_target(path);
-    if (!target) return tl::unexpected(target.error());
+    if (!target) return target.error();
     std::string part;
     const int fd = create_part(*target, part);
     if (fd < 0) return fault(path, "create", errno);
@@ -98,7 +98,7 @@ void FileWriter::flush() {
     buffer_.clear();
 }
 
-tl::unexpected<Error> FileWriter::give_up(std::string_view doing, int why) {
+Error FileWriter::give_up(std::string_view doing, int why) {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
     ::unlink(std::exchange(part_, {}).c_str());
     return fault(name_, doing, why);
@@ -120,7 +120,7 @@ Expected<void> FileWriter::close() {
     const auto still = writable_target(target_);
     if (!still) {
         ::unlink(std::exchange(part_, {}).c_str());
-        return tl::unexpected(still.error());
+        return still.error();
     }
     if (::rename(part_.c_str(), target_.c_str()) != 0) return give_up("replace", errno);
     part_.clear();

@@ -40,7 +40,7 @@ public:
 
 private:
     FileWriter(std::filesystem::path name, std::filesystem::path target, std::string part, int fd);
-    tl::unexpected<Error> give_up(std::string_view doing, int why);
+    Error give_up(std::string_view doing, int why);
 
     std::filesystem::path name_;    ///< path as given by the caller, for messages
     std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved

@@ -213,9 +213,9 @@ void diff_entity(const Parsed& a, const Parts* pa, const Parsed& b, const Parts*
 Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<const std::byte> b,
                                        std::size_t limit) {
     const auto pa = parse(a, "A");
-    if (!pa) return tl::unexpected(pa.error());
+    if (!pa) return pa.error();
     const auto pb = parse(b, "B");
-    if (!pb) return tl::unexpected(pb.error());
+    if (!pb) return pb.error();
     std::vector<Difference> out;
     auto ia = pa->entities.begin();
     auto ib = pb->entities.begin();

@@ -167,15 +167,15 @@ Expected<Tool> read_tool(const Config& config, const Materials& materials) {
     }
     if (tool.operations.empty()) root.report("name", "the tool has no [[operation]]; add one");
     check_surface(root, tool.operations);
-    if (auto good = config.check(); !good) return tl::unexpected(good.error());
+    if (auto good = config.check(); !good) return good.error();
     return tool;
 }
 
 Expected<Tool> load_tool(const std::filesystem::path& path, const Materials& materials) {
     const auto file = read_text_file(path, most_tool_bytes);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const auto config = Config::parse(*file, path.string(), tool_file_version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     return read_tool(*config, materials);
 }
 

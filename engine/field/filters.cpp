@@ -284,7 +284,7 @@ Expected<bool> checked_filters(std::span<const Filter> filters, bool source_is_v
 
 Expected<void> set_filters(FilteredField& out, const FilterSource& source, std::span<const Filter> filters) {
     if (const auto checked = checked_filters(filters, source.field.is_vector()); !checked)
-        return tl::unexpected(checked.error());
+        return checked.error();
     auto old = std::move(out.smoothed);
     out.smoothed.clear();
     out.field = out.quick = source.field;

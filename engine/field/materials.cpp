@@ -42,7 +42,7 @@ Expected<Materials> read_materials(const Config& config) {
         materials.push_back(std::move(m));
     }
     if (materials.empty()) root.report("", "there is no [[material]]; add one");
-    if (auto good = config.check(); !good) return tl::unexpected(good.error());
+    if (auto good = config.check(); !good) return good.error();
     return materials;
 }
 

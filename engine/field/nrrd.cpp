@@ -23,7 +23,7 @@ constexpr double is_turned = 1e-6, is_skewed = 1e-3;
 
 using Path = std::filesystem::path;
 
-tl::unexpected<Error> fail_file(const Path& path, std::string_view message) {
+Error fail_file(const Path& path, std::string_view message) {
     return fail(in_one_line(text(path.string(), ": ", message)));
 }
 
@@ -255,10 +255,10 @@ std::string header_of(const Volume& volume, Packing packing) {
 Expected<Volume> read_nrrd(const Path& path, std::size_t limit) {
     const std::size_t most_bytes = limit * size_of(SampleType::float64) + most_header_bytes;
     auto file = read_start(path, most_header_bytes);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const std::string_view characters(reinterpret_cast<const char*>(file->data()), file->size());
     const auto header = parse_nrrd_header(characters, path.string(), limit);
-    if (!header) return tl::unexpected(header.error());
+    if (!header) return header.error();
     const auto space = along_space(header->direction);
     const auto arrangement = space ? space : turned(header->direction);
     if (!arrangement)
@@ -266,12 +266,12 @@ Expected<Volume> read_nrrd(const Path& path, std::size_t limit) {
     const bool detached = !header->data_file.empty();
     const Path data_path = detached ? path.parent_path() / header->data_file : path;
     file = read_file(data_path, most_bytes);
-    if (!file) return tl::unexpected(Error{in_one_line(file.error().message)});
+    if (!file) return Error{in_one_line(file.error().message)};
     const auto data =
         std::span<const std::byte>(*file).subspan(detached ? 0 : std::min(header->data_at, file->size()));
     std::string unpacked;
     const auto samples = samples_of(*header, data, data_path, unpacked);
-    if (!samples) return tl::unexpected(samples.error());
+    if (!samples) return samples.error();
     Volume volume = volume_of(*header, *arrangement, *samples);
     volume.files = {path};
     if (detached) volume.files.push_back(data_path);
@@ -291,13 +291,13 @@ Expected<FileWriter> start_nrrd(const Path& path, const Volume& volume, Packing 
     } else {
         file->write(samples);
     }
-    if (auto finished = file->finish(); !finished) return tl::unexpected(finished.error());
+    if (auto finished = file->finish(); !finished) return finished.error();
     return file;
 }
 
 Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packing) {
     auto file = start_nrrd(path, volume, packing);
-    return file ? file->close() : tl::unexpected(file.error());
+    return file ? file->close() : Error(file.error());
 }
 
 }  // namespace thaum::field

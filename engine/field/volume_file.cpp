@@ -41,7 +41,7 @@ std::size_t read_sizes(const ConfigTable& root, std::size_t limit, Volume& volum
 
 Expected<RawDescription> parse_raw(std::string_view toml, const std::string& name, std::size_t limit) {
     const auto config = Config::parse(toml, name, 1);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     const ConfigTable root = config->root();
     RawDescription raw;
     const auto names = sample_type_names();
@@ -54,7 +54,7 @@ Expected<RawDescription> parse_raw(std::string_view toml, const std::string& nam
     raw.volume.name = printable(root.string("name", ""), 200);
     raw.volume.units = printable(root.string("units", ""), 60);
     raw.bytes = read_sizes(root, limit, raw.volume) * size_of(raw.volume.stored_as);
-    if (auto checked = config->check(); !checked) return tl::unexpected(checked.error());
+    if (auto checked = config->check(); !checked) return checked.error();
     return raw;
 }
 
@@ -62,12 +62,12 @@ Expected<RawDescription> parse_raw(std::string_view toml, const std::string& nam
 
 Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) {
     const auto toml = read_text_file(path, most_description);
-    if (!toml) return tl::unexpected(toml.error());
+    if (!toml) return toml.error();
     auto raw = parse_raw(*toml, path.string(), limit);
-    if (!raw) return tl::unexpected(raw.error());
+    if (!raw) return raw.error();
     const auto data_path = path.parent_path() / raw->file;
     const auto bytes = read_file(data_path, limit * size_of(SampleType::float64));
-    if (!bytes) return tl::unexpected(Error{in_one_line(bytes.error().message)});
+    if (!bytes) return Error{in_one_line(bytes.error().message)};
     if (bytes->size() != raw->bytes)
         return fail(in_one_line(text(data_path.string(), ": ", bytes->size(), " bytes, but ", path.string(),
                                      " describes ", raw->bytes, "; correct sizes and type")));

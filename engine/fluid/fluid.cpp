@@ -147,7 +147,7 @@ Expected<void> check(const Settings& settings) {
 }
 
 Expected<Fluid> make_fluid(const Settings& settings) {
-    if (const auto sound = check(settings); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check(settings); !sound) return sound.error();
     Fluid fluid{.settings = settings,
                 .lattice = make_lattice(settings.cells, settings.h, settings.edges),
                 .now = {},

@@ -96,8 +96,8 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
 // ---- restoring
 // -----------------------------------------------------------------------------------------------------
 
-tl::unexpected<Error> wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
-tl::unexpected<Error> ends_within(std::string_view what) {
+Error wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
+Error ends_within(std::string_view what) {
     return wrong(text("it ends in the middle of ", what));
 }
 
@@ -180,7 +180,7 @@ std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_sub
 
 Expected<Fluid> get_fluid(ByteReader& in, const NamedShape& shape, const SolidFactory& solid_of) {
     auto settings = get_settings(in);
-    if (!settings) return tl::unexpected(settings.error());
+    if (!settings) return settings.error();
     if (!fits(*settings, in.left())) return wrong("it has fewer samples than its grid needs");
     if (!shape.name.empty()) {
         auto solid = solid_of(shape);
@@ -268,16 +268,16 @@ Bytes save(const Fluid& fluid, const SpringSurface& surface, const NamedShape& s
 
 Expected<SavedFluid> restore(std::span<const std::byte> bytes, const SolidFactory& solid_of) {
     const auto body = opened(bytes);
-    if (!body) return tl::unexpected(body.error());
+    if (!body) return body.error();
     ByteReader in(*body);
     auto shape = get_shape(in);
-    if (!shape) return tl::unexpected(shape.error());
+    if (!shape) return shape.error();
     const auto caller_data = in.get_bytes(in.get<std::uint32_t>());
     if (!in.ok()) return ends_within("the data of the caller");
     auto fluid = get_fluid(in, *shape, solid_of);
-    if (!fluid) return tl::unexpected(fluid.error());
+    if (!fluid) return fluid.error();
     auto surface = get_surface(in);
-    if (!surface) return tl::unexpected(surface.error());
+    if (!surface) return surface.error();
     if (in.left() != 0) return wrong("unexpected bytes follow the surface");
     return SavedFluid{std::move(*fluid), std::move(*surface), std::move(*shape),
                       Bytes(caller_data.begin(), caller_data.end())};

@@ -38,7 +38,7 @@ Expected<double> distance_between(const Gesture& from, const Gesture& to, const 
     auto alone = settings;
     alone.calibrate = false;
     const auto recogniser = Recogniser::make(std::span(&to, 1), alone);
-    if (!recogniser) return tl::unexpected(recogniser.error());
+    if (!recogniser) return recogniser.error();
     double least = 1;
     for (const auto& stroke : from.strokes) {
         const auto r = recogniser->recognise(stroke, space);
@@ -52,7 +52,7 @@ Expected<double> distance_between(const Gesture& from, const Gesture& to, const 
 Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
                                              const RecogniserSettings& settings, const ReadStroke& read) {
     const auto recogniser = Recogniser::make(gestures, settings);
-    if (!recogniser) return tl::unexpected(recogniser.error());
+    if (!recogniser) return recogniser.error();
     RecogniserSpace space;
     const auto shares = read_variations(*recogniser, gestures, read, space);
     const auto& usual = recogniser->calibration().usual;
@@ -61,8 +61,8 @@ Expected<std::vector<Pair>> compare_gestures(std::span<const Gesture> gestures,
         for (std::uint32_t b = a + 1; b < gestures.size(); ++b) {
             const auto there = distance_between(gestures[a], gestures[b], settings, space),
                        back = distance_between(gestures[b], gestures[a], settings, space);
-            if (!there) return tl::unexpected(there.error());
-            if (!back) return tl::unexpected(back.error());
+            if (!there) return there.error();
+            if (!back) return back.error();
             const double width = static_cast<double>(std::max(usual[a], usual[b]));
             pairs.push_back({a, b, shares[a][b], shares[b][a], std::min(*there, *back) / width});
         }

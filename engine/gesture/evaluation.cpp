@@ -40,7 +40,7 @@ public:
         const std::size_t users = settings_.protocol == Protocol::random ? 1 : index_.users.size();
         for (std::size_t repeat = 0; repeat < settings_.repeats; ++repeat) {
             for (std::uint32_t user = 0; user < users; ++user) {
-                if (auto done = run_fold({user, repeat}); !done) return tl::unexpected(done.error());
+                if (auto done = run_fold({user, repeat}); !done) return done.error();
             }
         }
         result_.gestures = index_.gestures;
@@ -88,7 +88,7 @@ private:
         }
         const auto classifier = make_classifier(
             settings_.method, gestures, {settings_.channels, settings_.seed, settings_.own_calibration});
-        if (!classifier) return tl::unexpected(classifier.error());
+        if (!classifier) return classifier.error();
         for (std::size_t s = 0; s < strokes_.size(); ++s) {
             const bool own = index_.user_of[s] == fold.user;
             if (used[s] != 0 || (settings_.protocol != Protocol::random && !own)) continue;

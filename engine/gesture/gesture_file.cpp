@@ -84,15 +84,15 @@ Expected<Gesture> read_gesture(const Config& config) {
     if (gesture.name.empty() || gesture.name.size() > 200)
         root.report("name", "must have 1 to 200 characters");
     if (gesture.strokes.empty()) root.report("name", "the gesture has no [[stroke]]; record one");
-    if (auto good = config.check(); !good) return tl::unexpected(good.error());
+    if (auto good = config.check(); !good) return good.error();
     return gesture;
 }
 
 Expected<Gesture> load_gesture(const std::filesystem::path& path) {
     const auto file = read_text_file(path, most_gesture_bytes);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const auto config = Config::parse(*file, path.string(), gesture_file_version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     return read_gesture(*config);
 }
 

@@ -119,7 +119,7 @@ Expected<std::unique_ptr<Classifier>> make_classifier(Method method, std::span<c
                                                   .exhaustive = method == Method::elastic,
                                                   .seed = settings.seed,
                                                   .calibrate = settings.calibrate});
-    if (!recogniser) return tl::unexpected(recogniser.error());
+    if (!recogniser) return recogniser.error();
     return std::make_unique<ElasticClassifier>(std::move(*recogniser));
 }
 

@@ -227,7 +227,7 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
     result.settings_ = settings;
     RecogniserSpace space;
     for (const auto& g : gestures) {
-        if (auto added = result.add(g, space); !added) return tl::unexpected(added.error());
+        if (auto added = result.add(g, space); !added) return added.error();
     }
     result.calibration_.weights = {0, 0, 0, 0};
     result.calibration_.threshold.assign(gestures.size(), open_threshold);

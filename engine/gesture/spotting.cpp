@@ -183,7 +183,7 @@ public:
         for (const auto& session : sessions_.sessions) result.hours += hours_of(session);
         for (std::size_t repeat = 0; repeat < settings_.repeats; ++repeat) {
             for (std::size_t s = 0; s < sessions_.sessions.size(); ++s) {
-                if (auto done = run_session(s, repeat); !done) return tl::unexpected(done.error());
+                if (auto done = run_session(s, repeat); !done) return done.error();
             }
         }
         const double hours = result.hours * static_cast<double>(settings_.repeats);
@@ -226,7 +226,7 @@ private:
         const auto gestures = gestures_of(strokes_, index_, templates);
         const auto recogniser =
             Recogniser::make(gestures, {.channels = settings_.channels, .seed = settings_.seed});
-        if (!recogniser) return tl::unexpected(recogniser.error());
+        if (!recogniser) return recogniser.error();
         const auto found = candidates_in(session, *recogniser, settings_.spotter, skipped_);
         for (std::size_t t = 0; t < thresholds; ++t)
             counts_[s][t].add(count_at(threshold_at(t), found, truths_[s], settings_.spotter.wait));

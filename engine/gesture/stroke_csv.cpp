@@ -71,7 +71,7 @@ public:
         if (!fault_) fault_ = text(printable(name_, 200), ":", line_, ": ", what);
     }
     bool good() const { return !fault_.has_value(); }
-    tl::unexpected<Error> fault() const { return fail(*fault_); }
+    Error fault() const { return fail(*fault_); }
 
 private:
     void split(std::string_view line) {

@@ -144,7 +144,7 @@ Expected<StrokeNetwork> read_stroke_network(const Config& config) {
         root.report("outputs", "must equal the number of [[gesture]] tables");
     if (network.network.inputs != nodes_of_input(network.kind))
         root.report("inputs", text("must be ", nodes_of_input(network.kind), " for this kind"));
-    if (auto good = config.check(); !good) return tl::unexpected(good.error());
+    if (auto good = config.check(); !good) return good.error();
     return network;
 }
 

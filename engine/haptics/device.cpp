@@ -64,7 +64,7 @@ Expected<DeviceSpec> read_device(const Config& file) {
     read_force(root.table("force"), spec);
     read_motion(root.table("motion"), spec);
     read_mechanism(root.table("mechanism"), spec);
-    if (auto checked = file.check(); !checked) return tl::unexpected(std::move(checked.error()));
+    if (auto checked = file.check(); !checked) return std::move(checked.error());
     return spec;
 }
 

@@ -163,7 +163,7 @@ Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyC
     std::vector<Control> controls;
     for (std::string_view rest = words; !rest.empty();) {
         const auto control = parse_control(take_piece(rest, ','), codes);
-        if (!control) return tl::unexpected(control.error());
+        if (!control) return control.error();
         controls.push_back(*control);
     }
     return controls;

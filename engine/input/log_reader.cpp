@@ -86,7 +86,7 @@ namespace {
 Expected<OpenedLog> open_log(const std::string& path) {
     const auto bad = [&](std::string_view what) { return fail(text(path, ": ", what)); };
     auto file = open_file(path);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     Bytes bytes(std::min(file->size, detail::preamble_size));
     if (!file->read_at(0, bytes)) return bad("cannot read");
     const auto preamble = detail::decode_preamble(bytes);
@@ -268,7 +268,7 @@ LogReader::~LogReader() = default;
 
 Expected<LogReader> LogReader::open(const std::filesystem::path& path) {
     auto log = open_log(path.string());
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     LogReader reader(std::make_unique<State>(path.string(), std::move(*log)));
     reader.state_->scan();
     return reader;
@@ -318,7 +318,7 @@ Expected<void> remove_log(const std::filesystem::path& path) {
 
 Expected<LogHeader> read_log_header(const std::filesystem::path& path) {
     auto log = open_log(path.string());
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     return std::move(log->header);
 }
 

@@ -113,7 +113,7 @@ struct LogWriter::State {
     /// Starts the log's thread; before, nothing is written. The error is that of start_thread.
     Expected<void> start() {
         auto started = start_thread([this] { work(); });
-        if (!started) return tl::unexpected(started.error());
+        if (!started) return started.error();
         thread = std::move(*started);
         return {};
     }
@@ -366,7 +366,7 @@ Expected<void> LogWriter::close(std::string_view result, std::optional<HashRecor
         if (last && last->tick == ticks()) state_->last = last;
     }
     state_->finish(AfterBlock::end_block);
-    if (auto fault = error()) return tl::unexpected(std::move(*fault));
+    if (auto fault = error()) return Error(std::move(*fault));
     return {};
 }
 

@@ -114,8 +114,8 @@ ArmFacts checked(ArmFacts facts) {
     return facts;
 }
 
-tl::unexpected<Error> cleaned(const Error& error) {
-    return tl::unexpected(Error{printable(error.message, most_line)});
+Error cleaned(const Error& error) {
+    return Error{printable(error.message, most_line)};
 }
 
 // ---- opening and closing, on a thread that may hang -------------------------------------------------------
@@ -197,7 +197,7 @@ Expected<void> start_servo(const std::shared_ptr<State>& state) {
     auto thread = start_thread([state] { run_servo(*state); });
     if (!thread) {
         state->own_thread = OwnThread::none;
-        return tl::unexpected(thread.error());
+        return thread.error();
     }
     thread->detach();  // it ends with the ticks; a thread that hangs in the driver cannot be joined
     return {};
@@ -305,11 +305,11 @@ bool arms_hang() {
 
 Expected<std::unique_ptr<OpenArm>> open_arm(const ArmPlace& place, const ArmPatience& patience) {
     guard_ends();
-    if (auto free = occupy(place); !free) return tl::unexpected(free.error());
+    if (auto free = occupy(place); !free) return free.error();
     auto state = std::make_shared<OpenArm::State>();
     state->place = place;
     state->patience = patience;
-    if (const auto opened = open_watched(state); !opened) return tl::unexpected(opened.error());
+    if (const auto opened = open_watched(state); !opened) return opened.error();
     return std::unique_ptr<OpenArm>(new OpenArm(std::move(state)));
 }
 

@@ -79,7 +79,7 @@ private:
 Expected<void> OscJacket::open() {
     end();
     const auto found = look_up(address_);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return found.error();
     for (const auto* one = found->get(); one != nullptr && socket_ < 0; one = one->ai_next) {
         // Without a connection of the socket, the system does not report a dead jacket as an error of a later send.
         socket_ = ::socket(one->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);

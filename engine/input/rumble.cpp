@@ -127,7 +127,7 @@ private:
 
 Expected<void> Rumble::open() {
     auto path = find_pad(pad_);
-    if (!path) return tl::unexpected(path.error());
+    if (!path) return path.error();
     DeviceFile file(*path, O_RDWR);
     if (!file.is_open())
         return fail(text("no rumble: ", path->native(), ": ", std::strerror(errno),

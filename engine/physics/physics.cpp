@@ -398,8 +398,6 @@ void Physics::nudge(Key key, vec3 impulse) {
     if (body.dynamic() && !body.state.asleep) body.state.velocity += impulse / body.desc.mass;
 }
 
-void Physics::wake_touching(Key key) { impl_->wake_near(box_around(impl_->at(key))); }
-
 void Physics::wake(Key key) { impl_->wake(impl_->at(key)); }
 
 void Physics::step(double dt) {

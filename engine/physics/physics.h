@@ -168,8 +168,7 @@ public:
     Physics& operator=(Physics&&) noexcept;
 
     /// Adds a body. Wakes no other body, because otherwise a restored run would differ. An awake
-    /// dynamic body wakes the bodies it meets. After adding a static body among sleeping ones, call
-    /// wake_touching().
+    /// dynamic body wakes the bodies it meets; a static body added among sleeping ones wakes none.
     void add(Key, const BodyDesc&, const BodyState&);
     /// Removes a body. Wakes bodies that may have rested on it.
     void remove(Key);
@@ -192,8 +191,6 @@ public:
     /// Applies a central impulse without resetting the idle time; a sleeping body ignores it.
     void nudge(Key, vec3 impulse);
     void wake(Key);
-    /// Wakes the sleeping bodies that may touch this body.
-    void wake_touching(Key);
 
     /// Advances by dt (s), > 0. Returns at once if all bodies sleep and nothing was touched since the
     /// last step. A body under gravity and damping alone follows the exact law of motion for any dt;

@@ -89,7 +89,6 @@ public:
     bool minimised() const;  ///< the window is minimised, so drawing may be skipped
     bool focused() const;
     bool should_close() const;
-    void request_close();
     void cancel_close();  ///< should_close() is false again
 
     // Called on the render thread.

@@ -80,7 +80,7 @@ int kerning(FT_Face face, char32_t left, char32_t right) {
     return pixels(k.x);
 }
 
-tl::unexpected<Error> no_font(const std::vector<std::filesystem::path>& candidates) {
+Error no_font(const std::vector<std::filesystem::path>& candidates) {
     std::string looked;
     for (const auto& path : candidates) looked += text(looked.empty() ? "" : ", ", path.string());
     return fail(text("no font for text: looked for ", looked, "; install the package fonts-dejavu-core"));
@@ -117,7 +117,7 @@ Expected<Font> Font::load(const std::vector<std::filesystem::path>& candidates) 
     if (found == candidates.end()) return no_font(candidates);
     auto state = std::make_unique<State>();
     auto file = read_file(*found, largest_font);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     state->file = std::move(*file);
     if (FT_Init_FreeType(&state->library) != 0)
         return fail("FreeType does not start: check the package libfreetype6");

@@ -82,8 +82,6 @@ MeshData cone(float bottom_radius, float top_radius, float height, int segments,
 MeshData sphere(float radius, int segments, fvec3 colour);
 /// A capsule. `height` is the height of the cylinder between the two half spheres, as in Bullet.
 MeshData capsule(float radius, float height, int segments, fvec3 colour);
-/// A ramp that fills the lower half of its box and rises towards -z.
-MeshData wedge(fvec3 half, fvec3 colour);
 
 /// A surface of revolution about +y. The profile is a line of points (radius, y) with the outside on its
 /// right. A solid therefore starts at its lowest point on the axis and runs outwards and up. The surface is

@@ -105,7 +105,7 @@ EGLContext create_context(EGLDisplay display, EGLConfig config) {
     return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted);
 }
 
-tl::unexpected<Error> no_context(std::string_view what) {
+Error no_context(std::string_view what) {
     return fail(
         text("cannot draw without a window: ", what,
              "; install the packages libegl1 and libgl1-mesa-dri, which draw without a graphics card"));

@@ -157,13 +157,13 @@ Renderer::~Renderer() = default;
 
 Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
     auto programs = load_programs(assets / "shaders");
-    if (!programs) return tl::unexpected(programs.error());
+    if (!programs) return programs.error();
     auto volumes = Volumes::load(assets / "shaders");
-    if (!volumes) return tl::unexpected(volumes.error());
+    if (!volumes) return volumes.error();
     auto scans = Scans::load(assets / "shaders");
-    if (!scans) return tl::unexpected(scans.error());
+    if (!scans) return scans.error();
     auto font = Font::load();
-    if (!font) return tl::unexpected(font.error());
+    if (!font) return font.error();
     auto state = std::make_unique<State>(State{.programs = std::move(*programs),
                                                .font = std::move(*font),
                                                .atlas = {},

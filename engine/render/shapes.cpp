@@ -234,19 +234,6 @@ MeshData capsule(float radius, float height, int segments, fvec3 colour) {
     return revolve(half_circle(radius, height / 2, stacks + stacks % 2), segments, colour, 1.6F);
 }
 
-MeshData wedge(fvec3 half, fvec3 colour) {
-    const auto [x, y, z] = std::array{half.x, half.y, half.z};
-    const fvec3 left_front(-x, -y, z), right_front(x, -y, z), left_back(-x, -y, -z), right_back(x, -y, -z);
-    const fvec3 left_top(-x, y, -z), right_top(x, y, -z);
-    MeshData mesh;
-    flat_face(mesh, std::array{left_back, right_back, right_front, left_front}, colour);
-    flat_face(mesh, std::array{left_front, right_front, right_top, left_top}, colour);
-    flat_face(mesh, std::array{right_back, left_back, left_top, right_top}, colour);
-    flat_face(mesh, std::array{left_back, left_front, left_top}, colour);
-    flat_face(mesh, std::array{right_front, right_back, right_top}, colour);
-    return mesh;
-}
-
 MeshData frame(int sides, float outer_radius, float inner_radius, float thickness, fvec3 colour) {
     THAUM_ASSERT(sides >= 3, "a frame needs three sides");
     const auto corner = [&](int i, float radius, float z) {

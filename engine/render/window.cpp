@@ -46,12 +46,12 @@ bool alive = false;  // a Window exists; main thread only
 thread_local std::string last_glfw_error;
 void keep_glfw_error(int, const char* what) { last_glfw_error = what; }
 
-tl::unexpected<Error> no_display() {
+Error no_display() {
     return fail(text("cannot open a window: ", last_glfw_error.empty() ? "no display" : last_glfw_error,
                      "; start it in a desktop session or set DISPLAY"));
 }
 
-tl::unexpected<Error> no_opengl(std::string_view what) {
+Error no_opengl(std::string_view what) {
     return fail(text("cannot open a window with OpenGL 3.3: ", what,
                      "; install a graphics driver, or libgl1-mesa-dri, which draws without a graphics card"));
 }
@@ -308,7 +308,6 @@ Size Window::size() const { return state_->size; }
 bool Window::minimised() const { return state_->minimised; }
 bool Window::focused() const { return state_->focused; }
 bool Window::should_close() const { return state_->closing; }
-void Window::request_close() { state_->closing = true; }
 void Window::cancel_close() { state_->closing = false; }
 
 void Window::make_current() {

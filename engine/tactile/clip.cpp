@@ -15,22 +15,4 @@ BodyPoint clip_place(std::size_t cell) {
     return cell < clip_side ? BodyPoint{Part::front, at} : BodyPoint{Part::back, {at.x, at.y, -at.z}};
 }
 
-Clip clip_of(std::string name, std::span<const TactileFrame> frames) {
-    Clip clip{std::move(name), {}};
-    for (const auto& frame : frames) {
-        const Tick age = frame.tick - frames.front().tick;
-        const Tick last = (age + frame_ticks - 1) / clip_frame_ticks;
-        for (Tick at = age / clip_frame_ticks; at <= last && at < most_clip_frames; ++at) {
-            if (clip.frames.size() <= at) clip.frames.resize(at + 1);
-            for (std::size_t i = 0; i < clip_cells; ++i) {
-                const double percent =
-                    std::clamp(100.0 * static_cast<double>(frame.amplitude[i]), 0.0, 100.0);
-                auto& strength = clip.frames[at].strength[i];
-                strength = std::max(strength, static_cast<std::uint8_t>(std::lround(percent)));
-            }
-        }
-    }
-    return clip;
-}
-
 }  // namespace thaum::tactile

@@ -37,8 +37,4 @@ struct Clip {
 /// Place of a cell on the body.
 BodyPoint clip_place(std::size_t cell);
 
-/// Records frames of a jacket with the clip's 40 cells in its order. Each clip frame gets the largest amplitude within
-/// its time. Frames beyond the first minute are left out.
-Clip clip_of(std::string name, std::span<const TactileFrame> frames);
-
 }  // namespace thaum::tactile

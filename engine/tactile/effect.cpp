@@ -163,7 +163,7 @@ Expected<Effect> read_effect(const Config& file, std::string name) {
     read_pattern(root.table("pattern"), effect);
     if (effect.pattern != Pattern::clip) read_envelope(root.table("envelope"), effect.envelope);
     read_places(root, effect);
-    if (auto checked = file.check(); !checked) return tl::unexpected(std::move(checked.error()));
+    if (auto checked = file.check(); !checked) return std::move(checked.error());
     return effect;
 }
 
@@ -179,13 +179,13 @@ namespace {
 
 Expected<Effect> load_effect(const std::filesystem::path& path) {
     auto content = read_text_file(path, 1U << 16U);
-    if (!content) return tl::unexpected(std::move(content.error()));
+    if (!content) return std::move(content.error());
     const auto file = Config::parse(*content, path.string(), 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     auto effect = read_effect(*file, path.stem().string());
     if (!effect || effect->pattern != Pattern::clip) return effect;
     const auto json = read_text_file(path.parent_path() / effect->clip_file, most_tact_bytes);
-    if (!json) return tl::unexpected(json.error());
+    if (!json) return json.error();
     auto imported = import_tact(*json);
     if (!imported)
         return fail(text((path.parent_path() / effect->clip_file).string(), ": ", imported.error().message));
@@ -208,7 +208,7 @@ Expected<EffectBank> load_effects(const std::filesystem::path& folder) {
     EffectBank bank;
     for (const auto& path : files) {
         auto effect = load_effect(path);
-        if (!effect) return tl::unexpected(std::move(effect.error()));
+        if (!effect) return std::move(effect.error());
         bank.effects.push_back(std::move(*effect));
     }
     std::sort(bank.effects.begin(), bank.effects.end(),

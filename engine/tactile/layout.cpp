@@ -160,20 +160,20 @@ Expected<Layout> read_layout(const Config& file) {
     std::vector<Actuator> actuators;
     for (const auto& table : root.tables("actuators"))
         actuators.push_back(read_actuator(table, usual, actuators.size()));
-    if (auto checked = file.check(); !checked) return tl::unexpected(std::move(checked.error()));
+    if (auto checked = file.check(); !checked) return std::move(checked.error());
     auto layout = make_layout(std::move(name), torso, std::move(actuators));
     if (!layout) {
         file.report(layout.error().message);
-        return tl::unexpected(file.check().error());
+        return Error(file.check().error());
     }
     return layout;
 }
 
 Expected<Layout> load_layout(const std::filesystem::path& path) {
     auto content = read_text_file(path, 1U << 16U);
-    if (!content) return tl::unexpected(std::move(content.error()));
+    if (!content) return std::move(content.error());
     const auto file = Config::parse(*content, path.string(), 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     return read_layout(*file);
 }
 

@@ -32,7 +32,4 @@ struct TactImport {
 /// draw, or nothing for the vest.
 Expected<TactImport> import_tact(std::string_view json);
 
-/// Writes a clip as a .tact file with tracks and frames. Importing it gives the same clip.
-std::string export_tact(const Clip& clip);
-
 }  // namespace thaum::tactile

@@ -68,7 +68,7 @@ using StateAt = std::function<Expected<Bytes>(Tick)>;
 
 Expected<Bytes> state_here(const std::string& log, Tick tick) {
     auto playback = game::Playback::open(log, game::find_assets());
-    if (!playback) return tl::unexpected(playback.error());
+    if (!playback) return playback.error();
     playback->play_to(tick);
     Bytes state;
     playback->match().save(state);
@@ -115,9 +115,9 @@ struct Sides {
 /// Tests whether the two states differ at this tick.
 Expected<bool> differ(const Sides& sides, Tick tick) {
     const auto a = sides.a(tick);
-    if (!a) return tl::unexpected(a.error());
+    if (!a) return a.error();
     const auto b = sides.b(tick);
-    if (!b) return tl::unexpected(b.error());
+    if (!b) return b.error();
     return *a != *b;
 }
 

@@ -334,11 +334,15 @@ Finding settings(const std::filesystem::path& assets) {
     return found;
 }
 
+Expected<Data> shared_match_data(const std::filesystem::path& assets) {
+    auto loaded = game::load_match_data(assets, {});
+    if (!loaded) return loaded.error();
+    return std::make_shared<const game::MatchData>(std::move(*loaded));
+}
+
 std::vector<Finding> examine() {
     const auto assets = game::find_assets();
-    const Expected<Data> data = game::load_match_data(assets, {}).map([](game::MatchData&& loaded) {
-        return std::make_shared<const game::MatchData>(std::move(loaded));
-    });
+    const auto data = shared_match_data(assets);
     std::vector<Finding> findings{processor(),  mathematics(),        data_files(assets, data),
                                   hands(data),  opengl(assets, data), display(),
                                   sound(assets)};

@@ -10,6 +10,7 @@
 
 #include "core/file.h"
 #include "core/json.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/bots/league.h"
@@ -63,7 +64,7 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
         const auto comma = words.find(',');
         const auto level =
             parse_whole(words.substr(0, comma), "--levels", game::easiest_bot, game::hardest_bot);
-        if (!level) return tl::unexpected(level.error());
+        if (!level) return level.error();
         levels.push_back(static_cast<int>(*level));
         if (comma == std::string_view::npos) break;
         words.remove_prefix(comma + 1);
@@ -76,20 +77,20 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
 
 Expected<Plan> read_plan(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, league_options);
-    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments) return arguments.error();
     if (!arguments->plain().empty()) return fail(text("league takes no '", arguments->plain()[0], "'"));
     Plan plan;
     const auto levels = read_levels(arguments->value("--levels").value_or("1,2,3"));
-    if (!levels) return tl::unexpected(levels.error());
+    if (!levels) return levels.error();
     plan.levels = *levels;
     const auto matches = arguments->whole("--matches", 1, 100'000, plan.matches);
-    if (!matches) return tl::unexpected(matches.error());
+    if (!matches) return matches.error();
     plan.matches = *matches;
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0} / 2, plan.seed);
-    if (!seed) return tl::unexpected(seed.error());
+    if (!seed) return seed.error();
     plan.seed = *seed;
     const auto jobs = arguments->whole("--jobs", 1, 256, std::max(1U, std::thread::hardware_concurrency()));
-    if (!jobs) return tl::unexpected(jobs.error());
+    if (!jobs) return jobs.error();
     plan.jobs = *jobs;
     plan.choice.rules = arguments->value("--rules").value_or(plan.choice.rules);
     plan.choice.match = arguments->value("--match").value_or(plan.choice.match);
@@ -201,7 +202,7 @@ Expected<std::vector<LeagueMatch>> play(const Plan& plan, const Data& data) {
         ::close(workers[job].from);
     }
     for (const auto& worker : workers) ::waitpid(worker.process, nullptr, 0);
-    if (error) return tl::unexpected(*error);
+    if (error) return Error(*error);
     return matches;
 }
 
@@ -329,7 +330,7 @@ int run_league(const std::vector<std::string>& words) {
     }
     const auto wrong = plan->check ? complaint(*plan, summary) : std::string();
     if (wrong.empty()) return done;
-    std::fprintf(stderr, "thaum: %s\n", wrong.c_str());
+    tell_user(text("thaum: ", wrong));
     return does_not_hold;
 }
 

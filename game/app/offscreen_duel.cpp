@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/file.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/highlight.h"
@@ -24,14 +25,14 @@ struct Played {
 Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const game::MatchData>& data,
                       const std::filesystem::path& log_file) {
     auto duel = game::make_bot_duel(plan.assets, data, plan.levels, plan.seed);
-    if (!duel) return tl::unexpected(duel.error());
+    if (!duel) return duel.error();
     Played played{std::move(*duel), {}, {}, {}};
     auto& match = *played.duel.match;
     auto log = input::LogWriter::create(
         log_file,
         game::log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
         input::WhenBehind::wait);
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     std::optional<Tick> over_at;
     while (over_at ? match.now() < *over_at + game::log_after_end : match.now() < ticks(plan.seconds)) {
         const auto frame = played.duel.next_frame();
@@ -112,7 +113,7 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     const auto lines = report(duel, *played, log, drawn.line);
     std::printf("%s", lines.c_str());
     for (const auto& fault : {played->log_fault, drawn.fault})
-        if (fault) std::fprintf(stderr, "thaum: %s\n", fault->message.c_str());
+        if (fault) tell_user(text("thaum: ", fault->message));
     if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)
         return refuse(written.error());
     return played->log_fault || drawn.fault ? does_not_hold : done;

@@ -68,9 +68,9 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
     if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
     const auto first = parse_whole(words.substr(0, comma), "--bots", game::easiest_bot, game::hardest_bot);
-    if (!first) return tl::unexpected(first.error());
+    if (!first) return first.error();
     const auto second = parse_whole(words.substr(comma + 1), "--bots", game::easiest_bot, game::hardest_bot);
-    if (!second) return tl::unexpected(second.error());
+    if (!second) return second.error();
     return std::array{static_cast<int>(*first), static_cast<int>(*second)};
 }
 
@@ -79,7 +79,7 @@ Expected<void> read_mode(const Arguments& arguments, PlayOptions& options) {
     options.headless = arguments.has("--headless");
     options.demo = arguments.has("--demo");
     const auto level = arguments.whole("--solo", game::easiest_bot, game::hardest_bot, 1);
-    if (!level) return tl::unexpected(level.error());
+    if (!level) return level.error();
     if (arguments.has("--solo")) options.solo = static_cast<int>(*level);
     options.vs = arguments.has("--vs");
     const int ways = (options.vs ? 1 : 0) + (options.demo ? 1 : 0) + (options.solo ? 1 : 0);
@@ -94,7 +94,7 @@ Expected<void> read_hands(const Arguments& arguments, PlayOptions& options) {
     const auto words = arguments.value("--hands");
     if (!words) return {};
     const auto hands = hands_named(*words);
-    if (!hands) return tl::unexpected(hands.error());
+    if (!hands) return hands.error();
     options.hands = *hands;
     const bool only_arms =
         std::all_of(hands->begin(), hands->end(), [](const Seat& seat) { return seat.arm; });
@@ -106,21 +106,21 @@ Expected<void> read_hands(const Arguments& arguments, PlayOptions& options) {
 
 Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, play_options);
-    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments) return arguments.error();
     if (!arguments->plain().empty()) return fail(text("play takes no '", arguments->plain()[0], "'"));
     PlayOptions options;
-    if (const auto mode = read_mode(*arguments, options); !mode) return tl::unexpected(mode.error());
-    if (const auto hands = read_hands(*arguments, options); !hands) return tl::unexpected(hands.error());
+    if (const auto mode = read_mode(*arguments, options); !mode) return mode.error();
+    if (const auto hands = read_hands(*arguments, options); !hands) return hands.error();
     const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
-    if (!bots) return tl::unexpected(bots.error());
+    if (!bots) return bots.error();
     options.bots = *bots;
     if (arguments->has("--bots") && !options.demo && !options.headless)
         return fail("--bots is for --demo and --headless");
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
-    if (!seed) return tl::unexpected(seed.error());
+    if (!seed) return seed.error();
     options.seed = *seed;
     const auto duration = arguments->number("--seconds", 0.001, 36000);
-    if (!duration) return tl::unexpected(duration.error());
+    if (!duration) return duration.error();
     options.seconds = *duration;
     options.data.rules = arguments->value("--rules").value_or(options.data.rules);
     options.data.match = arguments->value("--match").value_or(options.data.match);

@@ -60,14 +60,14 @@ Expected<game::DummyKind> dummy_named(std::string_view word) {
 
 Expected<RangeOptions> read_range_options(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, range_options);
-    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments) return arguments.error();
     if (!arguments->plain().empty()) return fail(text("range takes no '", arguments->plain()[0], "'"));
     RangeOptions options;
     const auto dummy = dummy_named(arguments->value("--dummy").value_or("still"));
-    if (!dummy) return tl::unexpected(dummy.error());
+    if (!dummy) return dummy.error();
     options.dummy = *dummy;
     const auto hand = hand_named(arguments->value("--hands").value_or("mouse"));
-    if (!hand) return tl::unexpected(hand.error());
+    if (!hand) return hand.error();
     options.hand = *hand;
     options.headless = arguments->has("--headless");
     options.apprentice = arguments->has("--apprentice");
@@ -76,13 +76,13 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
     if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
     const auto bot = arguments->whole("--bot", game::easiest_bot, game::hardest_bot, 3);
-    if (!bot) return tl::unexpected(bot.error());
+    if (!bot) return bot.error();
     options.bot = static_cast<int>(*bot);
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
-    if (!seed) return tl::unexpected(seed.error());
+    if (!seed) return seed.error();
     options.seed = *seed;
     const auto duration = arguments->number("--seconds", 0.001, 36000);
-    if (!duration) return tl::unexpected(duration.error());
+    if (!duration) return duration.error();
     options.seconds = *duration;
     options.data.rules = arguments->value("--rules").value_or(options.data.rules);
     options.data.arena = arguments->value("--arena").value_or(options.data.arena);

@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/file_writer.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -64,7 +65,7 @@ struct Pass {
 };
 
 void warn(const std::string& line) {
-    if (!line.empty()) std::fprintf(stderr, "thaum: %s\n", line.c_str());
+    if (!line.empty()) tell_user(text("thaum: ", line));
 }
 
 /// A CSV file that a pass writes; rows are collected in memory first.
@@ -75,7 +76,7 @@ struct Table {
     Expected<void> open(const std::optional<std::filesystem::path>& path, std::string_view header) {
         if (!path) return {};
         auto made = FileWriter::create(*path);
-        if (!made) return tl::unexpected(made.error());
+        if (!made) return made.error();
         file.emplace(std::move(*made));
         file->write(header);
         return {};
@@ -100,7 +101,7 @@ Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outpu
     if (!pass.tactile) return {};
     if (auto opened = out.tactile.open(pass.tactile, felt_header()); !opened) return opened;
     auto body = ReplayBody::create(playback.match().data(), game::find_assets(), pass.felt_sound);
-    if (!body) return tl::unexpected(body.error());
+    if (!body) return body.error();
     out.body.emplace(std::move(*body));
     return {};
 }
@@ -108,20 +109,20 @@ Expected<void> open_body(const Pass& pass, const game::Playback& playback, Outpu
 Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback) {
     Outputs out;
     if (auto opened = out.events.open(pass.events, game::EventTable::header()); !opened)
-        return tl::unexpected(opened.error());
+        return opened.error();
     if (auto opened = out.state.open(pass.state, game::state_header(playback.match())); !opened)
-        return tl::unexpected(opened.error());
+        return opened.error();
     if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened)
-        return tl::unexpected(opened.error());
-    if (auto opened = open_body(pass, playback, out); !opened) return tl::unexpected(opened.error());
+        return opened.error();
+    if (auto opened = open_body(pass, playback, out); !opened) return opened.error();
     if (pass.shots) {
         auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
-        if (!shots) return tl::unexpected(shots.error());
+        if (!shots) return shots.error();
         out.shots.emplace(std::move(*shots));
     }
     if (pass.wav) {
         auto sound = ReplaySound::create(*pass.wav, pass.ears, playback.match().data(), game::find_assets());
-        if (!sound) return tl::unexpected(sound.error());
+        if (!sound) return sound.error();
         out.sound.emplace(std::move(*sound));
     }
     return out;
@@ -242,19 +243,19 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     ShotPlan plan;
     plan.folder = *arguments.value("--shots");
     const auto every = arguments.number("--shot-every", 0.001, 1e6, 0);
-    if (!every) return tl::unexpected(every.error());
+    if (!every) return every.error();
     plan.every = ticks(*every);
     for (const auto& word : arguments.values("--shot-at")) {
         const auto at = parse_number(word, "--shot-at", 0, seconds(log_ticks));
-        if (!at) return tl::unexpected(at.error());
+        if (!at) return at.error();
         plan.at.push_back(ticks(*at));
     }
     std::sort(plan.at.begin(), plan.at.end());
     if (auto read = read_kinds(arguments.values("--shot-on"), plan); !read)
-        return tl::unexpected(read.error());
+        return read.error();
     if (const auto word = arguments.value("--size")) {
         const auto size = parse_size(*word, "--size");
-        if (!size) return tl::unexpected(size.error());
+        if (!size) return size.error();
         plan.size = *size;
     }
     if (!plan.any()) plan.every = ticks(10);
@@ -308,26 +309,26 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     }
     if (arguments.has("--ears")) {
         const auto ears = arguments.whole("--ears", 1, game::players, 1);
-        if (!ears) return tl::unexpected(ears.error());
+        if (!ears) return ears.error();
         pass.ears = static_cast<std::uint32_t>(*ears - 1);
     }
     const auto every = arguments.whole("--every", 1, Tick{1} << 27U, 1);
-    if (!every) return tl::unexpected(every.error());
+    if (!every) return every.error();
     pass.state_every = *every;
     if (arguments.has("--shots")) {
         auto shots = read_shots(arguments, log_ticks);
-        if (!shots) return tl::unexpected(shots.error());
+        if (!shots) return shots.error();
         pass.shots = std::move(*shots);
     }
-    if (auto fits = check_company(arguments, pass); !fits) return tl::unexpected(fits.error());
-    if (auto distinct = check_distinct(pass); !distinct) return tl::unexpected(distinct.error());
+    if (auto fits = check_company(arguments, pass); !fits) return fits.error();
+    if (auto distinct = check_distinct(pass); !distinct) return distinct.error();
     return pass;
 }
 
 /// Tick for --at, checked against the length of the log.
 Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
-    if (!at) return tl::unexpected(at.error());
+    if (!at) return at.error();
     if (ticks(*at) <= playback.log().ticks()) return ticks(*at);
     return fail(text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s"));
 }

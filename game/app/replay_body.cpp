@@ -8,9 +8,9 @@ namespace thaum::app {
 Expected<void> ReplayBody::add_sound(State& state, const game::MatchData& data,
                                      const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
-    if (!bank) return tl::unexpected(bank.error());
+    if (!bank) return bank.error();
     auto courses = load_felt_courses(*bank, assets);
-    if (!courses) return tl::unexpected(courses.error());
+    if (!courses) return courses.error();
     state.courses.emplace(std::move(*courses));
     state.sound.emplace(game::match_sounds(*bank, *data.presentation), *state.courses);
     for (auto& scene : state.scenes) scene->set_hears(0, true);
@@ -20,9 +20,9 @@ Expected<void> ReplayBody::add_sound(State& state, const game::MatchData& data,
 Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::filesystem::path& assets,
                                         std::optional<game::FeltGroups> sounds) {
     auto body = LiveBody::load(assets);
-    if (!body) return tl::unexpected(body.error());
+    if (!body) return body.error();
     auto effects = game::match_effects(body->effects, *data.presentation);
-    if (!effects) return tl::unexpected(effects.error());
+    if (!effects) return effects.error();
     auto state = std::make_unique<State>(State{std::move(*body), std::move(*effects), {}, {}, {}, {}});
     for (std::uint32_t p = 0; p < game::players; ++p) {
         state->scenes.at(p).emplace(state->effects, state->body.effects, p);
@@ -30,7 +30,7 @@ Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::
     }
     if (sounds) {
         state->wish = {1, *sounds};
-        if (auto added = add_sound(*state, data, assets); !added) return tl::unexpected(added.error());
+        if (auto added = add_sound(*state, data, assets); !added) return added.error();
     }
     return ReplayBody(std::move(state));
 }

@@ -1,8 +1,8 @@
 #include "game/app/replay_sound.h"
 
-#include <cstdio>
-
 #include "audio/synth.h"
+#include "core/tell_user.h"
+#include "core/text.h"
 
 namespace thaum::app {
 
@@ -10,15 +10,15 @@ Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
                                           std::optional<std::uint32_t> ears, const game::MatchData& data,
                                           const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
-    if (!bank) return tl::unexpected(bank.error());
+    if (!bank) return bank.error();
     auto sounds = game::match_sounds(*bank, *data.presentation);
     for (const auto& sound : bank->faulty)
-        std::fprintf(stderr, "the sound '%s' is silent: %s\n", sound.name.c_str(), sound.reason.c_str());
-    for (const auto& line : sounds.missing) std::fprintf(stderr, "a sound is missing: %s\n", line.c_str());
+        tell_user(text("the sound '", sound.name, "' is silent: ", sound.reason));
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line));
     auto mixer = audio::Mixer::create(*bank, {});
-    if (!mixer) return tl::unexpected(mixer.error());
+    if (!mixer) return mixer.error();
     auto writer = audio::WavWriter::create(file, audio::WavFormat::whole_16);
-    if (!writer) return tl::unexpected(writer.error());
+    if (!writer) return writer.error();
     return ReplaySound(std::move(*writer), std::move(*mixer), game::SoundScene(std::move(sounds)), ears);
 }
 

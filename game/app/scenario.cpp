@@ -44,7 +44,7 @@ public:
         if (!still_ || painted_ != &match.data()) {
             still_.reset();  // the old context must be destroyed before the next one is created
             auto still = Still::create(match.data(), game::find_assets(), {640, 360});
-            if (!still) return tl::unexpected(still.error());
+            if (!still) return still.error();
             still_ = std::make_unique<Still>(std::move(*still));
             painted_ = &match.data();
         }
@@ -53,7 +53,7 @@ public:
         auto image = still_->draw(match, settings);
         if (!file.empty()) {
             if (const auto written = render::write_png(file, image); !written)
-                return tl::unexpected(written.error());
+                return written.error();
         }
         return game::Pixels{image.width, image.height, std::move(image.rgb)};
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/file.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -27,9 +28,9 @@ std::string padded(Tick tick) {
 std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
     auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
     auto senses = loaded ? game::Senses::create(*loaded, *data.presentation)
-                         : Expected<std::unique_ptr<game::Senses>>(tl::unexpected(loaded.error()));
+                         : Expected<std::unique_ptr<game::Senses>>(Error(loaded.error()));
     if (senses) return std::move(*senses);
-    std::fprintf(stderr, "pictures show nothing that is heard or felt: %s\n", senses.error().message.c_str());
+    tell_user(text("pictures show nothing that is heard or felt: ", senses.error().message));
     return nullptr;
 }
 
@@ -47,11 +48,11 @@ bool ShotPlan::any() const {
 
 Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
                               const std::filesystem::path& assets) {
-    if (auto made = make_folder(plan.folder); !made) return tl::unexpected(made.error());
+    if (auto made = make_folder(plan.folder); !made) return made.error();
     if (auto free = check_output(plan.folder / "shot_00000000.png"); !free)
-        return tl::unexpected(free.error());
+        return free.error();
     auto still = Still::create(data, assets, plan.size);
-    if (!still) return tl::unexpected(still.error());
+    if (!still) return still.error();
     return Shots(std::move(plan), std::move(*still), senses_of(data, assets));
 }
 

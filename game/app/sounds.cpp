@@ -65,7 +65,7 @@ void print_list(const Chosen& sounds) {
 
 Expected<void> write_wav(const audio::Sound& sound, const std::filesystem::path& path) {
     auto file = audio::WavWriter::create(path, audio::WavFormat::float_32, 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     file->write(sound.samples);
     return file->close();
 }

@@ -25,10 +25,10 @@ Still::~Still() = default;
 Expected<Still> Still::create(const game::MatchData& data, const std::filesystem::path& assets,
                               render::Size size) {
     auto context = render::Offscreen::create(size.width, size.height);
-    if (!context) return tl::unexpected(context.error());
+    if (!context) return context.error();
     context->make_current();
     auto renderer = render::Renderer::create(assets);
-    if (!renderer) return tl::unexpected(renderer.error());
+    if (!renderer) return renderer.error();
     auto state = std::unique_ptr<State>(
         new State{std::move(*context), std::move(*renderer), {}, game::make_picture(), {}});
     state->arena_scene = game::make_arena_scene(*state->renderer, data);

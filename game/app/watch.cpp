@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/file.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/app/command.h"
@@ -26,7 +27,7 @@ int verdict(const std::optional<game::Divergence>& divergence) {
 Expected<std::jthread> fill_beside(const game::Playback& playback, game::ReplayIndex& index,
                                    const std::atomic<bool>& stop) {
     auto again = playback.open_again();
-    if (!again) return tl::unexpected(again.error());
+    if (!again) return again.error();
     return start_thread([&index, &stop, again = std::move(*again)]() mutable {
         render::work_behind_others();
         index.fill(std::move(again), stop);
@@ -39,7 +40,7 @@ int run_with_index(const LivePlan& plan, const game::Playback& playback, game::R
     std::atomic<bool> stop{false};
     const auto filling = fill_beside(playback, index, stop);
     if (!filling) {
-        std::fprintf(stderr, "thaum: jumps ahead will be slow: %s\n", filling.error().message.c_str());
+        tell_user(text("thaum: jumps ahead will be slow: ", filling.error().message));
         index.give_up();
     }
     const int result = run_live(plan);

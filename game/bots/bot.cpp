@@ -343,9 +343,9 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
         return fail(text("there is no bot of level ", level, ", only ", easiest_bot, " to ", hardest_bot));
     const auto name = text("bots/level_", level, ".toml");
     const auto source = read_text_file(assets / name, 1U << 16U);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     const auto file = Config::parse(*source, name, 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const auto root = file->root();
     const Range share{0, 1}, health{0, 1000};
     BotSkill skill = read_marksmanship(root);
@@ -371,7 +371,7 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     if (root.has("edge")) skill.edge = read_edge(root.table("edge"));
     if (root.has("cast")) skill.cast = read_casting(root.table("cast"));
     if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
-    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = file->check(); !checked) return checked.error();
     return skill;
 }
 

@@ -21,7 +21,7 @@ Expected<BotDuel> make_bot_duel(const std::filesystem::path& assets, std::shared
     BotDuel duel{std::make_unique<Simulation>(std::move(data), std::move(setup)), {}};
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto skill = load_bot_skill(assets, levels[player]);
-        if (!skill) return tl::unexpected(skill.error());
+        if (!skill) return skill.error();
         duel.bots.add(*duel.match, player, player, *skill, seed);
     }
     return duel;

@@ -67,7 +67,7 @@ Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
                                         std::shared_ptr<const MatchData> data,
                                         std::array<int, players> levels, std::uint64_t seed) {
     auto duel = make_bot_duel(assets, std::move(data), levels, seed);
-    if (!duel) return tl::unexpected(duel.error());
+    if (!duel) return duel.error();
     const auto& match = *duel->match;
     LeagueMatch result{.levels = {levels[0], levels[1]}, .seed = seed};
     while (match.match().phase != Phase::over) {

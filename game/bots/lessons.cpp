@@ -204,20 +204,20 @@ void read_steps(const ConfigTable& root, const Places& places, std::vector<Lesso
 Expected<Lessons> parse_lessons(std::string_view toml, std::string name,
                                 const std::filesystem::path& assets) {
     const auto file = Config::parse(toml, std::move(name), 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const auto root = file->root();
     Lessons lessons{.arena = root.string("arena"),
                     .end = read_text(root, "end"),
                     .healing = root.number("heals_hp_per_s", {0, 1000}, 0),
                     .steps = {}};
     read_steps(root, places_of(root, lessons.arena, assets), lessons.steps);
-    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = file->check(); !checked) return checked.error();
     return lessons;
 }
 
 Expected<Lessons> load_lessons(const std::filesystem::path& assets) {
     const auto source = read_text_file(assets / lessons_file, 1U << 16U);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     return parse_lessons(*source, lessons_file, assets);
 }
 

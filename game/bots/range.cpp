@@ -20,15 +20,15 @@ constexpr double fills_at_once = 1e6;
 
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     const auto file = Config::parse(*source, range_file, 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     match.files.push_back({range_file, file->value_hash()});
     const auto root = file->root();
     match.arena.pads = {match.arena.practice[practising], match.arena.practice[dummys]};
     const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0.5, 40}),
                            .skill = read_marksmanship(root.table("shooting"))};
-    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = file->check(); !checked) return checked.error();
     return dummy;
 }
 
@@ -47,9 +47,9 @@ RangeScore sum_of(const Simulation& match) {
 
 Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice) {
     auto match = load_match_data(assets, choice);
-    if (!match) return tl::unexpected(match.error());
+    if (!match) return match.error();
     const auto dummy = read_range(assets, *match);
-    if (!dummy) return tl::unexpected(dummy.error());
+    if (!dummy) return dummy.error();
     match->round.kills = std::numeric_limits<std::int32_t>::max();
     match->round.length = never;
     // A free cauldron: only a brew of which nothing can come boils over, and ingredients are back at once.

@@ -31,7 +31,7 @@ RangeFiles::RangeFiles(std::filesystem::path assets, DataChoice choice, RangeDat
 
 Expected<RangeFiles> RangeFiles::open(const std::filesystem::path& assets, const DataChoice& choice) {
     auto data = load_range(assets, choice);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     return RangeFiles(assets, choice, std::move(*data));
 }
 

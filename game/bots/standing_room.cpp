@@ -26,7 +26,7 @@ Expected<StandingRoom> StandingRoom::load(const std::filesystem::path& assets, c
     DataChoice choice;
     choice.arena = arena;
     auto data = load_match_data(assets, choice);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     return StandingRoom(std::make_shared<const MatchData>(std::move(*data)));
 }
 

@@ -178,16 +178,16 @@ fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basi
 
 Expected<void> check_brew(const CauldronRules& rules, const Basin& basin) {
     if (const auto fluid = fluid::check(brew_settings(rules, basin)); !fluid)
-        return tl::unexpected(fluid.error());
+        return fluid.error();
     if (const auto surface = fluid::checked(brew_surface(rules, basin)); !surface)
-        return tl::unexpected(surface.error());
+        return surface.error();
     return {};
 }
 
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
-    if (const auto sound = check_brew(rules, basin); !sound) return tl::unexpected(sound.error());
+    if (const auto sound = check_brew(rules, basin); !sound) return sound.error();
     auto fluid = fluid::make_fluid(brew_settings(rules, basin));
-    if (!fluid) return tl::unexpected(fluid.error());
+    if (!fluid) return fluid.error();
     const vec3 corner = corner_of(fluid->settings);
     return Brew{.fluid = std::move(*fluid),
                 .surface = fluid::make_spring_surface(brew_surface(rules, basin)),

@@ -66,23 +66,31 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
 Expected<std::optional<double>> Arguments::number(std::string_view option, double low, double high) const {
     const auto word = value(option);
     if (!word) return std::nullopt;
-    return parse_number(*word, option, low, high);
+    const auto read = parse_number(*word, option, low, high);
+    if (!read) return read.error();
+    return *read;
 }
 
 Expected<std::optional<std::uint64_t>> Arguments::whole(std::string_view option, std::uint64_t low,
                                                         std::uint64_t high) const {
     const auto word = value(option);
     if (!word) return std::nullopt;
-    return parse_whole(*word, option, low, high);
+    const auto read = parse_whole(*word, option, low, high);
+    if (!read) return read.error();
+    return *read;
 }
 
 Expected<double> Arguments::number(std::string_view option, double low, double high, double fallback) const {
-    return number(option, low, high).map([&](const auto& given) { return given.value_or(fallback); });
+    const auto given = number(option, low, high);
+    if (!given) return given.error();
+    return given->value_or(fallback);
 }
 
 Expected<std::uint64_t> Arguments::whole(std::string_view option, std::uint64_t low, std::uint64_t high,
                                          std::uint64_t fallback) const {
-    return whole(option, low, high).map([&](const auto& given) { return given.value_or(fallback); });
+    const auto given = whole(option, low, high);
+    if (!given) return given.error();
+    return given->value_or(fallback);
 }
 
 std::vector<std::string> parts_of(std::string_view word, char between) {

@@ -1,13 +1,12 @@
 #include "game/command_line/exit_code.h"
 
-#include <cstdio>
-
-#include "core/one_line.h"
+#include "core/tell_user.h"
+#include "core/text.h"
 
 namespace thaum::app {
 
 int refuse(const Error& error) {
-    std::fprintf(stderr, "thaum: %s\n", in_one_line(error.message).c_str());
+    tell_user(text("thaum: ", error.message));
     return wrong_use;
 }
 

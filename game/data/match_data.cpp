@@ -74,7 +74,7 @@ private:
 
     Expected<Config> open(const std::string& name, bool decides) {
         const auto source = read_text_file(assets_ / name, max_data_file);
-        if (!source) return tl::unexpected(source.error());
+        if (!source) return source.error();
         auto config = Config::parse(*source, (folder_name() / name).string(), 1);
         if (!config) return config;
         if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
@@ -86,7 +86,7 @@ private:
             used_[i] = true;
             const auto replaced =
                 config->replace(entry.substr(stem.size(), equals - stem.size()), entry.substr(equals + 1));
-            if (!replaced) return tl::unexpected(replaced.error());
+            if (!replaced) return replaced.error();
         }
         return config;
     }
@@ -404,9 +404,9 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     if (!plain_name(choice.arena))
         return fail(text("'", choice.arena, "' is no name of an arena (a-z, 0-9, _)"));
     if (auto known = check_name(rule_sets, choice.rules, "rule set"); !known)
-        return tl::unexpected(known.error());
+        return known.error();
     if (auto known = check_name(match_lengths, choice.match, "match"); !known)
-        return tl::unexpected(known.error());
+        return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     MatchData data;
     data.choice = choice;
@@ -436,7 +436,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     if (data.cauldron && data.gestures) load_recipes(data, loader);
     name_brew(data);
     loader.check_overrides();
-    if (loader.error) return tl::unexpected(*loader.error);
+    if (loader.error) return Error(*loader.error);
     apply_rule_set(data);
     return data;
 }

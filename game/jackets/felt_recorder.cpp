@@ -1,11 +1,11 @@
 #include "game/jackets/felt_recorder.h"
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "core/file_writer.h"
 #include "core/one_line.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/jackets/felt_rows.h"
 
@@ -64,7 +64,7 @@ Expected<void> FeltRecorder::open() {
     if (!name) return fail("there are too many recordings of this name; choose another");
     path_ = std::move(*name);
     auto made = FileWriter::create(path_);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return made.error();
     file_.emplace(std::move(*made));
     file_->write(felt_header());
     return {};
@@ -89,7 +89,7 @@ void FeltRecorder::end() {
     file_.reset();
     if (closed || told) return;
     fault_ = in_one_line(closed.error().message);
-    std::fprintf(stderr, "player %u: recording of what is felt: %s\n", player_ + 1, fault_.c_str());
+    tell_user(text("player ", player_ + 1, ": recording of what is felt: ", fault_));
 }
 
 }  // namespace

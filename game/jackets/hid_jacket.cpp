@@ -45,7 +45,7 @@ private:
 Expected<void> HidJacket::open() {
     end();
     auto port = open_(id_);
-    if (!port) return tl::unexpected(port.error());
+    if (!port) return port.error();
     port_ = std::move(*port);
     // Motors that an earlier program left on stop.
     if (!send(silent_)) return fail(fault_);

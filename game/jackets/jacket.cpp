@@ -77,7 +77,7 @@ bool fits_name(std::string_view words) {
     return !words.empty() && words.size() <= longest_name && printable(words, words.size()) == words;
 }
 
-tl::unexpected<Error> no_jacket(std::string_view words, std::string_view why) {
+Error no_jacket(std::string_view words, std::string_view why) {
     return fail(text("'", printable(words, most_words_shown), "' is no jacket: ", why));
 }
 

@@ -97,7 +97,7 @@ Expected<FeelPart> feel_part(std::string_view name, std::span<const double> numb
                          form->least == form->count ? std::string() : text(" to ", form->count), " numbers"));
     FeelPart part{.kind = static_cast<FeelKind>(form - forms.begin())};
     std::ranges::copy(numbers, part.numbers.begin());
-    if (auto sound = check(part); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check(part); !sound) return sound.error();
     return part;
 }
 
@@ -106,7 +106,7 @@ Expected<haptics::VolumeFeel> feel_of_parts(std::span<const FeelPart> parts,
     std::array<std::size_t, forms.size()> counts{};
     haptics::VolumeFeel feel;
     for (const FeelPart& part : parts) {
-        if (auto sound = check(part); !sound) return tl::unexpected(sound.error());
+        if (auto sound = check(part); !sound) return sound.error();
         const auto& form = form_of(part.kind);
         if (++counts[static_cast<std::size_t>(part.kind)] > form.most_parts)
             return fail(

@@ -89,10 +89,10 @@ Expected<HandPath> hand_path(std::string_view word) {
     if (!word.ends_with(".csv"))
         return fail(text("'", word, "': must be rest, press, circle or a .csv file"));
     const auto csv = read_text_file(word, trace_most);
-    if (!csv) return tl::unexpected(csv.error());
+    if (!csv) return csv.error();
     if (csv->starts_with("time_s,tip_")) return parse_hand_trace(*csv, word);
     auto path = parse_stir_path(*csv, word);
-    if (!path) return tl::unexpected(path.error());
+    if (!path) return path.error();
     return HandPath{HandWay::file, std::move(*path), {}};
 }
 

@@ -47,7 +47,7 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     if (!settings.bowl || settings.solver == fluid::Solver::classic) wanted.solid = nullptr;
     put_numbers(settings, wanted);
     auto made = fluid::make_fluid(wanted);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return made.error();
     brew->fluid = std::move(*made);
     brew->contents.fill(no_ingredient);
     for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->contents[i] = i;
@@ -110,7 +110,7 @@ auto timed(F&& f, double& us) {
 
 Expected<void> reset(LabState& lab) {
     auto fresh = make_lab(lab.rules, lab.settings);
-    if (!fresh) return tl::unexpected(fresh.error());
+    if (!fresh) return fresh.error();
     lab = std::move(*fresh);
     return {};
 }
@@ -119,7 +119,7 @@ Expected<void> reset(LabState& lab) {
 
 Expected<LabData> load_lab_data(const std::filesystem::path& assets) {
     const auto match = load_match_data(assets, {});
-    if (!match) return tl::unexpected(match.error());
+    if (!match) return match.error();
     if (!match->arena.bowl) return fail(text(match->choice.arena, ": it has no bowl"));
     if (!match->cauldron) return fail(text(match->choice.rules, ": it has no cauldron"));
     LabData data{*match->cauldron, {.size = match->arena.bowl->size, .filled = 1}};
@@ -138,9 +138,9 @@ LabSettings lab_settings(const LabData& data) {
 }
 
 Expected<LabState> make_lab(const CauldronRules& rules, const LabSettings& settings) {
-    if (auto sound = check(settings); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check(settings); !sound) return sound.error();
     auto brew = brew_of(rules, settings);
-    if (!brew) return tl::unexpected(brew.error());
+    if (!brew) return brew.error();
     return LabState{.rules = rules,
                     .settings = settings,
                     .basin = basin_of(settings.room.size, settings.room.filled),
@@ -158,7 +158,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         fluid::refresh_after_edit(fluid);  // fluid that was at rest may have become lighter and must move
     } else {
         auto brew = brew_of(lab.rules, settings);
-        if (!brew) return tl::unexpected(brew.error());
+        if (!brew) return brew.error();
         fluid::resample_into(brew->fluid, fluid);
         fluid = std::move(brew->fluid);
         lab.brew.corner = brew->corner;

@@ -45,13 +45,13 @@ Expected<std::function<double(vec3)>> solid_of(const fluid::NamedShape& shape, C
     LabBowl room;
     std::size_t next = 0;
     each_number(room, [&](double& number) { number = shape.numbers[next++]; });
-    if (auto sound = check(room); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check(room); !sound) return sound.error();
     const bool known = std::ranges::any_of(lab_cells, [&](int n) { return n == shape.numbers[next]; });
     if (!known) return fail("its bowl has a number of cells that the lab has not");
     rules.cells_across = static_cast<int>(shape.numbers[next]);
     rules.solver = fluid::Solver::classic;  // the solver with the cheapest tables
     auto brew = make_brew(rules, basin_of(room.size, room.filled));
-    if (!brew) return tl::unexpected(brew.error());
+    if (!brew) return brew.error();
     return brew->fluid.settings.solid;
 }
 
@@ -112,7 +112,7 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
     s.viscosity = fluid.viscosity;
     for (const fluid::Substance& substance : fluid.substances) {
         auto ingredient = get_ingredient(in, substance);
-        if (!ingredient) return tl::unexpected(ingredient.error());
+        if (!ingredient) return ingredient.error();
         s.substances.push_back(std::move(*ingredient));
     }
     if (!in.ok() || in.left() != 0) return fail("the lab's part of the file is cut off or too long");
@@ -131,7 +131,7 @@ bool fits_settings(const fluid::SavedFluid& saved, const LabState& lab, const Br
            saved.surface.settings.side == made.surface.settings.side;
 }
 
-tl::unexpected<Error> wrong(const Error& error) { return fail(text("saved lab: ", error.message)); }
+Error wrong(const Error& error) { return fail(text("saved lab: ", error.message)); }
 
 Expected<LabState> with_name(const std::filesystem::path& file, Expected<LabState> lab) {
     if (lab) return lab;
@@ -147,7 +147,7 @@ Bytes save_lab(const LabState& lab) {
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules) {
     auto saved =
         fluid::restore(bytes, [&](const fluid::NamedShape& shape) { return solid_of(shape, rules); });
-    if (!saved) return tl::unexpected(saved.error());
+    if (!saved) return saved.error();
     ByteReader in(saved->caller_data);
     auto lab = get_kept(in, saved->fluid.settings, rules);
     if (!lab) return wrong(lab.error());
@@ -168,7 +168,7 @@ Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file) 
 
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules) {
     const auto bytes = read_file(file, lab_file_most);
-    if (!bytes) return tl::unexpected(bytes.error());
+    if (!bytes) return bytes.error();
     return with_name(file, restore_lab(*bytes, rules));
 }
 

@@ -41,7 +41,7 @@ template <class Take>
 Expected<void> take_property(const fs::path& file, VolumeLab& lab, Take take) {
     if (!is_there(file)) return {};
     const auto volume = field::read_volume(file);
-    if (!volume) return tl::unexpected(volume.error());
+    if (!volume) return volume.error();
     if (volume->save_name != lab.source.save_name)
         return fail(text(file.string(),
                          ": belongs to another body than the file of densities beside it; "
@@ -83,7 +83,7 @@ Expected<void> save_volume(const VolumeLab& lab, const fs::path& file) {
     std::vector<FileWriter> finished;
     for (const auto& [path, volume] : parts_of(lab, file)) {
         auto part = field::start_nrrd(path, volume);
-        if (!part) return tl::unexpected(part.error());
+        if (!part) return part.error();
         finished.push_back(std::move(*part));
     }
     for (auto& part : finished)

@@ -78,7 +78,7 @@ Expected<StirPath> stir_path(std::string_view word) {
     if (word == "figure8") return StirPath{.kind = Stirring::figure8};
     const auto csv = read_text_file(word, path_file_most);
     if (csv) return parse_stir_path(*csv, word);
-    if (std::filesystem::exists(word)) return tl::unexpected(csv.error());
+    if (std::filesystem::exists(word)) return csv.error();
     return fail(text("--stir takes none, circle, figure8 or a file: ", csv.error().message));
 }
 

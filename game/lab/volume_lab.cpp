@@ -266,9 +266,9 @@ template <class Read>
 auto read_config(const std::filesystem::path& path, std::int64_t version, Read read)
     -> decltype(read(std::declval<const Config&>())) {
     const auto words = read_text_file(path, most_file_bytes);
-    if (!words) return tl::unexpected(words.error());
+    if (!words) return words.error();
     const auto config = Config::parse(*words, path.string(), version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     return read(*config);
 }
 
@@ -286,14 +286,14 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
             text("there is no device '", printable(device, 60), "'; there are ", listed(data.devices)));
     auto materials =
         read_config(assets / "materials.toml", field::materials_file_version, field::read_materials);
-    if (!materials) return tl::unexpected(materials.error());
+    if (!materials) return materials.error();
     data.materials = std::move(*materials);
     auto spec = load_lab_device(assets, device);
-    if (!spec) return tl::unexpected(spec.error());
+    if (!spec) return spec.error();
     data.device = std::move(*spec);
     for (const auto& file : files_in(assets / "carving")) {
         auto tool = field::load_tool(file, data.materials);
-        if (!tool) return tl::unexpected(tool.error());
+        if (!tool) return tool.error();
         data.tools.push_back(std::move(*tool));
     }
     if (data.tools.empty()) return fail(text((assets / "carving").string(), ": has no tools"));
@@ -312,7 +312,7 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
     lab.source = std::move(volume);
     if (lab.carvable()) {
         auto body = field::voxels_of(lab.source);
-        if (!body) return tl::unexpected(body.error());
+        if (!body) return body.error();
         lab.body = std::move(*body);
         lab.history = field::make_history(lab.body.view());
         lab.source.samples = {};
@@ -418,7 +418,7 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
     if (!settings.feel.empty() && !lab.carvable()) return fail("a flow has no body to feel");
     auto feel =
         feel_of_parts(settings.feel, settings.opacity, reach_samples * volume_of(lab, 0).finest_spacing());
-    if (!feel) return tl::unexpected(feel.error());
+    if (!feel) return feel.error();
     std::size_t needed = settings.feel.empty() ? 0 : haptics::primitives_of(*feel);
     for (const LabMode& chosen : settings.modes) {
         if (chosen.volume > lab.beside.size())

@@ -145,7 +145,7 @@ Expected<VolumeSession> read_session(const Config& file) {
     for (const auto& table : root.tables("mode")) session.modes.push_back(read_lab_mode(table));
     if (session.modes.size() > haptics::primitive_capacity)
         file.report(text("at most ", haptics::primitive_capacity, " modes"));
-    if (auto sound = file.check(); !sound) return tl::unexpected(sound.error());
+    if (auto sound = file.check(); !sound) return sound.error();
     return session;
 }
 
@@ -155,9 +155,9 @@ Expected<void> save_session(const VolumeSession& session, const std::filesystem:
 
 Expected<VolumeSession> load_session(const std::filesystem::path& file) {
     const auto words = read_text_file(file, session_most);
-    if (!words) return tl::unexpected(words.error());
+    if (!words) return words.error();
     const auto config = Config::parse(*words, file.string(), session_version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     auto session = read_session(*config);
     if (!session) return session;
     find_beside(file.parent_path(), session->first.volume);

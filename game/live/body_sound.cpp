@@ -5,7 +5,7 @@ namespace thaum::app {
 Expected<game::FeltCourses> load_felt_courses(const audio::SoundBank& bank,
                                               const std::filesystem::path& assets) {
     const auto bands = game::load_felt_bands(assets / "tactile" / "sound.toml");
-    if (!bands) return tl::unexpected(bands.error());
+    if (!bands) return bands.error();
     return game::felt_courses(bank, *bands);
 }
 

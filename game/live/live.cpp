@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/random.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/command_line/exit_code.h"
@@ -83,7 +84,7 @@ Expected<void> play_match(Live& live, MatchStart start) {
         else
             run_simulation(live.plan, shared, std::move(start), wake);
     });
-    if (!simulating) return tl::unexpected(simulating.error());
+    if (!simulating) return simulating.error();
     run_match(live.session, shared, live.window);
     return {};
 }
@@ -105,9 +106,8 @@ Expected<void> play_matches(Live& live) {
         auto recording = open_recording(live, seed, number);
         // A log that the user named must be opened. If the default folder fails, the match is played without
         // a log.
-        if (!recording && number == 1 && !live.plan.log.empty()) return tl::unexpected(recording.error());
-        if (!recording)
-            std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
+        if (!recording && number == 1 && !live.plan.log.empty()) return recording.error();
+        if (!recording) tell_user(text("this match is not recorded: ", recording.error().message));
         auto played = play_match(
             live, {session.next().data(), seed, recording ? std::move(*recording) : Recording(), countdown,
                    fault_at_start(live.plan, number), session.next().take_lessons(), session.profile()});
@@ -134,8 +134,7 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
         if (player.jacket_layout.empty() || !jacket || jacket->link == Jacket::Link::none) continue;
         auto layout = load_own_layout(player.jacket_layout, *jacket, plan.assets);
         if (!layout) {
-            std::fprintf(stderr, "player %u: the jacket has its usual layout: %s\n", p + 1,
-                         layout.error().message.c_str());
+            tell_user(text("player ", p + 1, ": the jacket has its usual layout: ", layout.error().message));
             continue;
         }
         shared.tactile.use_own_layout(p, layout->actuators.size());
@@ -147,7 +146,7 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
 std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
     auto body = LiveBody::load(assets);
     if (body) return std::move(*body);
-    std::fprintf(stderr, "nothing is felt on the body: %s\n", body.error().message.c_str());
+    tell_user(text("nothing is felt on the body: ", body.error().message));
     return std::nullopt;
 }
 
@@ -156,14 +155,10 @@ std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
 /// Prints how an arm did, with its name if there are several.
 void tell_arm(const LiveArm& arm, bool name_it) {
     const auto faults = arm.servo.faults();
-    std::fprintf(stderr,
-                 "arm%s: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
-                 "forces differ from the match's\n",
-                 name_it ? text(" ", input::name_of(arm.keeper->facts())).c_str() : "",
-                 told(arm.keeper->times()).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
-                 static_cast<unsigned long long>(faults.poses.backwards),
-                 static_cast<unsigned long long>(faults.poses.unusable), arm.keeper->losses(),
-                 static_cast<unsigned long long>(faults.differing));
+    tell_user(text("arm", name_it ? text(" ", input::name_of(arm.keeper->facts())) : "", ": ",
+                   told(arm.keeper->times()), "; poses: ", faults.poses.repeated, " repeated, ",
+                   faults.poses.backwards, " back in time, ", faults.poses.unusable, " no numbers; lost ",
+                   arm.keeper->losses(), " times; ", faults.differing, " forces differ from the match's"));
 }
 
 void fill_report(LiveShared& shared, LiveReport& report) {
@@ -212,7 +207,7 @@ int run_live(const LivePlan& plan) {
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);
-    if (EndWatch::asked()) std::fprintf(stderr, "ended by a signal\n");
+    if (EndWatch::asked()) tell_user("ended by a signal");
     return done;
 }
 

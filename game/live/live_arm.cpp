@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/live/end_watch.h"
@@ -24,7 +24,7 @@ Expected<std::unique_ptr<input::OpenArm>> opened(const input::ArmPlace& place, i
                          " of ", fixed(wanted.peak_force, 1),
                          " N: choose another with --set haptics.device=..."));
     }
-    if (const auto started = (*arm)->start(servo.tick()); !started) return tl::unexpected(started.error());
+    if (const auto started = (*arm)->start(servo.tick()); !started) return started.error();
     return arm;
 }
 
@@ -33,10 +33,10 @@ Expected<std::unique_ptr<input::OpenArm>> opened(const input::ArmPlace& place, i
 Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(const input::ArmPlace& place, input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted) {
     auto arm = opened(place, servo, wanted, EndWatch::asked());
-    if (!arm) return tl::unexpected(arm.error());
+    if (!arm) return arm.error();
     std::unique_ptr<ArmKeeper> keeper(new ArmKeeper(place, std::move(*arm), servo, wanted));
     auto watching = start_thread([&keeper = *keeper] { keeper.watch(); });
-    if (!watching) return tl::unexpected(watching.error());
+    if (!watching) return watching.error();
     keeper->thread_ = std::move(*watching);
     return keeper;
 }
@@ -138,7 +138,7 @@ Expected<Keeper> open_next(const std::vector<input::ArmPlace>& places, TakenNumb
         taken.push_back(n);
         return keeper;
     }
-    if (first) return tl::unexpected(*first);
+    if (first) return Error(*first);
     return fail("--hands arm: every arm is taken already; `thaum doctor` lists the arms");
 }
 
@@ -158,7 +158,7 @@ Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceS
         const auto number = seats[i].arm->number;
         auto keeper = number ? open_numbered(places, *number, arm->servo, wanted)
                              : open_next(places, taken, arm->servo, wanted);
-        if (!keeper) return tl::unexpected(keeper.error());
+        if (!keeper) return keeper.error();
         arm->keeper = std::move(*keeper);
         arms.push_back(std::move(arm));
     }
@@ -212,7 +212,7 @@ void follow_arms(LiveArms& arms) {
         const auto name = input::name_of(arm->keeper->facts());
         const auto line = update(arm->notice, name, arm->keeper->status());
         const auto head = arms.size() > 1 ? text(name, ": ") : std::string();
-        if (line) std::fprintf(stderr, "%s%s\n", head.c_str(), line->c_str());
+        if (line) tell_user(text(head, *line));
     }
 }
 

@@ -1,8 +1,8 @@
 #include "game/live/live_body.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/tell_user.h"
 #include "core/text.h"
 
 namespace thaum::app {
@@ -19,7 +19,7 @@ Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, std::st
 
 Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
-    if (!effects) return tl::unexpected(effects.error());
+    if (!effects) return effects.error();
     LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}, .jackets = {}};
     std::vector<std::pair<std::string_view, tactile::Layout*>> layouts{
         {name_of(Jacket::Layout::figure), &body.figure}, {"pad", &body.pad}};
@@ -27,7 +27,7 @@ Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
         layouts.emplace_back(name_of(jacket_layouts.at(i)), &body.jackets.at(i));
     for (const auto& [name, layout] : layouts) {
         auto read = layout_of(assets, name);
-        if (!read) return tl::unexpected(read.error());
+        if (!read) return read.error();
         *layout = std::move(*read);
     }
     for (std::size_t i = 0; i < jacket_layouts.size(); ++i) {
@@ -63,7 +63,7 @@ void MatchBody::begin(const game::Simulation& match) {
     faders_ = {};
     auto effects = game::match_effects(body_->effects, *match.data().presentation);
     if (!effects) {
-        std::fprintf(stderr, "nothing is felt on the body: %s\n", effects.error().message.c_str());
+        tell_user(text("nothing is felt on the body: ", effects.error().message));
         return;
     }
     effects_ = std::move(*effects);

@@ -1,8 +1,8 @@
 #include "game/live/live_menu.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/menu/menu_input.h"
 
@@ -26,7 +26,7 @@ LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path s
     profiles_folder_ = settings_file_.parent_path() / "feel";
     std::vector<std::string> faults;
     context_.profiles = load_feel_profiles(profiles_folder_, faults);
-    for (const auto& fault : faults) std::fprintf(stderr, "a profile is left out: %s\n", fault.c_str());
+    for (const auto& fault : faults) tell_user(text("a profile is left out: ", fault));
 }
 
 void LiveMenu::open(Page page) {

@@ -39,11 +39,11 @@ Expected<std::filesystem::path> log_path(const LogPlace& place) {
 Expected<Recording> record_match(const LogPlace& place, std::uint64_t number,
                                  const input::LogHeader& header) {
     const auto path = log_path(place);
-    if (!path) return tl::unexpected(path.error());
+    if (!path) return path.error();
     if (path->empty()) return Recording();
     const bool exact = !place.named.empty() && number == 1;
     auto log = exact ? input::LogWriter::create(*path, header) : create_beside(*path, header);
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     return Recording(std::move(*log));
 }
 

@@ -23,7 +23,7 @@ Expected<Seat> hand_named(std::string_view word) {
     if (word == "arm") return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
     if (word.starts_with(numbered_arm)) {
         const auto number = parse_whole(word.substr(numbered_arm.size()), "--hands arm:", 0, most_number);
-        if (!number) return tl::unexpected(number.error());
+        if (!number) return number.error();
         return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{*number}};
     }
     return fail(text("--hands '", word, "': must be mouse, half, pad or arm, or arm:0, arm:1, ..."));
@@ -34,7 +34,7 @@ Expected<std::vector<Seat>> hands_named(std::string_view words) {
     for (;;) {
         const auto comma = std::min(words.find(','), words.size());
         const auto hand = hand_named(words.substr(0, comma));
-        if (!hand) return tl::unexpected(hand.error());
+        if (!hand) return hand.error();
         hands.push_back(*hand);
         if (comma == words.size()) break;
         words.remove_prefix(comma + 1);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/hud/event_words.h"
 #include "game/live/menu_choices.h"
@@ -174,7 +175,7 @@ void LiveSession::load_profile() {
         for (auto& own : load_own_gestures(folder, *next_.data(), p, faults))
             profile_.push_back(std::move(own));
     }
-    for (const auto& fault : faults) std::fprintf(stderr, "%s\n", fault.c_str());
+    for (const auto& fault : faults) tell_user(fault);
 }
 
 input::LogHeader LiveSession::log_header(std::uint64_t seed) const {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
 #include "game/casting/casting.h"
@@ -139,8 +140,7 @@ bool start_round(SimulationThread& s, MatchStart start) {
 void close_log(Round& round) {
     auto* log = log_of(round);
     if (log == nullptr) return;
-    if (const auto closed = game::close_log(*log, *round.match); !closed)
-        std::fprintf(stderr, "%s\n", closed.error().message.c_str());
+    if (const auto closed = game::close_log(*log, *round.match); !closed) tell_user(closed.error().message);
     round.kept = std::monostate{};
 }
 

@@ -1,10 +1,11 @@
 #include "game/live/live_sound.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "audio/synth.h"
+#include "core/tell_user.h"
+#include "core/text.h"
 #include "game/live/body_sound.h"
 
 namespace thaum::app {
@@ -22,7 +23,7 @@ std::string_view name_of(MenuSound sound) {
 }
 
 std::unique_ptr<LiveSound> silent(const Error& error) {
-    std::fprintf(stderr, "no sound: %s\n", error.message.c_str());
+    tell_user(text("no sound: ", error.message));
     return nullptr;
 }
 
@@ -41,7 +42,7 @@ std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets,
     auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return silent(bank.error());
     for (const auto& sound : bank->faulty)
-        std::fprintf(stderr, "the sound '%s' is silent: %s\n", sound.name.c_str(), sound.reason.c_str());
+        tell_user(text("the sound '", sound.name, "' is silent: ", sound.reason));
     auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
     if (!mixer) return silent(mixer.error());
     auto sound =
@@ -59,7 +60,7 @@ void LiveSound::make_courses() {
     if (std::exchange(tried_courses_, true) || assets_.empty()) return;
     auto courses = load_felt_courses(bank_, assets_);
     if (!courses) {
-        std::fprintf(stderr, "no sound on the jacket: %s\n", courses.error().message.c_str());
+        tell_user(text("no sound on the jacket: ", courses.error().message));
         return;
     }
     made_courses_ = std::make_unique<const game::FeltCourses>(std::move(*courses));
@@ -99,7 +100,7 @@ void MatchSound::listen(bool first, bool second) {
 /// Makes a scene for the match's data. Missing sounds are printed.
 void MatchSound::begin(const game::Simulation& match) {
     auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
-    for (const auto& line : sounds.missing) std::fprintf(stderr, "a sound is missing: %s\n", line.c_str());
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line));
     told_ = game::told_by_sounds(sounds, sound_->bank());
     scene_.emplace(std::move(sounds));
 }

@@ -7,14 +7,14 @@ Expected<void> NextMatch::choose(const std::string& match, const std::string& ar
     choice.match = match;
     choice.arena = arena;
     auto data = game::load_match_data(assets_, choice);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     data_ = std::make_shared<const game::MatchData>(std::move(*data));
     return {};
 }
 
 Expected<void> NextMatch::open_range(const game::DataChoice& choice) {
     auto files = game::RangeFiles::open(assets_, choice);
-    if (!files) return tl::unexpected(files.error());
+    if (!files) return files.error();
     range_ = std::move(*files);
     return {};
 }
@@ -23,7 +23,7 @@ Expected<void> NextMatch::open_range() { return open_range(data_->choice); }
 
 Expected<void> NextMatch::open_apprentice() {
     auto lessons = game::load_lessons(assets_);
-    if (!lessons) return tl::unexpected(lessons.error());
+    if (!lessons) return lessons.error();
     auto choice = data_->choice;
     choice.arena = lessons->arena;
     if (auto opened = open_range(choice); !opened) return opened;

@@ -23,7 +23,7 @@ Expected<gesture::Gesture> read_item(const input::ProfileData& item) {
         return fail(text(what, ": more than ", largest_text, " bytes; record shorter strokes"));
     const std::string_view toml(reinterpret_cast<const char*>(item.bytes.data()), item.bytes.size());
     const auto config = Config::parse(toml, what, gesture::gesture_file_version);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     auto gesture = gesture::read_gesture(*config);
     if (gesture && gesture->name != item.name)
         return fail(text(what, ": its text is of a gesture '", printable(gesture->name, 40), "'"));
@@ -39,7 +39,7 @@ Expected<void> replace(std::vector<gesture::Gesture>& gestures, const input::Pro
     if (shipped == gestures.end())
         return fail(text(words_of(item), ": the game has no gesture of this name"));
     auto gesture = read_item(item);
-    if (!gesture) return tl::unexpected(gesture.error());
+    if (!gesture) return gesture.error();
     *shipped = std::move(*gesture);
     return {};
 }

@@ -7,7 +7,7 @@ namespace thaum::game {
 
 Expected<Playback> Playback::open(const std::filesystem::path& log, const std::filesystem::path& assets) {
     auto reader = input::LogReader::open(log);
-    if (!reader) return tl::unexpected(reader.error());
+    if (!reader) return reader.error();
     if (reader->format() > 1 && reader->header().kinds.empty())
         return fail(
             text(log.string(), ": the header names no kinds, so the numbers of the log mean nothing"));

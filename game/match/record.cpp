@@ -110,7 +110,7 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
         choice.match = parameter.substr(match_parameter.size());
     }
     auto data = load_match_data(assets, choice);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     if (const auto changed = changed_file(header.files, data->files); !changed.empty()) return fail(changed);
     // Logs of format 1 have no tables. Their kinds were registered in the same way, so the data files suffice.
     if (!header.kinds.empty()) {
@@ -118,7 +118,7 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
             return fail(other);
     }
     MatchSetup setup{.seed = header.seed, .devices = header.devices};
-    if (auto used = use_profile(*data, header.profile, setup); !used) return tl::unexpected(used.error());
+    if (auto used = use_profile(*data, header.profile, setup); !used) return used.error();
     return std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
                                         std::move(setup));
 }

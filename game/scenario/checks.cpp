@@ -54,7 +54,7 @@ Expected<Reached> sought(const Play& play, Tick tick) {
     if (after != play.keyframes.begin()) {
         const auto& from = *std::prev(after);
         if (auto restored = match.restore(from.world, from.tick); !restored)
-            return tl::unexpected(restored.error());
+            return restored.error();
     }
     play_to(match, play.frames, tick);
     return reached(match);

@@ -120,7 +120,7 @@ Play::~Play() = default;
 
 Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
     auto data = load_match_data(play.options->assets, wanted.data);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     play.data = std::make_shared<const MatchData>(std::move(*data));
     play.bot_level = wanted.bot_level;
     MatchSetup setup{.seed = wanted.seed, .devices = {}};
@@ -146,7 +146,7 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
         const int level = wanted.bot_level[player];
         if (level == 0) continue;
         const auto skill = load_bot_skill(play.options->assets, level);
-        if (!skill) return tl::unexpected(skill.error());
+        if (!skill) return skill.error();
         if (!play.bots) play.bots = std::make_unique<Bots>();
         play.bots->add(*play.match, player, player, *skill, wanted.seed);
     }

@@ -36,21 +36,21 @@ Expected<std::unique_ptr<PlaySenses>> PlaySenses::create(const std::filesystem::
                                                          const std::vector<std::string>& layouts,
                                                          bool mixed) {
     auto data = SenseData::load(assets, mixed ? audio::WithSamples::yes : audio::WithSamples::no);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     if (!(*data)->bank.faulty.empty()) return fail((*data)->bank.faulty[0].reason);
     auto senses = Senses::create(*data, shown);
-    if (!senses) return tl::unexpected(senses.error());
+    if (!senses) return senses.error();
     auto out = std::make_unique<Inside>();
     out->senses = std::move(*senses);
     for (const auto& name : layouts) {
         auto layout = tactile::load_layout(assets / "tactile" / "layouts" / (name + ".toml"));
-        if (!layout) return tl::unexpected(layout.error());
+        if (!layout) return layout.error();
         out->names.push_back(name);
         out->senses->add(out->layouts.emplace_back(std::move(*layout)));
     }
     if (mixed) {
         auto mixer = audio::Mixer::create((*data)->bank, {});
-        if (!mixer) return tl::unexpected(mixer.error());
+        if (!mixer) return mixer.error();
         out->mixer.emplace(std::move(*mixer));
     }
     return std::unique_ptr<PlaySenses>(new PlaySenses(std::move(out)));

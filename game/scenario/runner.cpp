@@ -90,7 +90,7 @@ Expected<void> run_script(Sandbox& sandbox, Play& play, std::string_view source)
     if (auto started = sandbox.start(source, play.name + ".lua"); !started) return started;
     for (;;) {
         const auto progress = sandbox.resume();
-        if (!progress) return tl::unexpected(progress.error());
+        if (!progress) return progress.error();
         if (*progress == Sandbox::Progress::done) return {};
         if (auto waited = play_on(play); !waited) return waited;
     }
@@ -294,7 +294,7 @@ Expected<std::vector<ScenarioResult>> run_scenarios(
     const std::vector<std::string>& names, const ScenarioOptions& options,
     const std::function<void(const ScenarioResult&)>& report) {
     const auto found = find_scenarios(names, options);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return found.error();
     std::vector<ScenarioResult> results;
     for (const auto& script : *found) {
         results.push_back(run_scenario(script, options));

@@ -7,11 +7,11 @@ namespace thaum::game {
 Expected<std::shared_ptr<const SenseData>> SenseData::load(const std::filesystem::path& assets,
                                                            audio::WithSamples samples) {
     auto bank = audio::load_sounds(assets / "sounds", samples);
-    if (!bank) return tl::unexpected(bank.error());
+    if (!bank) return bank.error();
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
-    if (!effects) return tl::unexpected(effects.error());
+    if (!effects) return effects.error();
     auto figure = tactile::load_layout(assets / "tactile" / "layouts" / "abstract_4x5.toml");
-    if (!figure) return tl::unexpected(figure.error());
+    if (!figure) return figure.error();
     return std::make_shared<const SenseData>(
         SenseData{std::move(*bank), std::move(*effects), std::move(*figure)});
 }
@@ -19,7 +19,7 @@ Expected<std::shared_ptr<const SenseData>> SenseData::load(const std::filesystem
 Expected<std::unique_ptr<Senses>> Senses::create(std::shared_ptr<const SenseData> data,
                                                  const Presentation& shown) {
     auto effects = match_effects(data->effects, shown);
-    if (!effects) return tl::unexpected(effects.error());
+    if (!effects) return effects.error();
     auto sounds = match_sounds(data->bank, shown);
     return std::make_unique<Senses>(std::move(data), std::move(sounds), std::move(*effects));
 }

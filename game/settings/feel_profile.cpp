@@ -80,7 +80,7 @@ std::string written(const FeelProfile& profile) {
 
 Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::string& file) {
     const auto config = Config::parse(toml, file, 1);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     const auto root = config->root();
     FeelProfile profile;
     auto name = player_name(root.string("name"));
@@ -91,7 +91,7 @@ Expected<FeelProfile> parse_feel_profile(std::string_view toml, const std::strin
     each_felt([&](const PlayerSetting& setting) { read(root, setting, profile.felt); });
     profile.felt.body = read_body_faders(root.table("body"), profile.felt.body);
     profile.cauldron = read_faders(root.table("cauldron"), profile.cauldron);
-    if (const auto checked = config->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = config->check(); !checked) return checked.error();
     return profile;
 }
 
@@ -104,7 +104,7 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
         if (it->path().extension() != ending || profiles.size() >= most_profiles) continue;
         const auto source = read_text_file(it->path(), largest_file);
         auto profile = source ? parse_feel_profile(*source, it->path().string())
-                              : Expected<FeelProfile>(tl::unexpected(source.error()));
+                              : Expected<FeelProfile>(Error(source.error()));
         if (profile)
             profiles.push_back(std::move(*profile));
         else if (faults.size() < most_faults)

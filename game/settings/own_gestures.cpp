@@ -110,7 +110,7 @@ Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::Ma
         return used;
     const auto set = setup.gestures[player]->gestures();
     const auto pairs = gesture::compare_gestures(set, {}, game::recognise_drawn);
-    if (!pairs) return tl::unexpected(pairs.error());
+    if (!pairs) return pairs.error();
     for (const auto& pair : *pairs) {
         const auto &a = set[pair.a].name, &b = set[pair.b].name;
         const bool first = a == gesture.name;

@@ -27,7 +27,7 @@ Expected<std::string> player_name(std::string_view utf8) {
     const auto characters = decode_utf8(bare);
     if (characters.size() > longest_name)
         return fail(text("a name has at most ", longest_name, " characters, not ", characters.size()));
-    if (auto shown = game::check_shown(bare); !shown) return tl::unexpected(shown.error());
+    if (auto shown = game::check_shown(bare); !shown) return shown.error();
     return std::string(bare);
 }
 

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <tuple>
 
 #include "core/config.h"
 #include "core/file.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/hud/figures.h"
 #include "game/settings/jacket_settings.h"
@@ -252,7 +252,7 @@ std::string key_name_of(int code) {
 
 Expected<ReadSettings> read_settings(std::string_view toml, std::string name) {
     const auto file = Config::parse(toml, std::move(name), 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     const auto root = file->root();
     Settings s;
     for (const auto& setting : all_settings()) read(root, setting, s);
@@ -272,8 +272,8 @@ Expected<ReadSettings> read_settings(std::string_view toml, std::string name) {
 namespace {
 
 Expected<Settings> without_fault(Expected<ReadSettings> read) {
-    if (!read) return tl::unexpected(read.error());
-    if (read->fault) return tl::unexpected(*read->fault);
+    if (!read) return read.error();
+    if (read->fault) return Error(*read->fault);
     return std::move(read->settings);
 }
 
@@ -284,13 +284,13 @@ Expected<ReadSettings> read_settings_file(const std::filesystem::path& file,
     // symlink_status: a dangling link counts as an existing file.
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
         const auto defaults = read_text_file(assets / "settings.toml", max_settings_file);
-        if (!defaults) return tl::unexpected(defaults.error());
+        if (!defaults) return defaults.error();
         std::filesystem::create_directories(file.parent_path(), error);
         // Players can play even if the home folder is not writable.
         if (!write_text_file(file, *defaults)) return ReadSettings{};
     }
     const auto source = read_text_file(file, max_settings_file);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     return read_settings(*source, file.string());
 }
 
@@ -320,7 +320,7 @@ PlaySettings settings_to_play_with(const std::filesystem::path& file, const std:
     const auto* fault = !read ? &read.error() : read->fault ? &*read->fault : nullptr;
     if (fault == nullptr) return {std::move(read->settings)};
     const std::string hold = read ? "defaults replace wrong values" : "the defaults hold";
-    std::fprintf(stderr, "%s; it is kept as it is, and %s\n", fault->message.c_str(), hold.c_str());
+    tell_user(text(fault->message, "; it is kept as it is, and ", hold));
     auto words = text(short_fault(*fault, file), "; ", hold);
     return {read ? std::move(read->settings) : Settings{}, std::move(words)};
 }
@@ -334,7 +334,7 @@ std::filesystem::path matches_folder() {
 }
 
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept) {
-    if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
+    if (auto made = make_folder(folder); !made) return made.error();
     const auto logs = match_logs(folder);
     delete_oldest(logs, kept);
     const auto number = text(logs.empty() ? 1 : logs.back().number + 1);

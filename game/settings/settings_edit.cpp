@@ -175,7 +175,7 @@ std::vector<SettingEdit> changes(const Settings& before, const Settings& after) 
 Expected<std::string> edit_settings(std::string_view toml, const std::string& name,
                                     const std::vector<SettingEdit>& edits) {
     const auto old = read_settings(toml, name);
-    if (!old) return tl::unexpected(old.error());
+    if (!old) return old.error();
     auto lines = lines_of(toml);
     for (const auto& edit : edits) apply(edit, lines);
     std::string edited;
@@ -195,9 +195,9 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
     const auto real = std::filesystem::weakly_canonical(file, error);
     const auto& target = error ? file : real;
     const auto source = read_text_file(target, max_edited_file);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     const auto edited = edit_settings(*source, file.string(), edits);
-    if (!edited) return tl::unexpected(edited.error());
+    if (!edited) return edited.error();
     return write_text_file(target, *edited);
 }
 

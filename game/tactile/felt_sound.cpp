@@ -26,9 +26,9 @@ double loudness(const audio::Voice& voice, const audio::BandCourse& course, cons
 
 Expected<FeltBands> load_felt_bands(const std::filesystem::path& path) {
     const auto content = read_text_file(path, 1U << 16U);
-    if (!content) return tl::unexpected(content.error());
+    if (!content) return content.error();
     const auto file = Config::parse(*content, path.string(), 1);
-    if (!file) return tl::unexpected(file.error());
+    if (!file) return file.error();
     FeltBands out;
     for (std::size_t i = 0; i < felt_bands; ++i) {
         const auto table = file->root().table(felt_band_names.at(i));
@@ -37,7 +37,7 @@ Expected<FeltBands> load_felt_bands(const std::filesystem::path& path) {
         if (band.low_hz >= band.high_hz) table.report("low_hz", "'low_hz' must be below 'high_hz'");
         out.full.at(i) = table.number("full", {0.001, 1});
     }
-    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = file->check(); !checked) return checked.error();
     return out;
 }
 

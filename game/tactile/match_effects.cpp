@@ -35,7 +35,7 @@ Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Pres
                              "', but there is no assets/tactile/effects/", name, ".toml"));
     }
     auto spells = spell_effects(bank, shown.spells);
-    if (!spells) return tl::unexpected(spells.error());
+    if (!spells) return spells.error();
     out.spells = std::move(*spells);
     const std::pair<std::string_view, std::uint32_t*> needed[] = {
         {"recoil", &out.recoil},       {"stir", &out.stir},

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid/fluid.h"
-#include "tools/bench/fluid_bowls.h"
+#include "tests/scenes/fluid_bowls.h"
 
 namespace thaum::fluid {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/text.h"
-#include "tools/bench/fluid_substances.h"
+#include "tests/scenes/fluid_substances.h"
 
 namespace thaum::fluid {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid/classic.h"
-#include "tools/bench/fluid_flows.h"
+#include "tests/scenes/fluid_flows.h"
 
 namespace thaum::fluid {
 namespace {

@@ -9,7 +9,7 @@
 #include "fluid/solids.h"
 #include "fluid/sums.h"
 #include "fluid/viscosity.h"
-#include "tools/bench/fluid_flows.h"
+#include "tests/scenes/fluid_flows.h"
 
 namespace thaum::fluid {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/maths.h"
 #include "core/random.h"
 #include "fluid/sums.h"
-#include "tools/bench/fluid_substances.h"
+#include "tests/scenes/fluid_substances.h"
 
 namespace thaum::fluid {
 namespace {

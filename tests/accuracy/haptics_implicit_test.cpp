@@ -8,7 +8,7 @@
 #include "field/analytic.h"
 #include "haptics/implicit.h"
 #include "haptics/level_contact.h"
-#include "tools/bench/scanned_volumes.h"
+#include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "field/analytic.h"
 #include "haptics/modes.h"
-#include "tools/bench/scanned_volumes.h"
+#include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {
 namespace {

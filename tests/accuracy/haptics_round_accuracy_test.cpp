@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/bench/worse.h"
+#include "tests/scenes/worse.h"
 #include "unit/haptics_round_rig.h"
 
 namespace thaum::haptics {

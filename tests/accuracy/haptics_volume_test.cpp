@@ -10,7 +10,7 @@
 #include "field/analytic.h"
 #include "haptics/smooth_grid.h"
 #include "haptics/volume_feel.h"
-#include "tools/bench/scanned_volumes.h"
+#include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "accuracy/primitives_judge.h"
 #include "haptics/balance.h"
-#include "tools/bench/primitive_sets.h"
+#include "tests/scenes/primitive_sets.h"
 #include "unit/allocations.h"
 
 namespace thaum::haptics {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/file.h"
-#include "tools/bench/passivity.h"
+#include "tests/scenes/passivity.h"
 
 int main(int count, char** arguments) {
     namespace fs = std::filesystem;
@@ -20,7 +20,7 @@ int main(int count, char** arguments) {
         if (!name.ends_with(".forces.csv")) continue;
         const auto csv = thaum::read_text_file(entry.path(), most_bytes);
         const auto energy = csv ? thaum::bench::passive_energy(*csv)
-                                : thaum::Expected<thaum::bench::PassiveEnergy>(tl::unexpected(csv.error()));
+                                : thaum::Expected<thaum::bench::PassiveEnergy>(csv.error());
         if (!energy) {
             std::printf("%s: %s\n", name.c_str(), energy.error().message.c_str());
             good = false;

@@ -31,9 +31,11 @@ double now_ms() {
 
 template <class T>
 T must(Expected<T> value) {
-    if (value) return std::move(*value);
-    std::cerr << value.error().message << '\n';
-    std::exit(1);
+    if (!value) {
+        std::cerr << value.error().message << '\n';
+        std::exit(1);
+    }
+    if constexpr (!std::is_void_v<T>) return std::move(*value);
 }
 
 void play(Simulation& match, Tick count) {
@@ -121,5 +123,5 @@ int main(int argc, char** argv) {
         context.present();
     });
     draw();
-    must(Expected<void>(render::write_png(out, renderer.read_pixels())).map([] { return 0; }));
+    must(render::write_png(out, renderer.read_pixels()));
 }

@@ -7,6 +7,7 @@
 #include "fuzz/fuzz.h"
 #include "tactile/mixer.h"
 #include "tactile/tact.h"
+#include "unit/tact_writer.h"
 
 namespace thaum::fuzz {
 namespace {
@@ -72,9 +73,9 @@ Outcome read_effect_file(const std::string& input, const Places&) {
 Outcome read_tact(const std::string& input, const Places&) {
     auto imported = tactile::import_tact(input);
     if (!imported) return {.refusal = imported.error().message};
-    const auto again = tactile::import_tact(tactile::export_tact(imported->clip));
+    const auto again = tactile::import_tact(tactile::tact_of(imported->clip));
     if (!again) return {.fault = again.error().message};
-    if (again->clip != imported->clip) return {.fault = "the clip differs after an export and an import"};
+    if (again->clip != imported->clip) return {.fault = "the clip differs after it was written and read"};
     const auto layout = tactile::load_layout(tactile_folder / "layouts/pad.toml");
     if (!layout) return {.fault = layout.error().message};
     tactile::Effect effect{.name = "clip", .strongest = 1e-3, .wavelength = 12e-3, .stiffness = 5000};

@@ -1,10 +1,10 @@
-// The fluid under attack (tools/bench/fluid_attack.h), short version; `thaum bench fluid --stress` is
+// The fluid under attack (tests/scenes/fluid_attack.h), short version; `thaum bench fluid --stress` is
 // the long one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tools/bench/fluid_attack.h"
+#include "tests/scenes/fluid_attack.h"
 
 namespace thaum::fluid {
 namespace {

@@ -2,7 +2,7 @@
 // the same is `thaum bench haptics --stress`.
 #include <gtest/gtest.h>
 
-#include "tools/bench/hostile_modes.h"
+#include "tests/scenes/hostile_modes.h"
 
 namespace thaum::haptics {
 namespace {

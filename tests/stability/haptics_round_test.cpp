@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/text.h"
-#include "tools/bench/worse.h"
+#include "tests/scenes/worse.h"
 #include "unit/haptics_round_rig.h"
 
 namespace thaum::haptics {

@@ -7,7 +7,7 @@
 
 #include "haptics/safety_audit.h"
 #include "haptics/servo.h"
-#include "tools/bench/safety_attack.h"
+#include "tests/scenes/safety_attack.h"
 #include "unit/shipped_devices.h"
 
 namespace thaum::haptics {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/bench/switches.h"
+#include "tests/scenes/switches.h"
 #include "unit/shipped_devices.h"
 
 namespace thaum::haptics {

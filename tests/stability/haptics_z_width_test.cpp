@@ -1,5 +1,5 @@
 // Z-width: the simulated device against the theory of sampled walls, and against published simulations of it.
-#include "tools/bench/z_width.h"
+#include "tests/scenes/z_width.h"
 
 #include <gtest/gtest.h>
 

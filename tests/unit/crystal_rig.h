@@ -8,7 +8,7 @@
 #include "game/components/station.h"
 #include "game/crystal/crystal.h"
 #include "game/crystal/crystal_shape.h"
-#include "tools/bench/carving_hands.h"
+#include "tests/scenes/carving_hands.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

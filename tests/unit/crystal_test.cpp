@@ -15,7 +15,7 @@
 #include "game/crystal/crystal_shape.h"
 #include "game/match/round.h"
 #include "game/wands/shot.h"
-#include "tools/bench/carving_hands.h"
+#include "tests/scenes/carving_hands.h"
 #include "unit/crystal_rig.h"
 
 namespace thaum::game::test {

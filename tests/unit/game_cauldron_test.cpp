@@ -8,7 +8,7 @@
 #include "game/components/hand_state.h"
 #include "game/hand/arm_system.h"
 #include "input/arm_servo.h"
-#include "tools/bench/stirring_hands.h"
+#include "tests/scenes/stirring_hands.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -4,9 +4,9 @@
 
 #include "game/cauldron/cauldron.h"
 #include "game/components/fog.h"
-#include "tools/bench/carving_hands.h"
-#include "tools/bench/searching_hands.h"
-#include "tools/bench/stirring_hands.h"
+#include "tests/scenes/carving_hands.h"
+#include "tests/scenes/searching_hands.h"
+#include "tests/scenes/stirring_hands.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "game/cauldron/cauldron.h"
-#include "tools/bench/stirring_hands.h"
+#include "tests/scenes/stirring_hands.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -23,7 +23,7 @@ std::string shipped(const std::string& name) {
 
 Expected<DeviceSpec> read(const std::string& toml) {
     const auto config = Config::parse(toml, "touch.toml", 1);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     return read_device(*config);
 }
 

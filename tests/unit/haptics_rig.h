@@ -1,6 +1,6 @@
 // Reference device of the haptic tests.
 #pragma once
-#include "tools/bench/z_width.h"
+#include "tests/scenes/z_width.h"
 
 namespace thaum::haptics {
 

@@ -8,7 +8,7 @@
 #include "core/hash.h"
 #include "core/random.h"
 #include "haptics/safety_audit.h"
-#include "tools/bench/safety_attack.h"
+#include "tests/scenes/safety_attack.h"
 
 namespace thaum::haptics {
 namespace {

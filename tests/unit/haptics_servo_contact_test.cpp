@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/random.h"
-#include "tools/bench/primitive_sets.h"
+#include "tests/scenes/primitive_sets.h"
 #include "unit/haptics_servo_rig.h"
 
 namespace thaum::haptics::servo_tests {

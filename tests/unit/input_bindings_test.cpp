@@ -82,10 +82,10 @@ TEST(InputBindings, ControlsAsWords) {
 
 Expected<Bindings> read(std::string_view toml) {
     const auto config = Config::parse(toml, "settings.toml", 1);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     const auto base = default_bindings(DeviceKind::pad, code_of);
     auto bindings = read_bindings(config->root().table("pad"), base, code_of);
-    if (const auto checked = config->check(); !checked) return tl::unexpected(checked.error());
+    if (const auto checked = config->check(); !checked) return checked.error();
     return bindings;
 }
 

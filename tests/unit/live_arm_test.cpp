@@ -64,7 +64,7 @@ const haptics::DeviceSpec wanted{.name = "Touch", .peak_force = 3.3};
 Expected<std::vector<std::string>> opened(std::string_view words) {
     const auto seats = hands(words);
     const auto arms = open_arms(seats, wanted);
-    if (!arms) return tl::unexpected(arms.error());
+    if (!arms) return arms.error();
     std::vector<std::string> names;
     for (const auto& arm : *arms)
         names.push_back(input::name_of(arm->keeper->facts()) + " for " + std::to_string(arm->seat + 1));

@@ -23,9 +23,9 @@ Expected<game::Playback> short_replay() {
     auto header = game::log_header(*shipped_data(), setup, {"human", "bot 1"});
     header.names = {"Ada", "Bot 1"};
     auto log = input::LogWriter::create(file.path, header);
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     for (int t = 0; t < 8; ++t) game::tick_and_record(match, {}, &*log);
-    if (const auto closed = game::close_log(*log, match); !closed) return tl::unexpected(closed.error());
+    if (const auto closed = game::close_log(*log, match); !closed) return closed.error();
     return game::Playback::open(file.path, THAUM_SOURCE_DIR "/assets");
 }
 

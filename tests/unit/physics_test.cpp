@@ -198,17 +198,6 @@ TEST_F(Asleep, ANewBodyWakesWhatItHits) {
     EXPECT_FALSE(physics.state(3).asleep);
 }
 
-TEST_F(Asleep, AWallPutAmongSleepersWakesThemOnRequest) {
-    physics.add(9, box({0.5, 0.5, 0.5}, 0), at({9.5, 0.5, 0}));
-    run(physics, 10);
-    EXPECT_TRUE(physics.state(4).asleep);
-    physics.wake_touching(9);
-    EXPECT_FALSE(physics.state(4).asleep);
-    EXPECT_TRUE(physics.state(2).asleep);
-    run(physics, 500);
-    EXPECT_LT(physics.state(4).position.x, 8.75);  // pushed out
-}
-
 TEST(PhysicsContacts, BeginOnceAndPointUp) {
     Physics physics;
     physics.add(7, box({5, 1, 5}, 0), at({0, -1, 0}));

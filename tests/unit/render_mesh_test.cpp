@@ -93,7 +93,6 @@ std::vector<Shape> shapes() {
         {"sphere", sphere(1, 16, grey), 0},
         {"capsule", capsule(0.5F, 1, 14, grey), 0},
         {"capsule of few sides", capsule(0.5F, 1, 3, grey), 0},
-        {"wedge", wedge({1, 2, 3}, grey), 24},
         {"bowl", revolve(bowl_profile(), 24, grey), 0},
         {"loop", revolve(loop, 20, grey), 0.2 * (1.44 - 1) * polygon(20)},
         {"ring mark", ring_mark(1, grey), (1 - 0.68 * 0.68) * 0.15 * polygon(16)},

@@ -46,8 +46,6 @@ TEST(WindowTest, DrawsFromAThreadOfItsOwn) {
     EXPECT_EQ(image.rgb[3 * (15 * 320 + 15)], 255);
     EXPECT_EQ(image.rgb[3 * (25 * 320 + 25)], 0);
     EXPECT_FALSE(window->should_close());
-    window->request_close();
-    EXPECT_TRUE(window->should_close());
 }
 
 TEST(WindowTest, IsNotLargerThanTheScreen) {

@@ -2,7 +2,7 @@
 #pragma once
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
-#include "tools/bench/stirring_attack.h"
+#include "tests/scenes/stirring_attack.h"
 
 namespace thaum::haptics {
 

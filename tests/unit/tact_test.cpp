@@ -1,10 +1,10 @@
-// .tact files: what is read, what is refused, and that writing and reading give the same clip. .hjif files.
+// .tact files: what is read, what is refused, and that reading what the designer would write gives the clip.
 #include "tactile/tact.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tactile/hjif.h"
+#include "unit/tact_writer.h"
 #include "unit/tactile_rig.h"
 
 namespace thaum::tactile {
@@ -51,17 +51,17 @@ std::vector<int> course_of(const Clip& clip, std::size_t cell) {
     return course;
 }
 
-TEST(Tact, ImportOfAnExportIsTheSameClip) {
+TEST(Tact, AWrittenClipIsReadAsItIs) {
     Random random = random_stream(7, 1);
     for (int round = 0; round < 50; ++round) {
         const auto clip = random_clip(random, 1 + random.below(round == 0 ? 3000 : 60));
-        const auto json = export_tact(clip);
+        const auto json = tact_of(clip);
         const auto imported = import_tact(json);
         ASSERT_TRUE(imported.has_value()) << imported.error().message;
         EXPECT_EQ(imported->clip, clip);
         EXPECT_EQ(imported->clipped, 0U);
         EXPECT_EQ(imported->skipped, 0U);
-        EXPECT_EQ(export_tact(imported->clip), json);
+        EXPECT_EQ(tact_of(imported->clip), json);
         // Players read the frames of `feedback`, so both halves must say the same.
         auto half = nlohmann::json::parse(json);
         half["project"]["tracks"].clear();
@@ -198,77 +198,6 @@ TEST(TactClip, PlaysOnEveryLayoutAndExactlyOnAJacket) {
         ASSERT_FALSE(lit.empty()) << name;
         EXPECT_EQ(lit.front(), 1000U);
         EXPECT_GT(lit.back(), 1450U);
-    }
-}
-
-TEST(TactClip, FramesOfAJacketBecomeAClip) {
-    const auto layout = shipped_layout("x40");
-    const auto bank = shipped_effects();
-    const auto frames =
-        rendered(bank.effects[*bank.find("bolt_hit")], layout, 1, Where::on(layout.actuators[6].place));
-    const auto clip = clip_of("bolt", frames);
-    EXPECT_EQ(clip.frames.size(), 4U) << "60 ms and the rest of the last frame";
-    const auto strongest = std::max_element(clip.frames[0].strength.begin(), clip.frames[0].strength.end());
-    EXPECT_EQ(strongest - clip.frames[0].strength.begin(), 6);
-    EXPECT_NEAR(*strongest, 100 * static_cast<double>(frames[0].amplitude[6]), 1);
-    EXPECT_EQ(clip_in(export_tact(clip)), clip);
-}
-
-TEST(Hjif, HasWhatTheReferenceSoftwareAsksFor) {
-    const auto layout = shipped_layout("x40");
-    const auto bank = shipped_effects();
-    const auto frames = rendered(bank.effects[*bank.find("blast_hit")], layout, 0.5);
-    const auto json = nlohmann::json::parse(export_hjif(layout, frames, "a blast", "2026-11-26"));
-    for (const auto* key : {"version", "profile", "level", "date", "description", "timescale"})
-        EXPECT_TRUE(json.contains(key)) << key;
-    for (const auto* key : {"avatars", "perceptions", "syncs"}) EXPECT_TRUE(json.at(key).is_array()) << key;
-    EXPECT_EQ(json.at("timescale"), 1000);
-    const auto& perception = json.at("perceptions").at(0);
-    EXPECT_TRUE(perception.at("id").is_number_integer() && perception.at("avatar_id").is_number_integer());
-    EXPECT_TRUE(perception.at("description").is_string() && perception.at("effect_library").is_array());
-    EXPECT_EQ(perception.at("perception_modality"), "Vibrotactile");
-    ASSERT_EQ(perception.at("channels").size(), 40U);
-    for (std::size_t i = 0; i < 40; ++i) {
-        const auto& channel = perception.at("channels").at(i);
-        EXPECT_EQ(channel.at("id"), i);
-        EXPECT_TRUE(channel.at("description").is_string());
-        for (const auto* key : {"gain", "mixing_coefficient", "body_part_mask"})
-            EXPECT_TRUE(channel.at(key).is_number()) << key;
-        EXPECT_EQ(channel.at("body_part_target"), (nlohmann::json{"Chest", i < 20 ? "Front" : "Back"}));
-        EXPECT_EQ(channel.at("bands").size(), 1U);
-        EXPECT_EQ(channel.at("bands").at(0).at("band_type"), "VectorialWave");
-        EXPECT_TRUE(channel.at("bands").at(0).at("lower_frequency_limit").is_number_integer());
-    }
-}
-
-/// Amplitude of an actuator at a time, as a player of the file would compute it: linear between keyframes.
-double played(const nlohmann::json& channel, double ms) {
-    for (const auto& effect : channel.at("bands").at(0).at("effects")) {
-        const auto& keys = effect.at("keyframes");
-        for (std::size_t k = 1; k < keys.size(); ++k) {
-            const double from =
-                effect.at("position").get<double>() + keys[k - 1].at("relative_position").get<double>();
-            const double to =
-                effect.at("position").get<double>() + keys[k].at("relative_position").get<double>();
-            if (ms < from || ms >= to) continue;
-            const double a = keys[k - 1].at("amplitude_modulation"), b = keys[k].at("amplitude_modulation");
-            return a + (b - a) * (ms - from) / (to - from);
-        }
-    }
-    return 0;
-}
-
-TEST(Hjif, PlaysTheFrames) {
-    const auto layout = shipped_layout("pad");
-    const auto bank = shipped_effects();
-    const auto frames = rendered(bank.effects[*bank.find("heartbeat")], layout, 1);
-    const auto json = nlohmann::json::parse(export_hjif(layout, frames, "a heart", "2026-11-26"));
-    ASSERT_GT(frames.size(), 100U);
-    for (const auto& frame : frames) {
-        for (std::size_t i = 0; i < 2; ++i) {
-            const auto& channel = json.at("perceptions").at(0).at("channels").at(i);
-            EXPECT_NEAR(played(channel, static_cast<double>(frame.tick)), frame.amplitude[i], 1e-4);
-        }
     }
 }
 

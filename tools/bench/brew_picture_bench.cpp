@@ -82,13 +82,13 @@ void stand_beside(game::Picture& picture) {
 
 Expected<std::unique_ptr<BrewScene>> brew_scene() {
     auto drawn = DrawnDuel::create();
-    if (!drawn) return tl::unexpected(drawn.error());
+    if (!drawn) return drawn.error();
     const auto& match = *(*drawn)->duel.match;
     if (!match.data().cauldron) return fail("the match has no cauldron");
     const auto& rules = *match.data().cauldron;
     const auto place = game::brew_place(*match.data().arena.bowl, rules);
     auto brew = game::make_brew(rules, place.basin);
-    if (!brew) return tl::unexpected(brew.error());
+    if (!brew) return brew.error();
     auto scene =
         std::unique_ptr<BrewScene>(new BrewScene{std::move(*drawn), {}, rules, std::move(*brew), {}, {}});
     scene->look = game::make_brew_look(*scene->drawn->renderer, place);
@@ -97,7 +97,7 @@ Expected<std::unique_ptr<BrewScene>> brew_scene() {
         game::take_picture(match, picture);
     }
     stand_beside(scene->pictures[1]);
-    if (auto stirred = stir(*scene); !stirred) return tl::unexpected(stirred.error());
+    if (auto stirred = stir(*scene); !stirred) return stirred.error();
     game::take_brew(scene->brew, rules, 1, scene->taken);
     return scene;
 }

@@ -25,13 +25,13 @@ struct Senses {
 Expected<Senses> load_senses() {
     const auto assets = game::find_assets();
     auto bank = audio::load_sounds(assets / "sounds");
-    if (!bank) return tl::unexpected(bank.error());
+    if (!bank) return bank.error();
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
-    if (!effects) return tl::unexpected(effects.error());
+    if (!effects) return effects.error();
     auto figure = tactile::load_layout(assets / "tactile" / "layouts" / "abstract_4x5.toml");
-    if (!figure) return tl::unexpected(figure.error());
+    if (!figure) return figure.error();
     auto pad = tactile::load_layout(assets / "tactile" / "layouts" / "pad.toml");
-    if (!pad) return tl::unexpected(pad.error());
+    if (!pad) return pad.error();
     return Senses{std::move(*bank), std::move(*effects), std::move(*figure), std::move(*pad)};
 }
 

@@ -9,10 +9,10 @@
 
 #include "core/hash.h"
 #include "core/text.h"
+#include "tests/scenes/fluid_attack.h"
+#include "tests/scenes/fluid_bowls.h"
+#include "tests/scenes/fluid_substances.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/fluid_attack.h"
-#include "tools/bench/fluid_bowls.h"
-#include "tools/bench/fluid_substances.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {

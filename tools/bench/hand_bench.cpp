@@ -8,11 +8,11 @@
 #include "fluid/fields.h"
 #include "fluid/fluid.h"
 #include "haptics/servo.h"
+#include "tests/scenes/fluid_flows.h"
+#include "tests/scenes/stirring_attack.h"
+#include "tests/scenes/z_width.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/fluid_flows.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/stirring_attack.h"
-#include "tools/bench/z_width.h"
 
 namespace thaum::bench {
 namespace {
@@ -46,7 +46,7 @@ vec3 turning(vec3 p) {
 
 Expected<TurningBrew> turning_brew(int n) {
     auto made = fluid::flows::brew(n);
-    if (!made) return tl::unexpected(made.error());
+    if (!made) return made.error();
     TurningBrew brew{.fluid = std::move(*made)};
     set_velocity(brew.fluid, turning);
     Random random = random_stream(5, 1);

@@ -5,10 +5,10 @@
 #include "core/text.h"
 #include "haptics/safety_audit.h"
 #include "haptics/servo.h"
+#include "tests/scenes/safety_attack.h"
+#include "tests/scenes/z_width.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/safety_attack.h"
-#include "tools/bench/z_width.h"
 
 namespace thaum::bench {
 namespace {

@@ -8,13 +8,13 @@
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/wands/belt.h"
+#include "tests/scenes/carving_hands.h"
+#include "tests/scenes/searching_hands.h"
+#include "tests/scenes/stirring_hands.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/carving_hands.h"
 #include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/searching_hands.h"
-#include "tools/bench/stirring_hands.h"
 
 namespace thaum::bench {
 namespace {

@@ -22,11 +22,11 @@
 #include "core/text.h"
 #include "core/units.h"
 #include "haptics/volume_feel.h"
+#include "tests/scenes/scanned_volumes.h"
+#include "tests/scenes/z_width.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/scanned_volumes.h"
-#include "tools/bench/z_width.h"
 
 // A namespace of its own, because other benchmarks have slides and depths too.
 namespace thaum::bench::touched {

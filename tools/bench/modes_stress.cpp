@@ -1,8 +1,8 @@
-// Haptic modes under attack (tools/bench/hostile_modes.h): within the caps, finite and passive. As a part of the
+// Haptic modes under attack (tests/scenes/hostile_modes.h): within the caps, finite and passive. As a part of the
 // benchmark and, for a million ticks, as its stress test.
 #include "core/text.h"
+#include "tests/scenes/hostile_modes.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/hostile_modes.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {

@@ -14,9 +14,9 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "physics/physics.h"
+#include "tests/scenes/worse.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/worse.h"
 
 namespace thaum::bench {
 namespace {

@@ -13,10 +13,10 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "haptics/balance.h"
+#include "tests/scenes/primitive_sets.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/primitive_sets.h"
 
 namespace thaum::bench {
 namespace {

@@ -28,12 +28,12 @@ struct RecordedDuel {
 
 Expected<void> record(Tick length, RecordedDuel& duel) {
     auto scene = heaviest_duel();
-    if (!scene) return tl::unexpected(scene.error());
+    if (!scene) return scene.error();
     auto& match = *scene->match;
     const auto bot = text("bot ", game::hardest_bot);
     auto log = input::LogWriter::create(duel.file, game::log_header(match.data(), match.setup(), {bot, bot}),
                                         input::WhenBehind::wait);
-    if (!log) return tl::unexpected(log.error());
+    if (!log) return log.error();
     for (Tick t = 0; t < length; ++t) {
         const double start = now_us();
         const auto frame = scene->next_frame();
@@ -56,7 +56,7 @@ struct Verified {
 /// Records a duel in a log, then verifies the log.
 Expected<Verified> record_and_verify(Tick length) {
     RecordedDuel duel;
-    if (auto recorded = record(length, duel); !recorded) return tl::unexpected(recorded.error());
+    if (auto recorded = record(length, duel); !recorded) return recorded.error();
     Verified result;
     std::error_code ignored;
     result.log_bytes_per_minute =
@@ -69,7 +69,7 @@ Expected<Verified> record_and_verify(Tick length) {
         result.mismatches += playback->mismatch() ? 1U : 0U;
     }
     result.took_us = now_us() - start;
-    if (!playback) return tl::unexpected(playback.error());
+    if (!playback) return playback.error();
     result.real_time_factor = seconds(length) * 1e6 / result.took_us;
     result.ratio_to_tick = duel.ticking_us / result.took_us;
     result.hash = hex(playback->match().state_hash());
@@ -114,7 +114,7 @@ Expected<std::size_t> jump_about(game::Playback& playback, const game::ReplayInd
         const Tick target = hash_interval * random.below(playback.log().ticks() / hash_interval);
         const double start = now_us();
         if (auto there = game::seek(playback, index, target, never); !there)
-            return tl::unexpected(there.error());
+            return there.error();
         took = now_us() - start;
         const auto recorded = playback.log().hash_at(target);
         const bool same = target == 0 || (recorded && recorded->state == playback.match().state_hash());

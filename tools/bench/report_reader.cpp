@@ -56,7 +56,7 @@ Expected<Value> setting(const Json& value, const std::string& key) {
                       value.unsigned_integer() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
     if (value.is_integer() && fits) return value.integer();
     const auto real = number(value, key);
-    if (!real) return tl::unexpected(real.error());
+    if (!real) return real.error();
     return *real;
 }
 
@@ -69,14 +69,14 @@ Expected<const Json*> object(const Json& row, const char* key) {
 
 Expected<void> read_times(const Json& from, Row& row) {
     const auto times = object(from, "time_us");
-    if (!times) return tl::unexpected(times.error());
+    if (!times) return times.error();
     if ((*times)->is_null()) return {};
     row.time_us.emplace();
     for (const auto& [key, to] : {std::pair{"min", &row.time_us->min},
                                   {"median", &row.time_us->median},
                                   {"p99", &row.time_us->p99}}) {
         const auto value = number(member(**times, key), text("time_us.", key));
-        if (!value) return tl::unexpected(value.error());
+        if (!value) return value.error();
         *to = *value;
     }
     return {};
@@ -84,22 +84,22 @@ Expected<void> read_times(const Json& from, Row& row) {
 
 Expected<void> read_error(const Json& from, Row& row) {
     const auto error = object(from, "error");
-    if (!error) return tl::unexpected(error.error());
+    if (!error) return error.error();
     if ((*error)->is_null()) return {};
     const auto name = word(**error, "name");
-    if (!name) return tl::unexpected(Error{text("in 'error': ", name.error().message)});
+    if (!name) return Error{text("in 'error': ", name.error().message)};
     const auto value = number(member(**error, "value"), "error.value");
-    if (!value) return tl::unexpected(value.error());
+    if (!value) return value.error();
     row.error = ErrorMeasure{*name, *value};
     return {};
 }
 
 Expected<void> read_settings(const Json& from, Row& row) {
     const auto settings = object(from, "setting");
-    if (!settings) return tl::unexpected(settings.error());
+    if (!settings) return settings.error();
     for (const auto* item : sorted_members(**settings)) {
         const auto value = setting(item->value, text("setting.", item->key));
-        if (!value) return tl::unexpected(value.error());
+        if (!value) return value.error();
         row.setting.emplace_back(item->key, *value);
     }
     return {};
@@ -107,10 +107,10 @@ Expected<void> read_settings(const Json& from, Row& row) {
 
 Expected<void> read_metrics(const Json& from, Row& row) {
     const auto metrics = object(from, "metrics");
-    if (!metrics) return tl::unexpected(metrics.error());
+    if (!metrics) return metrics.error();
     for (const auto* item : sorted_members(**metrics)) {
         const auto value = number(item->value, text("metrics.", item->key));
-        if (!value) return tl::unexpected(value.error());
+        if (!value) return value.error();
         row.metrics.emplace_back(item->key, *value);
     }
     return {};
@@ -118,19 +118,19 @@ Expected<void> read_metrics(const Json& from, Row& row) {
 
 Expected<void> read_marks(const Json& from, Row& row) {
     const auto front = mark(from, "front");
-    if (!front) return tl::unexpected(front.error());
+    if (!front) return front.error();
     const auto is_default = mark(from, "default");
-    if (!is_default) return tl::unexpected(is_default.error());
+    if (!is_default) return is_default.error();
     row.front = *front;
     row.is_default = *is_default;
     if (!member(from, "fault").is_null()) {
         const auto fault = word(from, "fault");
-        if (!fault) return tl::unexpected(fault.error());
+        if (!fault) return fault.error();
         row.fault = *fault;
     }
     if (member(from, "hash").is_null()) return {};
     const auto hash = word(from, "hash");
-    if (!hash) return tl::unexpected(hash.error());
+    if (!hash) return hash.error();
     row.hash = *hash;
     return {};
 }
@@ -139,13 +139,13 @@ Expected<Row> read_row(const Json& from) {
     if (!from.is_object()) return fail("it must be an object");
     Row row;
     const auto area = word(from, "area");
-    if (!area) return tl::unexpected(area.error());
+    if (!area) return area.error();
     const auto name = word(from, "case");
-    if (!name) return tl::unexpected(name.error());
+    if (!name) return name.error();
     row.area = *area;
     row.name = *name;
     for (const auto read : {read_settings, read_times, read_error, read_metrics, read_marks}) {
-        if (const auto done = read(from, row); !done) return tl::unexpected(done.error());
+        if (const auto done = read(from, row); !done) return done.error();
     }
     return row;
 }
@@ -172,7 +172,7 @@ void note_names(const Row& row, std::set<std::string>& names) {
 
 Expected<Report> from_json(std::string_view json) {
     const auto parsed = parse_json(json);
-    if (!parsed) return tl::unexpected(parsed.error());
+    if (!parsed) return parsed.error();
     if (!parsed->is_object() || !member(*parsed, "rows").is_array())
         return fail("is no report: it has no list 'rows'; `thaum bench --json FILE` writes one");
     const auto rows = member(*parsed, "rows").elements();

@@ -95,10 +95,10 @@ struct ScanScene {
 
 Expected<std::unique_ptr<ScanScene>> ScanScene::create() {
     auto context = render::Offscreen::create(picture_side, picture_side);
-    if (!context) return tl::unexpected(context.error());
+    if (!context) return context.error();
     context->make_current();
     auto renderer = render::Renderer::create(game::find_assets());
-    if (!renderer) return tl::unexpected(renderer.error());
+    if (!renderer) return renderer.error();
     auto scene = std::unique_ptr<ScanScene>(new ScanScene{std::move(*context), std::move(*renderer)});
     scene->scan = {.id = scene->renderer->make_scan(),
                    .version = 1,

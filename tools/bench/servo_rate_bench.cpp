@@ -11,10 +11,10 @@
 #include "haptics/implicit.h"
 #include "haptics/modes.h"
 #include "haptics/simulated.h"
+#include "tests/scenes/scanned_volumes.h"
+#include "tests/scenes/z_width.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
-#include "tools/bench/scanned_volumes.h"
-#include "tools/bench/z_width.h"
 
 namespace thaum::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/hud/hud.h"
+#include "tests/scenes/switches.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/switches.h"
 
 namespace thaum::bench {
 namespace {
@@ -17,9 +17,9 @@ constexpr std::array device_files{"touch.toml", "omni.toml", "premium.toml", "fa
 Expected<haptics::DeviceSpec> device_of(const char* file) {
     const auto path = game::find_assets() / "devices" / file;
     const auto source = read_text_file(path, most_file);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     const auto config = Config::parse(*source, path.string(), 1);
-    if (!config) return tl::unexpected(config.error());
+    if (!config) return config.error();
     return haptics::read_device(*config);
 }
 

@@ -38,12 +38,12 @@ std::vector<float> clean_samples(const Sound& sound) {
 
 Expected<std::unique_ptr<Loopback>> Loopback::open(const SoundBank& bank, bool hrtf) {
     const auto al = find_openal();
-    if (!al) return tl::unexpected(al.error());
+    if (!al) return al.error();
     std::unique_ptr<Loopback> made(new Loopback(*al));
-    if (auto done = made->make_context(hrtf); !done) return tl::unexpected(done.error());
+    if (auto done = made->make_context(hrtf); !done) return done.error();
     const auto scope = made->enter();
-    if (auto done = made->upload(bank); !done) return tl::unexpected(done.error());
-    if (auto done = made->make_sources(); !done) return tl::unexpected(done.error());
+    if (auto done = made->upload(bank); !done) return done.error();
+    if (auto done = made->make_sources(); !done) return done.error();
     made->warm_up();
     return made;
 }

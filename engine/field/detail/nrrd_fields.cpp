@@ -140,18 +140,18 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
         return {};
     }
     if (!is_field)
-        return tl::unexpected(at_line(
+        return Error(at_line(
             number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'")));
     const std::string field = name_of_field(line.substr(0, colon));
     if (std::ranges::find(known_fields, field) == known_fields.end())
-        return tl::unexpected(
+        return Error(
             at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'")));
     const bool added = fields_
                            .emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number,
                                                 printable(line.substr(0, colon), shown)})
                            .second;
     if (!added)
-        return tl::unexpected(at_line(number, text("field '", printable(line.substr(0, colon), shown),
+        return Error(at_line(number, text("field '", printable(line.substr(0, colon), shown),
                                                    "' stands in the header twice")));
     return {};
 }
@@ -175,7 +175,7 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
             return result;
         }
         if (number > 1 && !line.empty()) {
-            if (auto added = result.add(line, number); !added) return tl::unexpected(added.error());
+            if (auto added = result.add(line, number); !added) return added.error();
         }
         if (end == file.size()) return result;
         at = end + 1;
@@ -199,7 +199,7 @@ void NrrdFields::report(std::string_view field, std::string_view message) {
 }
 
 Expected<void> NrrdFields::check() const {
-    if (fault_) return tl::unexpected(*fault_);
+    if (fault_) return Error(*fault_);
     return {};
 }
 

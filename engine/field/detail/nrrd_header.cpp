@@ -256,7 +256,7 @@ void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
 
 Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string& name, std::size_t limit) {
     auto fields = NrrdFields::parse(file, name);
-    if (!fields) return tl::unexpected(fields.error());
+    if (!fields) return fields.error();
     NrrdHeader header;
     read_type(*fields, header);
     const Axes axes = read_axes(*fields, limit);
@@ -273,7 +273,7 @@ Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string&
     header.name = printable(fields->text_of("content"), 200);
     header.units = printable(fields->text_of("sampleunits"), 60);
     header.save_name = printable(fields->text_of(key_of_save), 60);
-    if (auto checked = fields->check(); !checked) return tl::unexpected(checked.error());
+    if (auto checked = fields->check(); !checked) return checked.error();
     return header;
 }
 

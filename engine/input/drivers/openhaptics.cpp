@@ -258,12 +258,12 @@ Expected<void> OpenHaptics::open() {
 Expected<void> OpenHaptics::start_library() {
     auto& s = session();
     const auto loaded = load(library_name());
-    if (!loaded) return tl::unexpected(loaded.error());
+    if (!loaded) return loaded.error();
     api_ = *loaded;
     const auto& api = *api_;
     stop_scheduler();
     const auto handle = init_device(api, arm_);
-    if (!handle) return tl::unexpected(handle.error());
+    if (!handle) return handle.error();
     handle_ = *handle;
     s.arms.push_back(this);
     api.hdMakeCurrentDevice(handle_);

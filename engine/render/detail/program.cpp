@@ -39,7 +39,7 @@ std::string with_variant(const std::string& source, const std::vector<std::strin
 Expected<Shader> compile(const std::filesystem::path& file, GLenum stage,
                          const std::vector<std::string_view>& variant) {
     auto source = read_text_file(file, largest_shader);
-    if (!source) return tl::unexpected(source.error());
+    if (!source) return source.error();
     if (!variant.empty() && !source->empty()) source = with_variant(*source, variant);
     Shader shader(glCreateShader(stage));
     const char* start = source->data();
@@ -65,7 +65,7 @@ Expected<Program> load_program(const std::vector<std::filesystem::path>& files,
         if (file.extension() != ".glsl")
             stage = file.extension() == ".vert" ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER;
         auto shader = compile(file, stage, variant);
-        if (!shader) return tl::unexpected(shader.error());
+        if (!shader) return shader.error();
         glAttachShader(program.get(), shader->get());
         shaders.push_back(std::move(*shader));
     }

@@ -140,7 +140,7 @@ Expected<Scans::MarchProgram> Scans::load_march(const std::filesystem::path& sha
     auto program = load_program({shaders / "scan.vert", shaders / file, shaders / "scan.glsl",
                                  shaders / "light.glsl", shaders / "tone.glsl"},
                                 variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     MarchProgram out{.view = mesh_program(std::move(*program))};
     const auto named = [&](const char* name) { return uniform(out.view.program, name); };
     out.forward = named("forward");
@@ -169,7 +169,7 @@ Expected<Scans::ShowProgram> Scans::load_show(const std::filesystem::path& shade
     std::vector<std::string_view> variant;
     if (solid) variant.emplace_back("SOLID");
     auto program = load_program({shaders / "screen.vert", shaders / "scan_show.frag"}, variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     ShowProgram out{.program = std::move(*program)};
     const auto named = [&](const char* name) { return uniform(out.program, name); };
     out.to_picture = named("to_picture");
@@ -185,7 +185,7 @@ Expected<Scans> Scans::load(const std::filesystem::path& shaders) {
     Scans out;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &out.most_samples_);
     auto surface = load_march(shaders, "scan_surface.frag", {});
-    if (!surface) return tl::unexpected(surface.error());
+    if (!surface) return surface.error();
     out.surface_ = std::move(*surface);
     for (std::size_t lit = 0; lit < 2; ++lit) {
         for (std::size_t painted = 0; painted < 2; ++painted) {
@@ -193,13 +193,13 @@ Expected<Scans> Scans::load(const std::filesystem::path& shaders) {
             if (lit == 1) variant.emplace_back("LIT");
             if (painted == 1) variant.emplace_back("PAINTED");
             auto light = load_march(shaders, "scan_light.frag", variant);
-            if (!light) return tl::unexpected(light.error());
+            if (!light) return light.error();
             out.light_.at(lit).at(painted) = std::move(*light);
         }
     }
     for (auto* show : {&out.show_solid_, &out.show_light_}) {
         auto loaded = load_show(shaders, show == &out.show_solid_);
-        if (!loaded) return tl::unexpected(loaded.error());
+        if (!loaded) return loaded.error();
         *show = std::move(*loaded);
     }
     return out;

@@ -36,14 +36,14 @@ std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
 
 Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality, const Variant& variant) {
     auto program = load_program(mesh_files(shaders, quality), variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     return mesh_program(std::move(*program));
 }
 
 Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& variant) {
     auto program =
         load_program({shaders / "sky.vert", shaders / "tone.glsl", shaders / "flat.frag"}, variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     SkyProgram out{.program = std::move(*program)};
     const auto named = [&](const char* name) { return uniform(out.program, name); };
     out.forward = named("forward");
@@ -61,7 +61,7 @@ Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& vari
 Expected<MistProgram> load_mist_program(const Folder& shaders, const Variant& variant) {
     auto program =
         load_program({shaders / "mist.vert", shaders / "tone.glsl", shaders / "mist.frag"}, variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     MistProgram out{.program = std::move(*program)};
     out.view_projection = uniform(out.program, "view_projection");
     out.eye = uniform(out.program, "eye");
@@ -70,7 +70,7 @@ Expected<MistProgram> load_mist_program(const Folder& shaders, const Variant& va
 
 Expected<SmallProgram> load_small_program(const std::vector<Folder>& files, const char* parameter) {
     auto program = load_program(files);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     SmallProgram out{.program = std::move(*program)};
     out.parameter = uniform(out.program, parameter);
     out.part = uniform(out.program, "part");
@@ -165,7 +165,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
           out.compose);
     small({shaders / "overlay.vert", shaders / "overlay.frag"}, "pixel", out.overlay);
     small({shaders / "overlay.vert", shaders / "shape.frag"}, "pixel", out.shape);
-    if (loading.error) return tl::unexpected(*loading.error);
+    if (loading.error) return Error(*loading.error);
     return out;
 }
 

@@ -108,7 +108,7 @@ Expected<Volumes::MarchProgram> Volumes::load_march(const std::filesystem::path&
     std::vector<std::filesystem::path> files{shaders / "march.vert", shaders / "light.glsl",
                                              shaders / "march.frag", shaders / "tone.glsl"};
     auto program = load_program(files, variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     MarchProgram out{.view = mesh_program(std::move(*program))};
     const auto named = [&](const char* name) { return uniform(out.view.program, name); };
     out.forward = named("forward");
@@ -134,7 +134,7 @@ Expected<Volumes::SkinProgram> Volumes::load_skin(const std::filesystem::path& s
     std::vector<std::string_view> variant;
     if (inside) variant.emplace_back("INSIDE");
     auto program = load_program({shaders / "skin.vert", shaders / "skin.frag"}, variant);
-    if (!program) return tl::unexpected(program.error());
+    if (!program) return program.error();
     SkinProgram out{.program = std::move(*program)};
     out.view_projection = uniform(out.program, "view_projection");
     out.to_picture = uniform(out.program, "to_picture");
@@ -148,11 +148,11 @@ Expected<Volumes> Volumes::load(const std::filesystem::path& shaders) {
     for (const std::size_t inside : {0U, 1U}) {
         for (const std::size_t linear : {0U, 1U}) {
             auto march = load_march(shaders, inside == 1, linear == 1);
-            if (!march) return tl::unexpected(march.error());
+            if (!march) return march.error();
             out.march_[inside][linear] = std::move(*march);
         }
         auto skin = load_skin(shaders, inside == 1);
-        if (!skin) return tl::unexpected(skin.error());
+        if (!skin) return skin.error();
         out.skin_[inside] = std::move(*skin);
     }
     return out;

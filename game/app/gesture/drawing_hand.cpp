@@ -59,13 +59,13 @@ DrawingArm::DrawingArm(std::unique_ptr<input::OpenArm> arm, double share)
 
 Expected<std::unique_ptr<DrawingArm>> DrawingArm::open(const std::string& name, double share) {
     auto arm = open_named_arm("--device", name);
-    if (!arm) return tl::unexpected(arm.error());
+    if (!arm) return arm.error();
     std::unique_ptr<DrawingArm> hand(new DrawingArm(std::move(*arm), share));
     const auto step = [](void* context, const input::ArmReading& reading) {
         return static_cast<DrawingArm*>(context)->step(reading);
     };
     if (const auto started = hand->arm_->start({step, hand.get()}); !started)
-        return tl::unexpected(started.error());
+        return started.error();
     return hand;
 }
 

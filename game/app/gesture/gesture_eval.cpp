@@ -53,9 +53,9 @@ Expected<void> read_counts(const Arguments& arguments, EvalPlan& plan) {
                seed = arguments.whole("--seed", 0, ~std::uint64_t{0}, 1);
     const auto open = arguments.number("--open-set", 0, 0.9, 0);
     for (const auto* whole : {&templates, &repeats, &seed}) {
-        if (!*whole) return tl::unexpected(whole->error());
+        if (!*whole) return whole->error();
     }
-    if (!open) return tl::unexpected(open.error());
+    if (!open) return open.error();
     plan.settings.templates = *templates;
     plan.settings.repeats = *repeats;
     plan.settings.seed = *seed;
@@ -68,7 +68,7 @@ Expected<EvalPlan> read_eval_plan(const std::vector<std::string>& words) {
                                          {"--repeats", 1}, {"--channels", 1}, {"--open-set", 1},
                                          {"--seed", 1},    {"--json", 1},     {"--svg", 1}};
     const auto arguments = Arguments::parse(words, options);
-    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments) return arguments.error();
     if (arguments->plain().size() != 1)
         return fail("name one file of strokes; see `thaum gesture eval --help`");
     EvalPlan plan;
@@ -87,7 +87,7 @@ Expected<EvalPlan> read_eval_plan(const std::vector<std::string>& words) {
             text("--protocol '", plan.protocol, "': must be user-dependent, leave-user-out or random"));
     plan.settings.method = *method;
     plan.settings.protocol = *protocol;
-    if (auto counts = read_counts(*arguments, plan); !counts) return tl::unexpected(counts.error());
+    if (auto counts = read_counts(*arguments, plan); !counts) return counts.error();
     return plan;
 }
 
@@ -118,7 +118,7 @@ Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
     const auto gestures = gesture::gestures_of(set.strokes, index, templates);
     const auto classifier =
         gesture::make_classifier(settings.method, gestures, {settings.channels, settings.seed, false});
-    if (!classifier) return tl::unexpected(classifier.error());
+    if (!classifier) return classifier.error();
     // Different strokes follow one another, as in use; they fit the cache, as a stroke that has just been drawn does.
     constexpr std::size_t timed_strokes = 64, calls = 8;
     constexpr int passes = 40;
@@ -162,7 +162,7 @@ Expected<GestureReport> measure_method(EvalPlan& plan, const gesture::StrokeSet&
         if (second) report.own_calibration_error = second->calibration_error;
     }
     const auto us = measure_times(set, plan.settings);
-    if (!us) return tl::unexpected(us.error());
+    if (!us) return us.error();
     report.median_us = (*us)[us->size() / 2];
     report.p99_us = (*us)[us->size() * 99 / 100];
     return report;

@@ -51,7 +51,7 @@ std::optional<std::size_t> device_of(const input::LogReader& log, std::uint32_t 
 
 Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) {
     auto playback = game::Playback::open(path, game::find_assets());
-    if (!playback) return tl::unexpected(playback.error());
+    if (!playback) return playback.error();
     const auto device = device_of(playback->log(), player);
     if (!device) return fail(text(path, ": player ", player + 1, " has no device in this match"));
     gesture::StrokeRecorder recorder;
@@ -70,7 +70,7 @@ Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) 
 
 Expected<Courses> strokes_of_file(const std::string& path, const std::string& name) {
     const auto set = load_strokes(path);
-    if (!set) return tl::unexpected(set.error());
+    if (!set) return set.error();
     Courses courses;
     for (const auto& stroke : set->strokes) {
         if (stroke.gesture == name) courses.push_back(stroke.points);
@@ -90,9 +90,9 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     const auto player = arguments.whole("--player", 1, game::players, 1),
                count = arguments.whole("--count", 1, 100, 3);
     const auto turn = arguments.number("--rotation", 0, 180, 0);
-    if (!player) return tl::unexpected(player.error());
-    if (!count) return tl::unexpected(count.error());
-    if (!turn) return tl::unexpected(turn.error());
+    if (!player) return player.error();
+    if (!count) return count.error();
+    if (!turn) return turn.error();
     gesture::Gesture gesture{.name = arguments.plain()[0], .options = {}, .strokes = {}};
     gesture.options.closed = arguments.has("--closed");
     gesture.options.direction_sensitive = !arguments.has("--any-direction");
@@ -103,12 +103,12 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
                                 : draw_strokes({.name = gesture.name,
                                                 .count = *count,
                                                 .device = arguments.value("--device").value_or("mouse")});
-    if (!courses) return tl::unexpected(courses.error());
+    if (!courses) return courses.error();
     const std::size_t first = courses->size() > *count ? courses->size() - *count : 0;
     gesture.strokes.assign(courses->begin() + static_cast<std::ptrdiff_t>(first), courses->end());
     // The same check that a reader of the file makes.
     if (const auto made = gesture::Recogniser::make(std::span(&gesture, 1), {.calibrate = false}); !made)
-        return tl::unexpected(made.error());
+        return made.error();
     return gesture;
 }
 

@@ -47,7 +47,7 @@ Expected<SpotPlan> read_spot_plan(const std::vector<std::string>& words) {
                                          {"--repeats", 1}, {"--channels", 1}, {"--wait", 1},
                                          {"--seed", 1},    {"--json", 1},     {"--ignore", 1}};
     const auto arguments = Arguments::parse(words, options);
-    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments) return arguments.error();
     const auto labels = arguments->value("--labels"), train = arguments->value("--train");
     if (arguments->plain().size() != 1 || !labels || !train)
         return fail(
@@ -64,9 +64,9 @@ Expected<SpotPlan> read_spot_plan(const std::vector<std::string>& words) {
                seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
     const auto wait = arguments->number("--wait", 0, 10, plan.settings.spotter.wait);
     for (const auto* whole : {&templates, &repeats, &seed}) {
-        if (!*whole) return tl::unexpected(whole->error());
+        if (!*whole) return whole->error();
     }
-    if (!wait) return tl::unexpected(wait.error());
+    if (!wait) return wait.error();
     plan.settings.templates = *templates;
     plan.settings.repeats = *repeats;
     plan.settings.seed = *seed;
@@ -122,19 +122,19 @@ void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
 
 Expected<gesture::Spotting> measure_spotting(SpotPlan& plan) {
     const auto sessions = load_sessions(plan.sessions);
-    if (!sessions) return tl::unexpected(sessions.error());
+    if (!sessions) return sessions.error();
     const auto labels = load_labels(plan.labels);
-    if (!labels) return tl::unexpected(labels.error());
+    if (!labels) return labels.error();
     if (plan.ignored) {
         auto ignored = load_labels(*plan.ignored);
-        if (!ignored) return tl::unexpected(ignored.error());
+        if (!ignored) return ignored.error();
         plan.settings.ignored = std::move(*ignored);
     }
     const auto strokes = load_strokes(plan.strokes);
-    if (!strokes) return tl::unexpected(strokes.error());
+    if (!strokes) return strokes.error();
     const auto channels = choose_channels(plan.channels, sessions->has_depth && strokes->has_depth,
                                           sessions->has_force && strokes->has_force);
-    if (!channels) return tl::unexpected(channels.error());
+    if (!channels) return channels.error();
     plan.settings.channels = *channels;
     return gesture::evaluate_spotting(*sessions, *labels, strokes->strokes, plan.settings);
 }

@@ -7,7 +7,7 @@
 namespace thaum::app {
 namespace {
 
-tl::unexpected<Error> in_file(const std::filesystem::path& path, const Error& error) {
+Error in_file(const std::filesystem::path& path, const Error& error) {
     return fail(text(path.string(), ": ", error.message));
 }
 
@@ -15,7 +15,7 @@ tl::unexpected<Error> in_file(const std::filesystem::path& path, const Error& er
 
 Expected<std::string> load_text(const std::filesystem::path& path) {
     const auto bytes = read_file(path, most_stroke_bytes);
-    if (!bytes) return tl::unexpected(bytes.error());
+    if (!bytes) return bytes.error();
     if (bytes->size() < 2 || (*bytes)[0] != std::byte{0x1f} || (*bytes)[1] != std::byte{0x8b})
         return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     auto unpacked = unpack_gzip(*bytes, most_stroke_bytes);
@@ -25,19 +25,19 @@ Expected<std::string> load_text(const std::filesystem::path& path) {
 
 Expected<gesture::StrokeSet> load_strokes(const std::filesystem::path& path) {
     const auto csv = load_text(path);
-    if (!csv) return tl::unexpected(csv.error());
+    if (!csv) return csv.error();
     return gesture::read_strokes(*csv, path.string());
 }
 
 Expected<gesture::SessionSet> load_sessions(const std::filesystem::path& path) {
     const auto csv = load_text(path);
-    if (!csv) return tl::unexpected(csv.error());
+    if (!csv) return csv.error();
     return gesture::read_sessions(*csv, path.string());
 }
 
 Expected<std::vector<gesture::SessionLabel>> load_labels(const std::filesystem::path& path) {
     const auto csv = load_text(path);
-    if (!csv) return tl::unexpected(csv.error());
+    if (!csv) return csv.error();
     return gesture::read_labels(*csv, path.string());
 }
 

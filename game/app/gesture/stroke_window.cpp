@@ -88,12 +88,12 @@ Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const 
                                                const std::filesystem::path& assets) {
     if (device == "mouse") {
         const auto data = game::load_match_data(assets, {});
-        if (!data) return tl::unexpected(data.error());
+        if (!data) return data.error();
         return std::make_unique<DrawingMouse>(data->device, monotonic_ns());
     }
     const auto percent = force_choices[settings.players[0].force].percent;
     auto arm = DrawingArm::open(device, percent ? *percent / 100.0 : haptics::gentle_share);
-    if (!arm) return tl::unexpected(arm.error());
+    if (!arm) return arm.error();
     return std::move(*arm);
 }
 
@@ -121,13 +121,13 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
     auto hand = hand_of(wish.device, settings, assets);
-    if (!hand) return tl::unexpected(hand.error());
+    if (!hand) return hand.error();
     auto window = render::Window::create({.title = "Thaum: record a gesture"});
-    if (!window) return tl::unexpected(window.error());
+    if (!window) return window.error();
     StrokeDesk desk(wish);
     const auto went = with_renderer(
         *window, assets, [&](render::Renderer& renderer) { return run(desk, **hand, *window, renderer); });
-    if (!went) return tl::unexpected(went.error());
+    if (!went) return went.error();
     return desk.recorder().strokes();
 }
 

@@ -93,7 +93,7 @@ Expected<game::Ingredient> read_substance(const std::string& words, const game::
     constexpr std::array<std::pair<double, double>, 3> ranges{{{0, fluid::viscosity_most}, {-1, 10}, {0, 1}}};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const auto number = parse_number(parts[i + 1], "--substance", ranges[i].first, ranges[i].second);
-        if (!number) return tl::unexpected(number.error());
+        if (!number) return number.error();
         *numbers[i] = *number;
     }
     return result;
@@ -109,7 +109,7 @@ Expected<void> read_substances(const Arguments& arguments, const game::CauldronR
     settings.substances.clear();
     for (const auto& word : words) {
         auto substance = read_substance(word, rules);
-        if (!substance) return tl::unexpected(substance.error());
+        if (!substance) return substance.error();
         settings.substances.push_back(std::move(*substance));
     }
     return {};
@@ -132,15 +132,15 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
                                     LabSettings settings) {
     const auto solver =
         one_of(arguments, "--solver", {"thaum", "classic"}, settings.solver == fluid::Solver::thaum ? 0 : 1);
-    if (!solver) return tl::unexpected(solver.error());
+    if (!solver) return solver.error();
     const auto edges = one_of(arguments, "--edges", {"no_slip", "free_slip"}, settings.no_slip ? 0 : 1);
-    if (!edges) return tl::unexpected(edges.error());
+    if (!edges) return edges.error();
     const auto order = one_of(arguments, "--order", {"2", "4"}, settings.order == 2 ? 0 : 1);
-    if (!order) return tl::unexpected(order.error());
+    if (!order) return order.error();
     const auto viscosity = arguments.number("--viscosity", 0, fluid::viscosity_most, settings.viscosity);
-    if (!viscosity) return tl::unexpected(viscosity.error());
+    if (!viscosity) return viscosity.error();
     const auto gravity = arguments.number("--gravity", -100, 100, settings.gravity);
-    if (!gravity) return tl::unexpected(gravity.error());
+    if (!gravity) return gravity.error();
     if (arguments.has("--bowl") && arguments.has("--box")) return fail("--bowl and --box exclude each other");
     settings.solver = *solver == 0 ? fluid::Solver::thaum : fluid::Solver::classic;
     settings.no_slip = *edges == 0;
@@ -149,8 +149,8 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
     settings.gravity = *gravity;
     if (arguments.has("--bowl")) settings.bowl = true;
     if (arguments.has("--box")) settings.bowl = false;
-    if (auto read = read_cells(arguments, settings); !read) return tl::unexpected(read.error());
-    if (auto read = read_substances(arguments, rules, settings); !read) return tl::unexpected(read.error());
+    if (auto read = read_cells(arguments, settings); !read) return read.error();
+    if (auto read = read_substances(arguments, rules, settings); !read) return read.error();
     return settings;
 }
 
@@ -159,7 +159,7 @@ Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& dat
     const auto file = arguments.value("--load");
     if (!file) {
         const auto settings = read_settings(arguments, data.rules, game::lab_settings(data));
-        if (!settings) return tl::unexpected(settings.error());
+        if (!settings) return settings.error();
         return game::make_lab(data.rules, *settings);
     }
     auto lab = game::load_lab(*file, data.rules);
@@ -167,8 +167,8 @@ Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& dat
                              [&](std::string_view word) { return arguments.has(word); }))
         return lab;
     const auto settings = read_settings(arguments, data.rules, lab->settings);
-    if (!settings) return tl::unexpected(settings.error());
-    if (auto changed = game::change_lab(*lab, *settings); !changed) return tl::unexpected(changed.error());
+    if (!settings) return settings.error();
+    if (auto changed = game::change_lab(*lab, *settings); !changed) return changed.error();
     return lab;
 }
 
@@ -188,22 +188,22 @@ Expected<game::LabScript::Pour> read_pour(const std::string& words, const LabSta
     const auto parts = parts_of(words);
     if (parts.size() != 3) return fail(text("--pour '", words, "': must be SUBSTANCE,SECOND,LITRES"));
     const auto slot = read_slot(parts[0], lab.settings);
-    if (!slot) return tl::unexpected(slot.error());
+    if (!slot) return slot.error();
     const auto at = parse_number(parts[1], "--pour", lab.seconds(), 1e6);
-    if (!at) return tl::unexpected(at.error());
+    if (!at) return at.error();
     const auto litres = parse_number(parts[2], "--pour", 1e-6, 1e4);
-    if (!litres) return tl::unexpected(litres.error());
+    if (!litres) return litres.error();
     return game::LabScript::Pour{std::llround(*at / game::lab_dt), *slot, 1e-3 * *litres};
 }
 
 Expected<game::LabScript> read_script(const Arguments& arguments, const LabState& lab, bool headless) {
     game::LabScript script;
     auto path = game::stir_path(arguments.value("--stir").value_or(headless ? "circle" : "none"));
-    if (!path) return tl::unexpected(path.error());
+    if (!path) return path.error();
     script.path = std::move(*path);
     for (const auto& words : arguments.values("--pour")) {
         const auto pour = read_pour(words, lab);
-        if (!pour) return tl::unexpected(pour.error());
+        if (!pour) return pour.error();
         script.pours.push_back(*pour);
     }
     return script;
@@ -215,20 +215,20 @@ Expected<LabPlan> read_plan(const Arguments& arguments) {
     if (!arguments.plain().empty()) return fail(text("lab --fluid takes no '", arguments.plain()[0], "'"));
     const bool headless = arguments.has("--headless");
     const auto data = game::load_lab_data(game::find_assets());
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     auto lab = read_lab(arguments, *data);
-    if (!lab) return tl::unexpected(lab.error());
+    if (!lab) return lab.error();
     auto script = read_script(arguments, *lab, headless);
-    if (!script) return tl::unexpected(script.error());
+    if (!script) return script.error();
     LabPlan plan{.lab = std::move(*lab), .script = std::move(*script)};
     const auto seconds = arguments.number("--seconds", game::lab_dt, 36'000);
-    if (!seconds) return tl::unexpected(seconds.error());
+    if (!seconds) return seconds.error();
     plan.seconds = headless ? seconds->value_or(10) : *seconds;
     const auto threads = arguments.whole("--threads", 1, 2, 1);
-    if (!threads) return tl::unexpected(threads.error());
+    if (!threads) return threads.error();
     plan.threads = static_cast<unsigned>(*threads);
     auto outputs = read_lab_outputs(arguments, 25);
-    if (!outputs) return tl::unexpected(outputs.error());
+    if (!outputs) return outputs.error();
     plan.out = std::move(*outputs);
     plan.times = arguments.has("--times");
     if (plan.times && !plan.out.trace) return fail("--times needs --trace");

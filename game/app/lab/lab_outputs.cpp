@@ -25,11 +25,11 @@ Expected<LabOutputs> read_lab_outputs(const Arguments& arguments, std::int64_t e
     if (outputs.save && outputs.trace && same_target(*outputs.save, *outputs.trace))
         return fail("--save and --trace need one file for each");
     const auto wanted = arguments.whole("--every", 1, 1'000'000, static_cast<std::uint64_t>(every));
-    if (!wanted) return tl::unexpected(wanted.error());
+    if (!wanted) return wanted.error();
     outputs.every = static_cast<std::int64_t>(*wanted);
     if (const auto word = arguments.value("--size")) {
         const auto size = parse_size(*word, "--size");
-        if (!size) return tl::unexpected(size.error());
+        if (!size) return size.error();
         outputs.size = *size;
     }
     return outputs;
@@ -39,7 +39,7 @@ Expected<LabTrace> LabTrace::open(const std::optional<std::filesystem::path>& fi
     LabTrace trace;
     if (!file) return trace;
     auto writer = FileWriter::create(*file);
-    if (!writer) return tl::unexpected(writer.error());
+    if (!writer) return writer.error();
     trace.file_.emplace(std::move(*writer));
     trace.file_->write(header);
     return trace;

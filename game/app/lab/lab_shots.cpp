@@ -23,12 +23,12 @@ Expected<LabShots> LabShots::open(const LabPlan& plan) {
     LabShots shots;
     if (!plan.out.shots) return shots;
     if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
-        return tl::unexpected(made.error());
+        return made.error();
     auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
-    if (!context) return tl::unexpected(context.error());
+    if (!context) return context.error();
     context->make_current();
     auto renderer = render::Renderer::create(game::find_assets());
-    if (!renderer) return tl::unexpected(renderer.error());
+    if (!renderer) return renderer.error();
     LabPicture picture(*renderer, plan.lab);
     shots.folder_ = *plan.out.shots;
     shots.every_ = plan.out.every;

@@ -74,7 +74,7 @@ Expected<game::LabPlace> read_place(std::string_view option, std::span<const std
         {{-1, 1}, {-1, 1}, {-1, 1}, {game::least_place_scale, game::most_place_scale}, {-360, 360}}};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto number = parse_number(parts[i], option, ranges.at(i).low, ranges.at(i).high);
-        if (!number) return tl::unexpected(number.error());
+        if (!number) return number.error();
         n.at(i) = *number;
     }
     return game::LabPlace{.origin = {n[0], n[1], n[2]}, .yaw = n[4] * pi / 180, .scale = n[3]};
@@ -84,7 +84,7 @@ Expected<game::LabPlace> read_place(std::string_view option, std::span<const std
 Expected<void> read_places(const Arguments& arguments, game::VolumeSession& session) {
     if (const auto words = arguments.value("--place")) {
         const auto place = read_place("--place", parts_of(*words));
-        if (!place) return tl::unexpected(place.error());
+        if (!place) return place.error();
         session.first.place = *place;
     }
     for (const auto& words : arguments.values("--beside")) {
@@ -92,7 +92,7 @@ Expected<void> read_places(const Arguments& arguments, game::VolumeSession& sess
         game::SessionVolume one{.volume = parts[0], .count = session.first.count, .seed = session.first.seed};
         if (parts.size() > 1) {
             const auto place = read_place("--beside", std::span(parts).subspan(1));
-            if (!place) return tl::unexpected(place.error());
+            if (!place) return place.error();
             one.place = *place;
         }
         session.beside.push_back(std::move(one));
@@ -115,17 +115,17 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
         return fail(
             text("--count and --seed are for volumes that are made, not for '", session.first.volume, "'"));
     const auto count = arguments.whole("--count", 8, 512, static_cast<std::uint64_t>(session.first.count));
-    if (!count) return tl::unexpected(count.error());
+    if (!count) return count.error();
     const auto seed =
         arguments.whole("--seed", 0, 1'000'000'000'000, static_cast<std::uint64_t>(session.first.seed));
-    if (!seed) return tl::unexpected(seed.error());
+    if (!seed) return seed.error();
     session.first.count = static_cast<std::int64_t>(*count);
     session.first.seed = static_cast<std::int64_t>(*seed);
     if (arguments.has("--registered")) {
         if (!arguments.has("--beside")) return fail("--registered needs --beside");
         session.registered = true;
     }
-    if (auto read = read_places(arguments, session); !read) return tl::unexpected(read.error());
+    if (auto read = read_places(arguments, session); !read) return read.error();
     session.device = arguments.value("--device").value_or(session.device);
     return session;
 }
@@ -157,7 +157,7 @@ Expected<field::Filter> read_filter(const std::string& words, std::span<const st
     const std::array<double*, 2> numbers{&filter.a, &filter.b};
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const auto number = parse_number(parts[i], "--filter", -1e30, 1e30);
-        if (!number) return tl::unexpected(number.error());
+        if (!number) return number.error();
         *numbers[i - 1] = *number;
     }
     return filter;
@@ -170,7 +170,7 @@ Expected<std::vector<field::Filter>> filters_of(const Arguments& arguments, cons
         const auto parts = parts_of(words);
         if (parts[0] != mode) continue;
         const auto filter = read_filter(words, std::span(parts).subspan(1));
-        if (!filter) return tl::unexpected(filter.error());
+        if (!filter) return filter.error();
         filters.push_back(*filter);
     }
     return filters;
@@ -195,15 +195,15 @@ Expected<LabMode> read_mode(const Arguments& arguments, const std::string& words
     const auto [volume, name] = volume_and_mode(parts[0]);
     if (parts.size() > 2) return fail(text("--mode '", words, "': must be MODE or MODE,STRENGTH"));
     auto filters = filters_of(arguments, parts[0]);
-    if (!filters) return tl::unexpected(filters.error());
+    if (!filters) return filters.error();
     auto mode = game::lab_mode(lab, name, std::move(*filters), volume);
     if (!mode) return mode;
     const auto level = arguments.number("--level", -1e30, 1e30);
-    if (!level) return tl::unexpected(level.error());
+    if (!level) return level.error();
     if (*level) mode->settings.level = **level;
     if (parts.size() == 1) return mode;
     const auto strength = parse_number(parts[1], "--mode", -1e6, 1e6);
-    if (!strength) return tl::unexpected(strength.error());
+    if (!strength) return strength.error();
     mode->settings.strength = field::constant(*strength);
     return mode;
 }
@@ -216,9 +216,9 @@ Expected<field::TransferFunction> read_points(std::string_view option, std::span
         const auto numbers = parts_of(part, ':');
         if (numbers.size() != 2) return fail(text(option, ": '", part, "' must be X:Y"));
         const auto x = parse_number(numbers[0], option, -1e100, 1e100);
-        if (!x) return tl::unexpected(x.error());
+        if (!x) return x.error();
         const auto y = parse_number(numbers[1], option, range_y.low, range_y.high);
-        if (!y) return tl::unexpected(y.error());
+        if (!y) return y.error();
         points.emplace_back(*x, *y);
     }
     auto function = field::transfer_function(points);
@@ -232,7 +232,7 @@ Expected<void> read_transfer(const std::string& words, std::vector<LabMode>& mod
     const auto mode = mode_named(modes, parts[0]);
     if (mode == modes.end()) return fail(text("--transfer '", words, "': there is no --mode ", parts[0]));
     auto function = read_points("--transfer", std::span(parts).subspan(1), {-1e6, 1e6});
-    if (!function) return tl::unexpected(function.error());
+    if (!function) return function.error();
     mode->settings.strength = *function;
     return {};
 }
@@ -243,7 +243,7 @@ Expected<game::FeelPart> read_feel(const std::string& words) {
     std::vector<double> numbers;
     for (const auto& part : std::span(parts).subspan(1)) {
         const auto number = parse_number(part, "--feel", -1e6, 1e6);
-        if (!number) return tl::unexpected(number.error());
+        if (!number) return number.error();
         numbers.push_back(*number);
     }
     auto part = game::feel_part(parts[0], numbers);
@@ -256,13 +256,13 @@ Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
                               game::VolumeLabSettings& settings) {
     if (const auto words = arguments.value("--opacity")) {
         auto opacity = read_points("--opacity", parts_of(*words), {0, 1});
-        if (!opacity) return tl::unexpected(opacity.error());
+        if (!opacity) return opacity.error();
         plan.view.opacity = *opacity;
     }
     settings.opacity = plan.view.opacity;
     for (const auto& words : arguments.values("--feel")) {
         const auto part = read_feel(words);
-        if (!part) return tl::unexpected(part.error());
+        if (!part) return part.error();
         settings.feel.push_back(*part);
     }
     return {};
@@ -270,12 +270,12 @@ Expected<void> read_body_feel(const Arguments& arguments, VolumeLabPlan& plan,
 
 Expected<void> read_modes(const Arguments& arguments, VolumeLabPlan& plan) {
     const auto level = arguments.number("--level", -1e30, 1e30);
-    if (!level) return tl::unexpected(level.error());
+    if (!level) return level.error();
     if (*level) plan.view.level = **level;
     game::VolumeLabSettings settings = plan.lab.settings;
     for (const auto& words : arguments.values("--mode")) {
         auto mode = read_mode(arguments, words, plan.lab);
-        if (!mode) return tl::unexpected(mode.error());
+        if (!mode) return mode.error();
         if (const auto word = parts_of(words)[0]; mode_named(settings.modes, word) != settings.modes.end())
             return fail(text("--mode '", word, "' is given twice"));
         settings.modes.push_back(std::move(*mode));
@@ -304,9 +304,9 @@ Expected<PlannedCarve> read_carve(const std::string& words, const VolumeLab& lab
         return fail(text("--carve '", words, "': there are ", names));
     }
     const auto from = parse_number(parts[1], "--carve", 0, 1e6);
-    if (!from) return tl::unexpected(from.error());
+    if (!from) return from.error();
     const auto to = parse_number(parts[2], "--carve", *from, 1e6);
-    if (!to) return tl::unexpected(to.error());
+    if (!to) return to.error();
     return PlannedCarve{static_cast<std::size_t>(tool - tools.begin()), *from, *to};
 }
 
@@ -317,7 +317,7 @@ Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabP
     plan.by_mouse = !headless && !arguments.has("--hand");
     for (const auto& words : arguments.values("--carve")) {
         const auto carve = read_carve(words, plan.lab);
-        if (!carve) return tl::unexpected(carve.error());
+        if (!carve) return carve.error();
         plan.carves.push_back(*carve);
     }
     return {};
@@ -327,7 +327,7 @@ Expected<void> read_script(const Arguments& arguments, bool headless, VolumeLabP
 
 Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
     auto outputs = read_lab_outputs(arguments, 500);
-    if (!outputs) return tl::unexpected(outputs.error());
+    if (!outputs) return outputs.error();
     plan.out = std::move(*outputs);
     if (plan.out.save && plan.out.save->extension() != ".nrrd")
         return fail("--save: the file must end in .nrrd");
@@ -342,7 +342,7 @@ Expected<void> read_outputs(const Arguments& arguments, VolumeLabPlan& plan) {
 Expected<void> put_on_usual_mode(const Arguments& arguments, VolumeLab& lab) {
     if (arguments.has("--session") || arguments.has("--mode") || arguments.has("--feel")) return {};
     auto mode = read_mode(arguments, lab.carvable() ? "isosurface" : "follow", lab);
-    if (!mode) return tl::unexpected(mode.error());
+    if (!mode) return mode.error();
     auto settings = lab.settings;
     settings.modes.push_back(std::move(*mode));
     return game::change_volume_lab(lab, settings);
@@ -368,7 +368,7 @@ void note_slow_filters(VolumeLabPlan& plan) {
 /// Reads the length of a servo step (ms), of which a tick has a whole number.
 Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
     const auto ms = arguments.number("--step", 1.0 / game::most_steps_per_tick, 1);
-    if (!ms) return tl::unexpected(ms.error());
+    if (!ms) return ms.error();
     const double steps = 1 / ms->value_or(1);
     if (std::abs(steps - std::round(steps)) > 1e-3 * steps)
         return fail("--step: a tick of 1 ms must have a whole number of steps: 1, 0.5, 0.25, 0.2");
@@ -379,22 +379,22 @@ Expected<void> read_servo_step(const Arguments& arguments, VolumeLab& lab) {
 Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     const bool headless = arguments.has("--headless");
     const auto session = read_session(arguments);
-    if (!session) return tl::unexpected(session.error());
+    if (!session) return session.error();
     auto opened = plan_of(*session);
     if (!opened) return opened;
     VolumeLabPlan plan = std::move(*opened);
     protect_volumes(plan);
     plan.session_file = arguments.path("--session");
-    if (auto read = read_modes(arguments, plan); !read) return tl::unexpected(read.error());
+    if (auto read = read_modes(arguments, plan); !read) return read.error();
     if (!session->view) come_near(plan.lab, plan.view);  // the level may be another one now
-    if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return tl::unexpected(put.error());
+    if (auto put = put_on_usual_mode(arguments, plan.lab); !put) return put.error();
     note_slow_filters(plan);
-    if (auto read = read_script(arguments, headless, plan); !read) return tl::unexpected(read.error());
-    if (auto read = read_outputs(arguments, plan); !read) return tl::unexpected(read.error());
-    if (auto read = read_servo_step(arguments, plan.lab); !read) return tl::unexpected(read.error());
+    if (auto read = read_script(arguments, headless, plan); !read) return read.error();
+    if (auto read = read_outputs(arguments, plan); !read) return read.error();
+    if (auto read = read_servo_step(arguments, plan.lab); !read) return read.error();
     game::rest_hand(plan.lab, planned_input(plan).target);
     const auto seconds = arguments.number("--seconds", tick_seconds, 36'000);
-    if (!seconds) return tl::unexpected(seconds.error());
+    if (!seconds) return seconds.error();
     plan.seconds = headless ? seconds->value_or(4) : *seconds;
     return plan;
 }
@@ -441,19 +441,19 @@ int run_headless(VolumeLabPlan plan) {
 
 Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
     auto data = game::load_volume_lab_data(game::find_assets(), session.device);
-    if (!data) return tl::unexpected(data.error());
+    if (!data) return data.error();
     std::vector<std::string> notes;
     auto volume = open_volume(session.first, notes);
-    if (!volume) return tl::unexpected(volume.error());
+    if (!volume) return volume.error();
     auto lab = game::make_volume_lab(std::move(*volume), std::move(*data));
     if (!lab) return fail(text(session.first.volume, ": ", lab.error().message));
     if (!is_made(session.first.volume)) {
         if (auto taken = game::take_saved_properties(*lab, session.first.volume); !taken)
-            return tl::unexpected(taken.error());
+            return taken.error();
     }
     for (const auto& one : session.beside) {
         auto other = open_volume(one, notes);
-        if (!other) return tl::unexpected(other.error());
+        if (!other) return other.error();
         if (auto added = game::add_volume_beside(*lab, std::move(*other), session.registered); !added)
             return fail(text(one.volume, ": ", added.error().message));
     }
@@ -473,7 +473,7 @@ Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session) {
         plan.view.eye = {session.view->yaw, session.view->pitch, session.view->away, session.view->aim};
     game::VolumeLabSettings settings{session.modes, session.feel, plan.view.opacity, {session.first.place}};
     for (const auto& one : session.beside) settings.places.push_back(one.place);
-    if (auto set = game::change_volume_lab(plan.lab, settings); !set) return tl::unexpected(set.error());
+    if (auto set = game::change_volume_lab(plan.lab, settings); !set) return set.error();
     return plan;
 }
 

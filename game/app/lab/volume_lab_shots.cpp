@@ -20,12 +20,12 @@ VolumeShots::~VolumeShots() = default;
 Expected<VolumeShots> VolumeShots::open(const VolumeLabPlan& plan) {
     VolumeShots shots;
     if (!plan.out.shots) return shots;
-    if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return tl::unexpected(made.error());
+    if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return made.error();
     auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
-    if (!context) return tl::unexpected(context.error());
+    if (!context) return context.error();
     context->make_current();
     auto renderer = render::Renderer::create(game::find_assets());
-    if (!renderer) return tl::unexpected(renderer.error());
+    if (!renderer) return renderer.error();
     shots.state_.reset(new State{std::move(*context), std::move(*renderer), std::nullopt, *plan.out.shots,
                                  static_cast<Tick>(plan.out.every)});
     shots.state_->picture.emplace(shots.state_->renderer, plan.lab);

@@ -1,4 +1,4 @@
-// tools/bench/z_width.h: the stiffest virtual wall that a simulated device can touch without shaking (the
+// tests/scenes/z_width.h: the stiffest virtual wall that a simulated device can touch without shaking (the
 // Z-width of Colgate and Brown): by simulation, by the eigenvalues of the sampled loop, and by the
 // passivity bound. Used by benchmark and tests.
 #pragma once

@@ -1,10 +1,10 @@
-// bench/carving_hands.h: two players who carve one crystal, for benchmarks and tests of a match.
+// tests/scenes/carving_hands.h: two players who carve one crystal, for benchmarks and tests of a match.
 #pragma once
 #include <cmath>
 
 #include "core/maths.h"
 #include "game/match/simulation.h"
-#include "tools/bench/standing.h"
+#include "tests/scenes/standing.h"
 
 namespace thaum::bench {
 

@@ -1,4 +1,4 @@
-// tools/bench/scanned_volumes.h: volumes as a scanner gives them, and a tip that touches them, for the bench and tests.
+// tests/scenes/scanned_volumes.h: volumes as a scanner gives them, and a tip that touches them, for the bench and tests.
 //
 // A sample is the share of its voxel that the object covers, in 255 steps. The edge is as hard as partial volumes allow:
 // a real scanner blurs it further, which only helps.

@@ -1,7 +1,7 @@
 // Flows between curved walls with known solutions, and their errors. The velocity on a cut face is the
 // mean over its open part (fluid/cuts.h), so it is compared with that mean.
 #pragma once
-#include "tools/bench/fluid_flows.h"
+#include "tests/scenes/fluid_flows.h"
 
 namespace thaum::fluid::flows {
 

@@ -1,4 +1,4 @@
-// tools/bench/primitive_sets.h: random sets of primitives for the tests and the benchmark.
+// tests/scenes/primitive_sets.h: random sets of primitives for the tests and the benchmark.
 #pragma once
 #include <cstddef>
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "core/text.h"
-#include "tools/bench/fluid_flows.h"
+#include "tests/scenes/fluid_flows.h"
 
 namespace thaum::fluid {
 
@@ -52,7 +52,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
     settings.substances = {Substance{.viscosity = 1e-2}, Substance{.diffusion = 1e-4}};
     if (plan.bowl) flows::put_into_bowl(settings);
     auto fluid = make_fluid(settings);
-    if (!fluid) return tl::unexpected(fluid.error());
+    if (!fluid) return fluid.error();
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
 }
 

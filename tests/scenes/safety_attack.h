@@ -1,4 +1,4 @@
-// tools/bench/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. It goes
+// tests/scenes/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. It goes
 // through phases. Pure noise would keep the stage shut off or cut, and never meet it warm, fading or ramping.
 #pragma once
 #include <limits>

@@ -1,4 +1,4 @@
-// tools/bench/worse.h: the larger of two figures, or NaN if one is NaN. std::max drops a NaN, so a failed
+// tests/scenes/worse.h: the larger of two figures, or NaN if one is NaN. std::max drops a NaN, so a failed
 // run would report its last valid figure.
 #pragma once
 #include <cmath>

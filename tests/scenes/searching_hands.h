@@ -1,8 +1,8 @@
-// bench/searching_hands.h: two players who search the orb, for benchmarks and tests of a match.
+// tests/scenes/searching_hands.h: two players who search the orb, for benchmarks and tests of a match.
 #pragma once
 #include "game/match/simulation.h"
 #include "game/orb/orb.h"
-#include "tools/bench/standing.h"
+#include "tests/scenes/standing.h"
 
 namespace thaum::bench {
 

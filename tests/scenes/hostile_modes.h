@@ -1,4 +1,4 @@
-// tools/bench/hostile_modes.h: haptic modes in fields with faults, felt through the servo by a simulated hand. Used by
+// tests/scenes/hostile_modes.h: haptic modes in fields with faults, felt through the servo by a simulated hand. Used by
 // the stress test and by tests.
 //
 // The fields have samples that are not finite, edges as hard as they get and jumps. Strengths reach 10^6 N with either
@@ -15,7 +15,7 @@
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
 #include "haptics/volume_feel.h"
-#include "tools/bench/scanned_volumes.h"
+#include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::bench {
 

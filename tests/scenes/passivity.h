@@ -1,4 +1,4 @@
-// tools/bench/passivity.h: energy that passive sources created, summed from a table of forces (`thaum replay
+// tests/scenes/passivity.h: energy that passive sources created, summed from a table of forces (`thaum replay
 // --forces`). It does not use the simulation's own passivity observer. Benchmark and test use it.
 #pragma once
 #include <algorithm>
@@ -151,7 +151,7 @@ inline Expected<PassiveEnergy> passive_energy(std::string_view csv) {
     std::vector<detail::HandColumns> columns;
     for (int player = 1; player <= 2; ++player) {
         auto found = detail::HandColumns::find(header, player);
-        if (!found) return tl::unexpected(found.error());
+        if (!found) return found.error();
         columns.push_back(*found);
     }
     std::array<detail::HandSum, 2> sums;

@@ -1,4 +1,4 @@
-// bench/standing.h: puts a wizard somewhere, for benchmarks and tests of a match.
+// tests/scenes/standing.h: puts a wizard somewhere, for benchmarks and tests of a match.
 #pragma once
 #include "game/match/simulation.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/maths.h"
 #include "game/match/simulation.h"
-#include "tools/bench/standing.h"
+#include "tests/scenes/standing.h"
 
 namespace thaum::bench {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/bench/fluid_flows.h"
-#include "tools/bench/worse.h"
+#include "tests/scenes/fluid_flows.h"
+#include "tests/scenes/worse.h"
 
 namespace thaum::fluid::flows {
 

@@ -1,4 +1,4 @@
-// tools/bench/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow turns in
+// tests/scenes/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow turns in
 // each fluid step, the surface is simulated, the bowl is narrow, and models arrive late. The energy
 // that the hand gains is computed independently of the servo's own accounts.
 #pragma once

@@ -12,7 +12,7 @@
 
 #include "core/random.h"
 #include "fluid/fluid.h"
-#include "tools/bench/ghia.h"
+#include "tests/scenes/ghia.h"
 
 namespace thaum::fluid::flows {
 

@@ -1,4 +1,4 @@
-// tools/bench/switches.h: the energy that a switch of passive sources creates at the hand, summed from the
+// tests/scenes/switches.h: the energy that a switch of passive sources creates at the hand, summed from the
 // positions of a simulated device and the forces on it. The servo's own energy observer is not used. Used
 // by benchmark and tests.
 //
@@ -15,7 +15,7 @@
 #include "core/random.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
-#include "tools/bench/worse.h"
+#include "tests/scenes/worse.h"
 
 namespace thaum::bench {
 

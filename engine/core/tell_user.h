@@ -1,0 +1,11 @@
+// core/tell_user.h: how the program speaks to whoever started it, beside its windows.
+#pragma once
+#include <string_view>
+
+namespace thaum {
+
+/// Writes one line to standard error. Ends of lines and control characters within it, such as those of a file's or a
+/// device's name, become readable (see in_one_line).
+void tell_user(std::string_view line);
+
+}  // namespace thaum

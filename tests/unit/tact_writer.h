@@ -1,0 +1,12 @@
+// unit/tact_writer.h: writes clips as bHaptics' designer does, to test the reader of such files.
+#pragma once
+#include <string>
+
+#include "tactile/clip.h"
+
+namespace thaum::tactile {
+
+/// A clip as a .tact file with tracks and frames. Importing it gives the same clip.
+std::string tact_of(const Clip& clip);
+
+}  // namespace thaum::tactile
