@@ -55,9 +55,9 @@ std::int32_t by_stick(const HapticRules& rules, std::int32_t deflection) {
 /// Moves the hand by mouse and stick while the clutch is held. The view stands still.
 void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
     const auto& counts = sample.counts;
-    const auto moved = [&](std::size_t look, std::size_t turn_) {
+    const auto moved = [&](std::size_t look, std::size_t turning) {
         return std::clamp(counts[look], -most_counts, most_counts) * rules.clutch_per_count +
-               by_stick(rules, counts[turn_]);
+               by_stick(rules, counts[turning]);
     };
     controls.hand_right = moved(hand::look_right, hand::turn_right);
     controls.hand_up = moved(hand::look_up, hand::turn_up);
@@ -78,8 +78,8 @@ void move_tracing_hand(const input::DeviceSample& sample, const input::DeviceSpe
         const double way = pace * std::clamp(counts[look], -most_counts, most_counts);
         return static_cast<std::int32_t>(std::lround(std::clamp(way, -1e6, 1e6)));
     };
-    const auto by_stick = [&](std::size_t turn_) {
-        const double deflection = std::clamp(counts[turn_] / 127.0, -1.0, 1.0);
+    const auto by_stick = [&](std::size_t turning) {
+        const double deflection = std::clamp(counts[turning] / 127.0, -1.0, 1.0);
         return static_cast<std::int32_t>(std::lround(1e6 * stick_reach * deflection));
     };
     const std::int32_t right = by_stick(hand::turn_right), up = by_stick(hand::turn_up);

@@ -107,6 +107,7 @@ struct TurnFunction {
     long double bound;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest calls it.
 void PrintTo(const TurnFunction& f, std::ostream* out) { *out << f.name; }
 
 class TurnAccuracy : public ::testing::TestWithParam<TurnFunction> {

@@ -28,7 +28,7 @@ protected:
     PlayerHands hands_{seats_};
     const render::PadState unplugged_{}, idle_ = rig::pad_with(), pressed_ = rig::pad_with({PadButton::a}),
                                          full_trigger_ = rig::pad_at(PadAxis::right_trigger, 1);
-    const int kp_0_ = rig::key("kp_0"), kp_8_ = rig::key("kp_8");
+    const int keypad_zero_ = rig::key("kp_0"), keypad_eight_ = rig::key("kp_8");
 };
 
 TEST_F(PlayerHandsTest, ALostPadIsReportedOnceAndReleasesWhatItHeld) {
@@ -94,14 +94,14 @@ TEST_F(PlayerHandsTest, SticksPointUpwardsInTheMatch) {
 }
 
 TEST_F(PlayerHandsTest, HalfOfTheKeyboardTakesOverForALostPad) {
-    EXPECT_FALSE(hands_.take_half(kp_0_, settings_)) << "the pad is there";
+    EXPECT_FALSE(hands_.take_half(keypad_zero_, settings_)) << "the pad is there";
     look(unplugged_);
-    EXPECT_FALSE(hands_.take_half(kp_8_, settings_)) << "only the key for the wand asks";
-    const auto news = hands_.take_half(kp_0_, settings_);
+    EXPECT_FALSE(hands_.take_half(keypad_eight_, settings_)) << "only the key for the wand asks";
+    const auto news = hands_.take_half(keypad_zero_, settings_);
     ASSERT_TRUE(news);
     EXPECT_EQ(news->all_back, 1U);
     EXPECT_FALSE(hands_.is_lost(1));
-    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    hands_.each([&](auto& hands) { hands.key(keypad_eight_, true); });
     EXPECT_EQ(sample().counts[input::hand::forward], 127);
     EXPECT_EQ(sample(0).counts[input::hand::forward], 0) << "the mouse's player does not have that half";
     EXPECT_FALSE(look(unplugged_).lost) << "the player has a device";
@@ -109,10 +109,10 @@ TEST_F(PlayerHandsTest, HalfOfTheKeyboardTakesOverForALostPad) {
 
 TEST_F(PlayerHandsTest, ThePadTakesItsPlayerBackFromTheHalf) {
     look(unplugged_);
-    hands_.take_half(kp_0_, settings_);
+    hands_.take_half(keypad_zero_, settings_);
     EXPECT_FALSE(look(idle_).all_back);
     EXPECT_EQ(look(pressed_).all_back, 1U);
-    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    hands_.each([&](auto& hands) { hands.key(keypad_eight_, true); });
     EXPECT_EQ(sample().counts[input::hand::forward], 0);
     look(idle_);
     look(pressed_);
@@ -121,15 +121,15 @@ TEST_F(PlayerHandsTest, ThePadTakesItsPlayerBackFromTheHalf) {
 
 TEST_F(PlayerHandsTest, ARematchKeepsTheHalfAndTheStartScreenForgetsIt) {
     look(unplugged_);
-    hands_.take_half(kp_0_, settings_);
+    hands_.take_half(keypad_zero_, settings_);
     hands_.begin_match(settings_, {});
-    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    hands_.each([&](auto& hands) { hands.key(keypad_eight_, true); });
     EXPECT_EQ(sample().counts[input::hand::forward], 127);
     hands_.leave_seats();
     EXPECT_FALSE(seats_[1].hands);
     seats_ = rig::seats_for(rig::mouse_seat, rig::first_pad_seat);
     hands_.begin_match(settings_, {});
-    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    hands_.each([&](auto& hands) { hands.key(keypad_eight_, true); });
     EXPECT_EQ(sample().counts[input::hand::forward], 0);
 }
 
@@ -137,7 +137,7 @@ TEST_F(PlayerHandsTest, TheHalfBelongsToOnePlayer) {
     seats_ = rig::seats_for(rig::half_seat, rig::first_pad_seat);
     hands_.begin_match(settings_, {idle_});
     look(unplugged_);
-    EXPECT_FALSE(hands_.take_half(kp_0_, settings_)) << "player 1 has it";
+    EXPECT_FALSE(hands_.take_half(keypad_zero_, settings_)) << "player 1 has it";
     EXPECT_TRUE(hands_.is_lost(1));
 }
 
@@ -243,7 +243,7 @@ TEST_F(PlayerHandsTest, KnowsWhichKeysOfItsPlayersPause) {
     EXPECT_TRUE(hands_.pauses(rig::key("p"), settings));
     EXPECT_FALSE(hands_.pauses(rig::key("kp_7"), settings)) << "nobody has that half";
     look(unplugged_);
-    hands_.take_half(kp_0_, settings);
+    hands_.take_half(keypad_zero_, settings);
     EXPECT_TRUE(hands_.pauses(rig::key("kp_7"), settings));
 }
 
@@ -256,7 +256,7 @@ TEST_F(PlayerHandsTest, BotsHaveNoHands) {
     EXPECT_FALSE(hands_.any_pad());
     hands_.each([](auto&) { FAIL(); });
     EXPECT_FALSE(look(unplugged_).lost);
-    EXPECT_FALSE(hands_.take_half(kp_0_, settings_));
+    EXPECT_FALSE(hands_.take_half(keypad_zero_, settings_));
 }
 
 }  // namespace

@@ -26,12 +26,12 @@ void count_one() { allocations.fetch_add(1, std::memory_order_relaxed); }
 #if THAUM_COUNT_ALLOCATIONS
 extern "C" {
 
-// NOLINTBEGIN(bugprone-reserved-identifier): the C library's own names
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): the C library's own names
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
-// NOLINTEND(bugprone-reserved-identifier)
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 void* malloc(std::size_t size) {
     count_one();

@@ -14,7 +14,7 @@ import threading
 import time
 from pathlib import Path
 
-from cases import FAILED, PASSED, Runner, as_list, read_cases
+from cases import FAILED, PASSED, SKIPPED, Runner, as_list, read_cases
 from common import OWN_TREE, add_assets, in_parallel, run_logged, say, stop
 
 LIST = OWN_TREE / "tests" / "left_out_under_sanitizers.txt"
@@ -117,11 +117,13 @@ def read_reach(folder):
 def choose(options):
     """Writes the list of cases that reach nothing which the others do not."""
     folder = options.out
-    known = {name: entry for name, entry in read_reach(folder).items() if entry["verdict"] == PASSED}
+    entries = read_reach(folder)
+    known = {name: entry for name, entry in entries.items() if entry["verdict"] == PASSED}
+    skipped = {name for name, entry in entries.items() if entry["verdict"] == SKIPPED}
     reached = places_reached(folder, known)
     cost = {name: max(entry["cost"], LEAST_COST) for name, entry in known.items()}
     chosen = cover(reached, cost, {name for name in known if ALWAYS.match(name)})
-    left_out = sorted(set(known) - chosen)
+    left_out = sorted((set(known) - chosen) | skipped)
     options.list.write_text(LIST_HEAD + "".join(f"{name}\n" for name in left_out))
     every = set().union(*reached.values())
     still = set().union(*(reached[name] for name in chosen))

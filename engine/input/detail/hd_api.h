@@ -79,6 +79,7 @@ private:
 
 /// Functions that the driver calls. A library that lacks one of them is too old.
 struct Api {
+    // NOLINTBEGIN(readability-identifier-naming): the names are OpenHaptics'.
     Function<Handle(const char*)> hdInitDevice;
     Function<void(Handle)> hdDisableDevice;
     Function<void(Handle)> hdMakeCurrentDevice;
@@ -100,6 +101,7 @@ struct Api {
     Function<unsigned int()> hdCheckCalibration;
     Function<unsigned int()> hdCheckCalibrationStyle;
     Function<void(unsigned int)> hdUpdateCalibration;
+    // NOLINTEND(readability-identifier-naming)
 };
 
 /// Loads the library with this file name or path. It is never unloaded, so its functions live as long as the

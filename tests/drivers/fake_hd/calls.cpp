@@ -1,6 +1,7 @@
 // A make-believe libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated
 // hands. It enforces the documented rules, counts broken ones, and goes wrong when told to (script.h). It
 // shares no code with the driver that it tests.
+// NOLINTBEGIN(readability-identifier-naming): the names are OpenHaptics'.
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -333,3 +334,4 @@ FAKE_HD_CALL void hdUpdateCalibration(unsigned int style) {
 }
 
 }  // extern "C"
+// NOLINTEND(readability-identifier-naming)
