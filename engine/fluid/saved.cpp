@@ -97,9 +97,7 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
 // -----------------------------------------------------------------------------------------------------
 
 Error wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
-Error ends_within(std::string_view what) {
-    return wrong(text("it ends in the middle of ", what));
-}
+Error ends_within(std::string_view what) { return wrong(text("it ends in the middle of ", what)); }
 
 /// Checks everything around the body and returns the body.
 Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {

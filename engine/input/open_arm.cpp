@@ -114,9 +114,7 @@ ArmFacts checked(ArmFacts facts) {
     return facts;
 }
 
-Error cleaned(const Error& error) {
-    return Error{printable(error.message, most_line)};
-}
+Error cleaned(const Error& error) { return Error{printable(error.message, most_line)}; }
 
 // ---- opening and closing, on a thread that may hang -------------------------------------------------------
 

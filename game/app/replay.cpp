@@ -112,8 +112,7 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
         return opened.error();
     if (auto opened = out.state.open(pass.state, game::state_header(playback.match())); !opened)
         return opened.error();
-    if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened)
-        return opened.error();
+    if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened) return opened.error();
     if (auto opened = open_body(pass, playback, out); !opened) return opened.error();
     if (pass.shots) {
         auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
@@ -251,8 +250,7 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
         plan.at.push_back(ticks(*at));
     }
     std::sort(plan.at.begin(), plan.at.end());
-    if (auto read = read_kinds(arguments.values("--shot-on"), plan); !read)
-        return read.error();
+    if (auto read = read_kinds(arguments.values("--shot-on"), plan); !read) return read.error();
     if (const auto word = arguments.value("--size")) {
         const auto size = parse_size(*word, "--size");
         if (!size) return size.error();

@@ -52,8 +52,7 @@ public:
         settings.split = split_of(split);
         auto image = still_->draw(match, settings);
         if (!file.empty()) {
-            if (const auto written = render::write_png(file, image); !written)
-                return written.error();
+            if (const auto written = render::write_png(file, image); !written) return written.error();
         }
         return game::Pixels{image.width, image.height, std::move(image.rgb)};
     }

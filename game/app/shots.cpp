@@ -49,8 +49,7 @@ bool ShotPlan::any() const {
 Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
                               const std::filesystem::path& assets) {
     if (auto made = make_folder(plan.folder); !made) return made.error();
-    if (auto free = check_output(plan.folder / "shot_00000000.png"); !free)
-        return free.error();
+    if (auto free = check_output(plan.folder / "shot_00000000.png"); !free) return free.error();
     auto still = Still::create(data, assets, plan.size);
     if (!still) return still.error();
     return Shots(std::move(plan), std::move(*still), senses_of(data, assets));

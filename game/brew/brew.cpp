@@ -177,10 +177,8 @@ fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basi
 }
 
 Expected<void> check_brew(const CauldronRules& rules, const Basin& basin) {
-    if (const auto fluid = fluid::check(brew_settings(rules, basin)); !fluid)
-        return fluid.error();
-    if (const auto surface = fluid::checked(brew_surface(rules, basin)); !surface)
-        return surface.error();
+    if (const auto fluid = fluid::check(brew_settings(rules, basin)); !fluid) return fluid.error();
+    if (const auto surface = fluid::checked(brew_surface(rules, basin)); !surface) return surface.error();
     return {};
 }
 

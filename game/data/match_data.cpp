@@ -403,10 +403,8 @@ const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
     if (!plain_name(choice.arena))
         return fail(text("'", choice.arena, "' is no name of an arena (a-z, 0-9, _)"));
-    if (auto known = check_name(rule_sets, choice.rules, "rule set"); !known)
-        return known.error();
-    if (auto known = check_name(match_lengths, choice.match, "match"); !known)
-        return known.error();
+    if (auto known = check_name(rule_sets, choice.rules, "rule set"); !known) return known.error();
+    if (auto known = check_name(match_lengths, choice.match, "match"); !known) return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     MatchData data;
     data.choice = choice;

@@ -53,8 +53,7 @@ Expected<Reached> sought(const Play& play, Tick tick) {
                                     [&](const Keyframe& k) { return k.tick > tick; });
     if (after != play.keyframes.begin()) {
         const auto& from = *std::prev(after);
-        if (auto restored = match.restore(from.world, from.tick); !restored)
-            return restored.error();
+        if (auto restored = match.restore(from.world, from.tick); !restored) return restored.error();
     }
     play_to(match, play.frames, tick);
     return reached(match);

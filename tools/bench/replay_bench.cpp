@@ -113,8 +113,7 @@ Expected<std::size_t> jump_about(game::Playback& playback, const game::ReplayInd
     for (auto& took : took_us) {
         const Tick target = hash_interval * random.below(playback.log().ticks() / hash_interval);
         const double start = now_us();
-        if (auto there = game::seek(playback, index, target, never); !there)
-            return there.error();
+        if (auto there = game::seek(playback, index, target, never); !there) return there.error();
         took = now_us() - start;
         const auto recorded = playback.log().hash_at(target);
         const bool same = target == 0 || (recorded && recorded->state == playback.match().state_hash());

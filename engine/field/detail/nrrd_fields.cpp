@@ -152,7 +152,7 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
                            .second;
     if (!added)
         return Error(at_line(number, text("field '", printable(line.substr(0, colon), shown),
-                                                   "' stands in the header twice")));
+                                          "' stands in the header twice")));
     return {};
 }
 

@@ -64,8 +64,7 @@ Expected<std::unique_ptr<DrawingArm>> DrawingArm::open(const std::string& name, 
     const auto step = [](void* context, const input::ArmReading& reading) {
         return static_cast<DrawingArm*>(context)->step(reading);
     };
-    if (const auto started = hand->arm_->start({step, hand.get()}); !started)
-        return started.error();
+    if (const auto started = hand->arm_->start({step, hand.get()}); !started) return started.error();
     return hand;
 }
 

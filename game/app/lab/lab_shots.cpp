@@ -22,8 +22,7 @@ LabShots::~LabShots() = default;
 Expected<LabShots> LabShots::open(const LabPlan& plan) {
     LabShots shots;
     if (!plan.out.shots) return shots;
-    if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
-        return made.error();
+    if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made) return made.error();
     auto context = render::Offscreen::create(plan.out.size.width, plan.out.size.height);
     if (!context) return context.error();
     context->make_current();
