@@ -13,7 +13,7 @@ import threading
 import time
 from pathlib import Path
 
-from common import stop
+from common import in_parallel, stop
 
 PASSED, FAILED, SKIPPED = "passed", "failed", "skipped"
 TIME_LIMIT = "time limit"
@@ -226,3 +226,31 @@ def judge(case, code, text):
 
 def says_one_of(expressions, text):
     return any(re.search(expression, text) for expression in as_list(expressions))
+
+
+def reach_each(folder, cases, runner, jobs, reach_one):
+    """Adds to reach.jsonl what `reach_one` returns of each case, as soon as it is known. Cases with the same lock take
+    turns, so that none keeps a place while it waits."""
+    turns = {}
+    for case in cases:
+        lock = as_list(case.properties.get("RESOURCE_LOCK")) or [f"case {case.name}"]
+        turns.setdefault(lock[0], []).append(case)
+    guard = threading.Lock()
+    with open(folder / "reach.jsonl", "a") as log:
+        def take_turns(some):
+            for case in some:
+                entry = reach_one(case)
+                with guard:
+                    log.write(json.dumps(entry) + "\n")
+                    log.flush()
+        in_parallel(runner, jobs, take_turns, sorted(turns.values(), key=len, reverse=True), "reach")
+
+
+def read_reach(folder):
+    """What the step reach knows of each case, by name."""
+    path = folder / "reach.jsonl"
+    if not path.exists():
+        return {}
+    # An interrupted step may leave half a line.
+    entries = [json.loads(line) for line in path.read_text().splitlines() if line.endswith("}")]
+    return {entry["case"]: entry for entry in entries}

@@ -14,8 +14,8 @@ import threading
 import time
 from pathlib import Path
 
-from cases import FAILED, PASSED, SKIPPED, Runner, as_list, read_cases
-from common import OWN_TREE, add_assets, in_parallel, run_logged, say, stop
+from cases import FAILED, PASSED, SKIPPED, Runner, as_list, reach_each, read_cases, read_reach
+from common import OWN_TREE, add_assets, run_logged, say, stop
 
 LIST = OWN_TREE / "tests" / "left_out_under_sanitizers.txt"
 LIST_HEAD = """\
@@ -24,6 +24,7 @@ LIST_HEAD = """\
 """
 # These run whatever they reach: they try inputs and hostile values, not code.
 ALWAYS = re.compile(r"^fuzz\.")
+PARAMETER = "  # GetParam() = "
 LEAST_COST = 0.05  # s of a processor that starting a case takes at least
 MAGIC_64_BIT = 0xC0BFFFFFFFFFFF64
 BATCH = 20_000  # addresses that one call of the symbolizer gets
@@ -53,20 +54,10 @@ def reach(options):
     folder = options.out
     (folder / "reached").mkdir(exist_ok=True)
     cases, known = read_cases(folder, options.cases), read_reach(folder)
-    todo = [case for name, case in cases.items() if name not in known and "slow" not in as_list(case.properties.get("LABELS"))]
-    # Cases with the same lock take turns, so that none keeps a place while it waits.
-    chains = collections.defaultdict(list)
-    for case in todo:
-        chains[as_list(case.properties.get("RESOURCE_LOCK"))[0] if case.properties.get("RESOURCE_LOCK") else case.name].append(case)
-    runner, guard = Runner(folder, limited=False), threading.Lock()
-    with open(folder / "reach.jsonl", "a") as log:
-        def one(chain):
-            for case in chain:
-                entry = reach_one(runner, folder, case)
-                with guard:
-                    log.write(json.dumps(entry) + "\n")
-                    log.flush()
-        in_parallel(runner, options.jobs, one, sorted(chains.values(), key=len, reverse=True), "reach")
+    todo = [case for name, case in cases.items()
+            if name not in known and "slow" not in as_list(case.properties.get("LABELS"))]
+    runner = Runner(folder, limited=False)
+    reach_each(folder, todo, runner, options.jobs, lambda case: reach_one(runner, folder, case))
     for name, entry in sorted(read_reach(folder).items()):
         if entry["verdict"] == FAILED:
             say(f"fails, and is not judged ({entry['how']}): {name}")
@@ -79,7 +70,8 @@ def reach_one(runner, folder, case):
     times = place / "times"
     # What the sanitizer says of coverage goes into files, since cases read what programs say.
     outcome = runner.run(case, case.limit, {
-        "ASAN_OPTIONS": f"intercept_tls_get_addr=0:coverage=1:coverage_dir={place}:log_path={place}/log", "UBSAN_OPTIONS": "print_stacktrace=1",
+        "ASAN_OPTIONS": f"intercept_tls_get_addr=0:coverage=1:coverage_dir={place}:log_path={place}/log",
+        "UBSAN_OPTIONS": "print_stacktrace=1",
         "THAUM_CASE_TIMES": str(times)})
     spent = sum(int(line.split("\t")[0]) for line in times.read_text().splitlines()) / 1000 if times.exists() else 0
     blocks = collections.defaultdict(set)  # addresses by program
@@ -104,14 +96,6 @@ def read_addresses(path):
     return words[1:]
 
 
-def read_reach(folder):
-    path = folder / "reach.jsonl"
-    if not path.exists():
-        return {}
-    entries = [json.loads(line) for line in path.read_text().splitlines() if line.endswith("}")]
-    return {entry["case"]: entry for entry in entries}
-
-
 # ---- choose --------------------------------------------------------------------------------------------------
 
 def choose(options):
@@ -124,7 +108,8 @@ def choose(options):
     cost = {name: max(entry["cost"], LEAST_COST) for name, entry in known.items()}
     chosen = cover(reached, cost, {name for name in known if ALWAYS.match(name)})
     left_out = sorted((set(known) - chosen) | skipped)
-    options.list.write_text(LIST_HEAD + "".join(f"{name}\n" for name in left_out))
+    # Names of some cases end with the bytes of a parameter, which may be addresses: other in every run.
+    options.list.write_text(LIST_HEAD + "".join(f"{name.partition(PARAMETER)[0]}\n" for name in left_out))
     every = set().union(*reached.values())
     still = set().union(*(reached[name] for name in chosen))
     say(f"{len(chosen)} of {len(known)} cases reach {len(still)} of {len(every)} places of engine and game; they take "

@@ -1,13 +1,10 @@
 """Steps reach, run and compare: which cases reach which mutants, and which mutants they find."""
 import collections
 import csv
-import json
-import mmap
-import os
 import threading
 import time
 
-from cases import FAILED, PASSED, SKIPPED, TIME_LIMIT, Runner, read_cases
+from cases import FAILED, PASSED, SKIPPED, TIME_LIMIT, Runner, reach_each, read_cases, read_reach
 from common import KINDS, in_parallel, read_mutants, say, stop
 
 COLUMNS = ("id", "kind", "file", "line", "column", "before", "after", "reached by", "result", "found by")
@@ -27,14 +24,8 @@ def reach(options):
     cases, known = read_cases(folder, options.cases), read_reach(folder)
     todo = [case for name, case in cases.items() if name not in known]
     todo.sort(key=lambda case: (-float(case.properties.get("COST", 0)), case.name))
-    runner, guard, begin = Runner(folder), threading.Lock(), time.monotonic()
-    with open(folder / "reach.jsonl", "a") as log:
-        def one(case):
-            entry = reach_one(runner, folder, case, count)
-            with guard:
-                log.write(json.dumps(entry) + "\n")
-                log.flush()
-        in_parallel(runner, options.jobs, one, todo, "reach")
+    runner, begin = Runner(folder), time.monotonic()
+    reach_each(folder, todo, runner, options.jobs, lambda case: reach_one(runner, folder, case, count))
     known = {name: entry for name, entry in read_reach(folder).items() if name in cases}
     say(f"{len(todo)} cases in {time.monotonic() - begin:.0f} s")
     report_reach(known, count)
@@ -48,17 +39,6 @@ def reach_one(runner, folder, case, count):
     place.unlink()
     return {"case": case.name, "verdict": outcome.verdict, "how": outcome.how, "seconds": round(outcome.seconds, 3),
             "mutants": [i for i in range(1, count + 1) if data[i]]}
-
-
-def read_reach(folder):
-    path = folder / "reach.jsonl"
-    if not path.exists():
-        return {}
-    entries = []
-    for line in path.read_text().splitlines():
-        if line.endswith("}"):  # an interrupted step may leave half a line
-            entries.append(json.loads(line))
-    return {entry["case"]: entry for entry in entries}
 
 
 def report_reach(known, count):
