@@ -18,21 +18,20 @@ struct Error {
 template <class T>
 class Expected;
 
-/// What becomes the value of an Expected<T>: neither an error nor another Expected.
+/// ValueFor<U, T> holds if the value of an Expected<T> can be made from a U. For errors and for another Expected it does not:
+/// they have constructors of their own.
 template <class U, class T>
 concept ValueFor = std::is_constructible_v<T, U> && std::is_convertible_v<U, T> &&
                    !std::is_same_v<std::remove_cvref_t<U>, Expected<T>> &&
                    !std::is_same_v<std::remove_cvref_t<U>, Error>;
 
-/// Either a value or an Error: the return type of functions that may fail. Faults from outside (files, devices, options)
-/// are Errors; our own mistakes, such as asking for a value that is not there, are assertions (core/assert.h). It has what
-/// C++23's std::expected has under the same names, as far as we use it; a library's version took a tenth of all time that
-/// the compiler spent.
+/// Expected<T> holds either a value or an Error. It is the return type of functions that may fail. Faults from outside
+/// (files, devices, options) are Errors; our own mistakes, such as asking for a value that is not there, are assertions
+/// (core/assert.h). It is the part of C++23's std::expected that we use, under the same names, and no more, because it is
+/// compiled for two hundred types.
 template <class T>
 class [[nodiscard]] Expected {
 public:
-    using value_type = T;
-
     Expected() requires std::default_initializable<T> : holds_(true) { std::construct_at(&value_); }
     template <ValueFor<T> U = T>
     Expected(U&& value)  // NOLINT(bugprone-forwarding-reference-overload)
@@ -92,29 +91,29 @@ private:
     bool holds_;
 };
 
-/// Whether there is a value, and it equals the other one.
+/// Compares the value with another one. An error equals no value.
 template <class T, class U>
 requires requires(const T& value, const U& other) { value == other; }
 bool operator==(const Expected<T>& expected, const U& other) {
     return expected.has_value() && *expected == other;
 }
 
-/// Success, or an Error.
+/// Expected<void> holds either nothing, which is success, or an Error.
 template <>
 class [[nodiscard]] Expected<void> {
 public:
-    using value_type = void;
-
     Expected() = default;
     Expected(Error error) : error_(std::move(error)), holds_(false) {}
 
     bool has_value() const { return holds_; }
     explicit operator bool() const { return holds_; }
-    Error& error() & { return error_; }
-    const Error& error() const& { return error_; }
-    Error&& error() && { return std::move(error_); }
+    Error& error() & { return checked(), error_; }
+    const Error& error() const& { return checked(), error_; }
+    Error&& error() && { return checked(), std::move(error_); }
 
 private:
+    void checked() const { THAUM_ASSERT(!holds_, "an error that is not there"); }
+
     Error error_;
     bool holds_ = true;
 };

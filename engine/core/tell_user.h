@@ -5,7 +5,7 @@
 namespace thaum {
 
 /// Writes one line to standard error. Ends of lines and control characters within it, such as those of a file's or a
-/// device's name, become readable (see in_one_line).
+/// device's name, become blanks, and what goes beyond 1,000 bytes becomes "..." (in_one_line).
 void tell_user(std::string_view line);
 
 }  // namespace thaum

@@ -297,7 +297,7 @@ Expected<FileWriter> start_nrrd(const Path& path, const Volume& volume, Packing 
 
 Expected<void> write_nrrd(const Path& path, const Volume& volume, Packing packing) {
     auto file = start_nrrd(path, volume, packing);
-    return file ? file->close() : Error(file.error());
+    return file ? file->close() : file.error();
 }
 
 }  // namespace thaum::field

@@ -202,7 +202,7 @@ Expected<std::vector<LeagueMatch>> play(const Plan& plan, const Data& data) {
         ::close(workers[job].from);
     }
     for (const auto& worker : workers) ::waitpid(worker.process, nullptr, 0);
-    if (error) return Error(*error);
+    if (error) return *error;
     return matches;
 }
 

@@ -28,7 +28,7 @@ std::string padded(Tick tick) {
 std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
     auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
     auto senses = loaded ? game::Senses::create(*loaded, *data.presentation)
-                         : Expected<std::unique_ptr<game::Senses>>(Error(loaded.error()));
+                         : Expected<std::unique_ptr<game::Senses>>(loaded.error());
     if (senses) return std::move(*senses);
     tell_user(text("pictures show nothing that is heard or felt: ", senses.error().message));
     return nullptr;

@@ -16,7 +16,7 @@ Expected<void> with_renderer(render::Window& window, const std::filesystem::path
     Expected<void> went;
     {
         auto renderer = render::Renderer::create(assets);
-        went = renderer ? std::forward<Run>(run)(*renderer) : Error(renderer.error());
+        went = renderer ? std::forward<Run>(run)(*renderer) : renderer.error();
     }
     window.release_current();
     return went;

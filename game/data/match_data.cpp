@@ -434,7 +434,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     if (data.cauldron && data.gestures) load_recipes(data, loader);
     name_brew(data);
     loader.check_overrides();
-    if (loader.error) return Error(*loader.error);
+    if (loader.error) return *loader.error;
     apply_rule_set(data);
     return data;
 }

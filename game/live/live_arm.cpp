@@ -138,7 +138,7 @@ Expected<Keeper> open_next(const std::vector<input::ArmPlace>& places, TakenNumb
         taken.push_back(n);
         return keeper;
     }
-    if (first) return Error(*first);
+    if (first) return *first;
     return fail("--hands arm: every arm is taken already; `thaum doctor` lists the arms");
 }
 

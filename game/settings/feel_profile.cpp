@@ -103,8 +103,8 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
          it.increment(error)) {
         if (it->path().extension() != ending || profiles.size() >= most_profiles) continue;
         const auto source = read_text_file(it->path(), largest_file);
-        auto profile = source ? parse_feel_profile(*source, it->path().string())
-                              : Expected<FeelProfile>(Error(source.error()));
+        auto profile =
+            source ? parse_feel_profile(*source, it->path().string()) : Expected<FeelProfile>(source.error());
         if (profile)
             profiles.push_back(std::move(*profile));
         else if (faults.size() < most_faults)

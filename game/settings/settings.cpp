@@ -273,7 +273,7 @@ namespace {
 
 Expected<Settings> without_fault(Expected<ReadSettings> read) {
     if (!read) return read.error();
-    if (read->fault) return Error(*read->fault);
+    if (read->fault) return *read->fault;
     return std::move(read->settings);
 }
 

@@ -23,7 +23,7 @@ Expected<Tool> shipped(const std::string& name) {
 
 Expected<Tool> tool_from(std::string_view toml) {
     const auto config = Config::parse(toml, "t.toml", tool_file_version);
-    return config ? read_tool(*config, shipped_materials()) : Error(config.error());
+    return config ? read_tool(*config, shipped_materials()) : config.error();
 }
 
 /// Message of the fault of a tool with these lines in its only operation. The first of them is line 4.

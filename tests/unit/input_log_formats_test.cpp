@@ -28,7 +28,7 @@ Bytes body_of(const Bytes& log) {
 
 Expected<LogHeader> decoded(const Bytes& file) {
     const auto preamble = detail::decode_preamble(file);
-    return preamble ? detail::decode_header(file, *preamble) : Error(preamble.error());
+    return preamble ? detail::decode_header(file, *preamble) : preamble.error();
 }
 
 /// The header with this body, or the words of its refusal.

@@ -177,7 +177,7 @@ TEST(VoxelSnapshot, CutOrForeignBytesAreRefused) {
 
 Expected<Materials> materials_from(std::string_view toml) {
     const auto config = Config::parse(toml, "m.toml", materials_file_version);
-    return config ? read_materials(*config) : Error(config.error());
+    return config ? read_materials(*config) : config.error();
 }
 
 constexpr std::string_view skin =

@@ -52,7 +52,7 @@ void passivity(Report& report) {
         if (!is_haptic(script)) continue;
         const auto result = game::run_scenario(script, options);
         const auto csv = read_text_file(options.out / (result.name + ".forces.csv"), most_table);
-        const auto energy = csv ? passive_energy(*csv) : Expected<PassiveEnergy>(Error(csv.error()));
+        const auto energy = csv ? passive_energy(*csv) : Expected<PassiveEnergy>(csv.error());
         if (!result.passed || !energy) {
             report.faults.push_back(text("haptics passivity: scenario ", result.name, ": ",
                                          result.passed ? energy.error().message : result.message));

@@ -140,19 +140,18 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
         return {};
     }
     if (!is_field)
-        return Error(at_line(
-            number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'")));
+        return at_line(
+            number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'"));
     const std::string field = name_of_field(line.substr(0, colon));
     if (std::ranges::find(known_fields, field) == known_fields.end())
-        return Error(
-            at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'")));
+        return at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'"));
     const bool added = fields_
                            .emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number,
                                                 printable(line.substr(0, colon), shown)})
                            .second;
     if (!added)
-        return Error(at_line(number, text("field '", printable(line.substr(0, colon), shown),
-                                          "' stands in the header twice")));
+        return at_line(
+            number, text("field '", printable(line.substr(0, colon), shown), "' stands in the header twice"));
     return {};
 }
 
@@ -199,7 +198,7 @@ void NrrdFields::report(std::string_view field, std::string_view message) {
 }
 
 Expected<void> NrrdFields::check() const {
-    if (fault_) return Error(*fault_);
+    if (fault_) return *fault_;
     return {};
 }
 

@@ -165,7 +165,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
           out.compose);
     small({shaders / "overlay.vert", shaders / "overlay.frag"}, "pixel", out.overlay);
     small({shaders / "overlay.vert", shaders / "shape.frag"}, "pixel", out.shape);
-    if (loading.error) return Error(*loading.error);
+    if (loading.error) return *loading.error;
     return out;
 }
 
