@@ -13,7 +13,7 @@ endif()
 
 # The whole program with the fifth spell. It can also be played in a window: THAUM_ASSETS names a folder with mend.toml
 # and w.toml.
-add_executable(thaum_with_mend ${PROJECT_SOURCE_DIR}/game/app/main.cpp $<TARGET_OBJECTS:spell_mend>)
-target_link_libraries(thaum_with_mend PRIVATE thaum_commands thaum_flags)
+add_executable(thaum_with_mend ${PROJECT_SOURCE_DIR}/game/app/tools_main.cpp $<TARGET_OBJECTS:spell_mend>)
+target_link_libraries(thaum_with_mend PRIVATE thaum_tools thaum_flags)
 add_test(NAME fifth_spell.program COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/fifth_spell/program.sh
     $<TARGET_FILE:thaum_with_mend> $<TARGET_FILE:thaum> ${PROJECT_SOURCE_DIR}/assets)

@@ -4,7 +4,7 @@ thaum_test(test_hud
     LINK thaum_hud
     NOT_SANITIZED IngredientShapes.DifferInOutline*)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/drawing_hand_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
+    SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/body_trial_test.cpp unit/feel_profile_test.cpp unit/gesture_wall_test.cpp unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
         unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/own_gestures_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
@@ -79,8 +79,8 @@ thaum_driver_test(gesture_record ${CMAKE_CURRENT_SOURCE_DIR}/drivers/gesture_rec
 set(slow_drivers drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails)
 if(NOT THAUM_SANITIZE)
     # The program with a driver that only this test has, and two arms in one match.
-    add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/main.cpp)
-    target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_commands fake_arm)
+    add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/tools_main.cpp)
+    target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_tools fake_arm)
     thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh
         $<TARGET_FILE:thaum_with_fake_arms> $<TARGET_FILE:live_log_probe>)
     list(APPEND slow_drivers drivers.two_arms)

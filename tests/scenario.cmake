@@ -13,7 +13,7 @@ file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lu
 foreach(script ${scenarios})
     get_filename_component(name ${script} NAME_WE)
     add_test(NAME scenario.${name}
-        COMMAND ${timed} $<TARGET_FILE:thaum> scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
+        COMMAND ${timed} $<TARGET_FILE:thaum-tools> scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
         set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} COST 50 LABELS "scenario;long")
     elseif(name IN_LIST slow_scenarios)
@@ -54,11 +54,11 @@ file(GLOB replays CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/replays/*.thauml
 foreach(log ${replays})
     get_filename_component(name ${log} NAME_WE)
     string(REGEX MATCH "[0-9]+$" version ${name})
-    add_test(NAME replay.${name} COMMAND ${timed} $<TARGET_FILE:thaum> replay ${log} --verify)
+    add_test(NAME replay.${name} COMMAND ${timed} $<TARGET_FILE:thaum-tools> replay ${log} --verify)
     if(version EQUAL rules_version)
         if(NOT THAUM_SANITIZE)
             # Makes the C library use its functions for processors without AVX2 and FMA.
-            add_test(NAME replay.${name}.older_libm COMMAND ${timed} $<TARGET_FILE:thaum> replay ${log} --verify)
+            add_test(NAME replay.${name}.older_libm COMMAND ${timed} $<TARGET_FILE:thaum-tools> replay ${log} --verify)
             set_tests_properties(replay.${name}.older_libm PROPERTIES
                 ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
         endif()
@@ -76,7 +76,7 @@ if(NOT THAUM_SANITIZE)
     add_test(NAME replay.long_duel.record
         COMMAND ${timed} $<TARGET_FILE:thaum> --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
             --out ${long_duel})
-    add_test(NAME replay.long_duel.older_libm COMMAND ${timed} $<TARGET_FILE:thaum> replay ${long_duel}.thaumlog --verify)
+    add_test(NAME replay.long_duel.older_libm COMMAND ${timed} $<TARGET_FILE:thaum-tools> replay ${long_duel}.thaumlog --verify)
     set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS long)
     set_tests_properties(replay.long_duel.record PROPERTIES
         FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS long TIMEOUT ${longest_test})

@@ -24,7 +24,7 @@ add_test(NAME sixth_wand.link_order COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}
     $<TARGET_FILE:wands_forward> $<TARGET_FILE:wands_reverse>)
 
 # The whole program with the sixth wand. It can also be played in a window: THAUM_ASSETS names a folder with hail.toml.
-add_executable(thaum_with_hail ${PROJECT_SOURCE_DIR}/game/app/main.cpp $<TARGET_OBJECTS:wand_hail>)
-target_link_libraries(thaum_with_hail PRIVATE thaum_commands thaum_flags)
+add_executable(thaum_with_hail ${PROJECT_SOURCE_DIR}/game/app/tools_main.cpp $<TARGET_OBJECTS:wand_hail>)
+target_link_libraries(thaum_with_hail PRIVATE thaum_tools thaum_flags)
 add_test(NAME sixth_wand.program COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/sixth_wand/program.sh
     $<TARGET_FILE:thaum_with_hail> $<TARGET_FILE:thaum> ${PROJECT_SOURCE_DIR}/assets)

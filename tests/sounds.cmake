@@ -3,6 +3,7 @@ thaum_test(test_sounds
     SOURCES accuracy/audio_synth_test.cpp unit/audio_recipe_test.cpp unit/audio_sounds_test.cpp
     LINK thaum_audio
     NOT_SANITIZED GameSounds.EachIsTold*)
-thaum_test(test_sound_pictures
-    SOURCES unit/offscreen_duel_test.cpp unit/shots_test.cpp unit/sound_picture_test.cpp
-    LINK thaum_commands)
+# What commands share.
+thaum_test(test_commands
+    SOURCES unit/drawing_hand_test.cpp unit/offscreen_duel_test.cpp unit/shots_test.cpp unit/sound_picture_test.cpp
+    LINK thaum_tools fake_arm)

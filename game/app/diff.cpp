@@ -184,8 +184,6 @@ int run_diff(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command diff_command() {
-    return {"diff", "find the first difference of two states or two replays", diff_help, run_diff};
-}
+Command diff_command() { return {"diff", summaries::diff, diff_help, run_diff}; }
 
 }  // namespace thaum::app

@@ -336,9 +336,6 @@ int run_league(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command league_command() {
-    return {"league", "bots of all levels against each other: who wins, how long it takes", league_help,
-            run_league};
-}
+Command league_command() { return {"league", summaries::league, league_help, run_league}; }
 
 }  // namespace thaum::app

@@ -58,10 +58,13 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
 }
 
 void protect_inputs(std::string_view command) {
+    std::error_code unreadable;
+    const auto self = std::filesystem::read_symlink("/proc/self/exe", unreadable);
     protect_input("/proc/self/exe");
+    for (const auto* program : {"thaum", "thaum-tools", "thaum-bench"})
+        protect_input(self.parent_path() / program);
     const bool has_menu = command == "play" || command == "range" || command == "replay";
     if (const auto settings = settings_file(); !has_menu && !settings.empty()) protect_input(settings);
-    std::error_code unreadable;
     for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable))
         if (entry.path().filename() != "pictures") protect_input(entry.path());
 }

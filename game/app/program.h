@@ -13,7 +13,7 @@ using Dispatch = int (*)(std::vector<std::string> words);
 /// tests whether all output was written. Returns the exit code, or ends the process if a library hangs.
 int run_program(int argc, char** argv, Dispatch dispatch);
 
-/// Protects the data files of matches and the program from being overwritten by any command. The pictures beside
+/// Protects the data files of matches and our programs from being overwritten by any command. The pictures beside
 /// the data stay writable, because this program makes them. The settings are protected from commands without a
 /// menu, which is where they are changed.
 void protect_inputs(std::string_view command);

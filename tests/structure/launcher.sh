@@ -111,6 +111,20 @@ as_user=()
 chmod -R u+w "$tree"
 
 fresh_machine
+run
+expect "builds only what players need" called "ninja -C $tree/build/release -j$(nproc) thaum$"
+tools=0
+mapfile -t commands < <(sed -n 's/.*{"\([a-z]*\)", summaries::.*/\1/p' "$source/game/app/thaum_main.cpp")
+for command in "${commands[@]}"; do
+    rm "$tree/build/release/game/thaum"
+    run "$command"
+    ! called "-j$(nproc) thaum-tools" && continue
+    tools=$((tools + 1))
+    rm "$place/calls"
+done
+expect "and the tools for each command that needs them" test "$tools" == "${#commands[@]}" -a "$tools" != 0
+
+fresh_machine
 tool ninja <<<'echo "[1/2] x"; echo "FAILED: a.o"; echo "a.cpp:1: error: no"; exit 1'
 run
 expect "stops when the build fails" code_is 2

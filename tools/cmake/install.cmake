@@ -1,5 +1,6 @@
 # What `cmake --install` puts where. Component "engine": headers, static libraries and the files by which CMake
-# and pkg-config find them. Component "program": thaum, thaum-bench and their data.
+# and pkg-config find them. Component "program": thaum, thaum-tools,
+# thaum-bench and their data.
 include(CMakePackageConfigHelpers)
 set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
 
@@ -47,7 +48,7 @@ endforeach()
 
 # Folders as game::find_assets and game::scenarios_beside look for them.
 set(THAUM_DATA ${CMAKE_INSTALL_DATADIR}/thaum)
-install(TARGETS thaum COMPONENT program)
+install(TARGETS thaum thaum-tools COMPONENT program)
 if(TARGET thaum-bench)
     install(TARGETS thaum-bench COMPONENT program)
 endif()

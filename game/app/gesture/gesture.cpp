@@ -60,7 +60,7 @@ int run_gesture(const std::vector<std::string>& words) {
 }  // namespace
 
 Command gesture_command() {
-    return {"gesture", "measure, train and check the recognisers of gestures", "", run_gesture};
+    return {"gesture", summaries::gesture, "", run_gesture};
 }
 
 }  // namespace thaum::app

@@ -299,7 +299,7 @@ int run_lab(const std::vector<std::string>& words) {
 }  // namespace
 
 Command lab_command() {
-    return {"lab", "a volume to feel, read and carve, or the cauldron's brew alone", {}, run_lab};
+    return {"lab", summaries::lab, {}, run_lab};
 }
 
 }  // namespace thaum::app

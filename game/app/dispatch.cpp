@@ -1,4 +1,3 @@
-// thaum: the program. The first word names the command; without a command word it is `play`.
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -10,25 +9,21 @@
 namespace thaum::app {
 namespace {
 
-std::vector<Command> commands() {
-    return {play_command(),     range_command(),   replay_command(), shots_command(), diff_command(),
-            scenario_command(), league_command(),  lab_command(),    bench_command(), plot_command(),
-            sounds_command(),   gesture_command(), doctor_command()};
-}
-
-void print_overview() {
+void print_overview(const std::vector<Command>& commands) {
     std::printf("Thaum %s: a duel of two wizards on one machine\n\nusage: thaum [COMMAND] [OPTIONS]\n\n",
                 THAUM_VERSION);
-    for (const auto& command : commands()) {
+    for (const auto& command : commands) {
         std::printf("  %-9s %s\n", std::string(command.name).c_str(), std::string(command.summary).c_str());
     }
     std::printf(
         "\n`thaum help COMMAND` or `thaum COMMAND --help` explains a command. Without a command: play.\n");
 }
 
-int dispatch(std::vector<std::string> words) {
+}  // namespace
+
+int dispatch(const std::vector<Command>& commands, std::vector<std::string> words) {
     if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
-        print_overview();
+        print_overview(commands);
         return done;
     }
     if (words.size() == 1 && words[0] == "--version") {
@@ -44,8 +39,12 @@ int dispatch(std::vector<std::string> words) {
         name = words[0];
         words.erase(words.begin());
     }
-    for (const auto& command : commands()) {
+    for (const auto& command : commands) {
         if (command.name != name) continue;
+        if (command.run == nullptr) {
+            words.insert(words.begin(), name);
+            return become("thaum-tools", words);
+        }
         if (asks_for_help(words) && !command.help.empty()) {
             std::printf("%s", std::string(command.help).c_str());
             return done;
@@ -56,8 +55,4 @@ int dispatch(std::vector<std::string> words) {
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
 }
 
-}  // namespace
-
 }  // namespace thaum::app
-
-int main(int argc, char** argv) { return thaum::app::run_program(argc, argv, thaum::app::dispatch); }

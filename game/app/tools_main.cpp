@@ -1,0 +1,24 @@
+// thaum-tools: the program with all commands. A program that links to further wands, spells or drivers of arms has this
+// main function, too.
+#include <string>
+#include <vector>
+
+#include "game/app/command.h"
+#include "game/app/program.h"
+
+namespace thaum::app {
+namespace {
+
+int dispatch_words(std::vector<std::string> words) {
+    const std::vector<Command> commands = {
+        play_command(),     range_command(),   replay_command(), shots_command(), diff_command(),
+        scenario_command(), league_command(),  lab_command(),    bench_command(), plot_command(),
+        sounds_command(),   gesture_command(), doctor_command()};
+    return dispatch(commands, std::move(words));
+}
+
+}  // namespace
+
+}  // namespace thaum::app
+
+int main(int argc, char** argv) { return thaum::app::run_program(argc, argv, thaum::app::dispatch_words); }
