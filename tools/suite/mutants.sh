@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tools/suite/mutants.sh STEP OPTION...: measures how many small faults of the program its tests find. README.md says
+# tools/suite/mutants.sh STEP OPTION...: measures how many small faults of the program its tests find. MUTANTS.md says
 # how; --help lists steps and options. Installs its packages (group "mutants" of tools/packages.txt) if they are missing.
 set -euo pipefail
 
