@@ -30,6 +30,6 @@ int become(std::string_view program, const std::vector<std::string>& words) {
 }
 
 // The benchmarks are a program of their own, because they count allocations by replacing malloc.
-Command bench_command() { return {"bench", "measure time against error", "", run_bench}; }
+Command bench_command() { return {"bench", "", run_bench}; }
 
 }  // namespace thaum::app

@@ -184,6 +184,6 @@ int run_diff(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command diff_command() { return {"diff", summaries::diff, diff_help, run_diff}; }
+Command diff_command() { return {"diff", diff_help, run_diff}; }
 
 }  // namespace thaum::app

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/text.h"
@@ -9,21 +12,41 @@
 namespace thaum::app {
 namespace {
 
-void print_overview(const std::vector<Command>& commands) {
+struct Summary {
+    std::string_view name, summary;
+};
+
+/// All commands, in the order in which they are listed.
+constexpr Summary overview[] = {
+    {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo"},
+    {"range", "practice on a dummy; data files that change are read while it runs"},
+    {"replay", "play a recorded match again, or check it"},
+    {"shots", "make the README's pictures from a replay"},
+    {"diff", "find the first difference of two states or two replays"},
+    {"scenario", "play gameplay scenarios and check what they find"},
+    {"league", "bots of all levels against each other: who wins, how long it takes"},
+    {"lab", "a volume to feel, read and carve, or the cauldron's brew alone"},
+    {"bench", "measure time against error"},
+    {"plot", "draw a benchmark's report"},
+    {"sounds", "list the sounds; write them as files and pictures"},
+    {"gesture", "measure, train and check the recognisers of gestures"},
+    {"doctor", "check this machine and report what is missing"},
+};
+
+void print_overview() {
     std::printf("Thaum %s: a duel of two wizards on one machine\n\nusage: thaum [COMMAND] [OPTIONS]\n\n",
                 THAUM_VERSION);
-    for (const auto& command : commands) {
-        std::printf("  %-9s %s\n", std::string(command.name).c_str(), std::string(command.summary).c_str());
-    }
+    for (const auto& [name, summary] : overview)
+        std::printf("  %-9s %s\n", std::string(name).c_str(), std::string(summary).c_str());
     std::printf(
         "\n`thaum help COMMAND` or `thaum COMMAND --help` explains a command. Without a command: play.\n");
 }
 
 }  // namespace
 
-int dispatch(const std::vector<Command>& commands, std::vector<std::string> words) {
+int dispatch(const std::vector<Command>& commands, std::vector<std::string> words, std::string_view others) {
     if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
-        print_overview(commands);
+        print_overview();
         return done;
     }
     if (words.size() == 1 && words[0] == "--version") {
@@ -41,16 +64,16 @@ int dispatch(const std::vector<Command>& commands, std::vector<std::string> word
     }
     for (const auto& command : commands) {
         if (command.name != name) continue;
-        if (command.run == nullptr) {
-            words.insert(words.begin(), name);
-            return become("thaum-tools", words);
-        }
         if (asks_for_help(words) && !command.help.empty()) {
             std::printf("%s", std::string(command.help).c_str());
             return done;
         }
         protect_inputs(name);
         return command.run(words);
+    }
+    if (!others.empty() && std::ranges::find(overview, name, &Summary::name) != std::end(overview)) {
+        words.insert(words.begin(), name);
+        return become(others, words);
     }
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
 }

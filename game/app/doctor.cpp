@@ -412,8 +412,6 @@ int run_doctor(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command doctor_command() {
-    return {"doctor", "check this machine and report what is missing", doctor_help, run_doctor};
-}
+Command doctor_command() { return {"doctor", doctor_help, run_doctor}; }
 
 }  // namespace thaum::app

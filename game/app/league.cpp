@@ -336,6 +336,6 @@ int run_league(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command league_command() { return {"league", summaries::league, league_help, run_league}; }
+Command league_command() { return {"league", league_help, run_league}; }
 
 }  // namespace thaum::app

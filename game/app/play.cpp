@@ -211,8 +211,6 @@ int run_play(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command play_command() {
-    return {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo", play_help, run_play};
-}
+Command play_command() { return {"play", play_help, run_play}; }
 
 }  // namespace thaum::app

@@ -142,9 +142,6 @@ int run_range(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command range_command() {
-    return {"range", "practice on a dummy; data files that change are read while it runs", range_help,
-            run_range};
-}
+Command range_command() { return {"range", range_help, run_range}; }
 
 }  // namespace thaum::app

@@ -398,6 +398,6 @@ int run_replay(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command replay_command() { return {"replay", summaries::replay, replay_help, run_replay}; }
+Command replay_command() { return {"replay", replay_help, run_replay}; }
 
 }  // namespace thaum::app

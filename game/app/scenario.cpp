@@ -122,6 +122,6 @@ int run_scenario(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command scenario_command() { return {"scenario", summaries::scenario, scenario_help, run_scenario}; }
+Command scenario_command() { return {"scenario", scenario_help, run_scenario}; }
 
 }  // namespace thaum::app

@@ -148,6 +148,6 @@ int run_shots(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command shots_command() { return {"shots", summaries::shots, shots_help, run_shots}; }
+Command shots_command() { return {"shots", shots_help, run_shots}; }
 
 }  // namespace thaum::app

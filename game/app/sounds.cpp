@@ -110,6 +110,6 @@ int run_sounds(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command sounds_command() { return {"sounds", summaries::sounds, sounds_help, run_sounds}; }
+Command sounds_command() { return {"sounds", sounds_help, run_sounds}; }
 
 }  // namespace thaum::app

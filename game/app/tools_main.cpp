@@ -1,6 +1,7 @@
 // thaum-tools: the program with all commands. A program that links to further wands, spells or drivers of arms has this
 // main function, too.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "game/app/command.h"
@@ -10,11 +11,10 @@ namespace thaum::app {
 namespace {
 
 int dispatch_words(std::vector<std::string> words) {
-    const std::vector<Command> commands = {
-        play_command(),     range_command(),   replay_command(), shots_command(), diff_command(),
-        scenario_command(), league_command(),  lab_command(),    bench_command(), plot_command(),
-        sounds_command(),   gesture_command(), doctor_command()};
-    return dispatch(commands, std::move(words));
+    return dispatch({play_command(), range_command(), replay_command(), shots_command(), diff_command(),
+                     scenario_command(), league_command(), lab_command(), bench_command(), plot_command(),
+                     sounds_command(), gesture_command(), doctor_command()},
+                    std::move(words), "");
 }
 
 }  // namespace

@@ -114,7 +114,8 @@ fresh_machine
 run
 expect "builds only what players need" called "ninja -C $tree/build/release -j$(nproc) thaum$"
 tools=0
-mapfile -t commands < <(sed -n 's/.*{"\([a-z]*\)", summaries::.*/\1/p' "$source/game/app/thaum_main.cpp")
+mapfile -t commands < <(sed -n 's/^ *{"\([a-z]*\)", *".*/\1/p' "$source/game/app/dispatch.cpp" |
+    grep -vxE 'play|range|doctor|bench')
 for command in "${commands[@]}"; do
     rm "$tree/build/release/game/thaum"
     run "$command"

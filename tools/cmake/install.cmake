@@ -1,6 +1,5 @@
 # What `cmake --install` puts where. Component "engine": headers, static libraries and the files by which CMake
-# and pkg-config find them. Component "program": thaum, thaum-tools,
-# thaum-bench and their data.
+# and pkg-config find them. Component "program": thaum, thaum-tools, thaum-bench and their data.
 include(CMakePackageConfigHelpers)
 set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
 

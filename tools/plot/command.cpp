@@ -45,6 +45,6 @@ int run_plot(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command plot_command() { return {"plot", summaries::plot, plot_help, run_plot}; }
+Command plot_command() { return {"plot", plot_help, run_plot}; }
 
 }  // namespace thaum::app

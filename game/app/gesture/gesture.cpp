@@ -59,8 +59,6 @@ int run_gesture(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command gesture_command() {
-    return {"gesture", summaries::gesture, "", run_gesture};
-}
+Command gesture_command() { return {"gesture", "", run_gesture}; }
 
 }  // namespace thaum::app

@@ -298,8 +298,6 @@ int run_lab(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command lab_command() {
-    return {"lab", summaries::lab, {}, run_lab};
-}
+Command lab_command() { return {"lab", {}, run_lab}; }
 
 }  // namespace thaum::app
