@@ -65,7 +65,7 @@ endif()
 thaum_driver_test(live_threads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/live_threads.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:press_keys>)
 set_tests_properties(drivers.range drivers.live_threads PROPERTIES LABELS threads)
-thread_program(thaum fake_hd press_keys)
+thread_program(thaum thaum-tools fake_hd press_keys)
 add_executable(forge_log drivers/forge_log.cpp)
 target_link_libraries(forge_log PRIVATE thaum_flags thaum_input)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
