@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# tools/tidy.sh [SOURCE...]: clang-tidy over the named sources of ours, each compiled alone; without a name, over all of
-# them, in batches as the build makes them.
+# tools/tidy.sh [SOURCE...]: checks the named sources of ours with clang-tidy, each on its own. Without a name, it checks all
+# in batches, as the build makes them but without precompiled headers, and then compiles each source on its own with them:
+# a source must include all that it uses, also when the batches are cut anew.
 #
-# clang-tidy is slow, so a batch that passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is
-# committed, so that a fresh checkout reads only what changed since. The key is a hash of everything that the batch
-# depends on: the settings, the compiler's command, and the text of its sources and of every header of ours that they
-# include, each without the place of the checkout. The build folders of clang-tidy have no precompiled headers, since clang cannot read GCC's, and since a source
-# must include all that it uses.
+# This is slow, so what passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is committed, so
+# that a fresh checkout reads only what changed since. The key is a hash of everything that the batch or source depends on:
+# the settings, the compiler's command, and the text of its sources and of every header of ours that they include, each
+# without the place of the checkout.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
@@ -14,13 +14,13 @@ cache=$root/build/tidy
 list=$root/tools/tidied.txt
 mkdir -p "$cache"
 
-# configured UNITY: makes a build folder with a compile database alone, and prints its name.
+# configured NAME OPTION...: makes the build folder tidy-NAME, for its compile database, and prints the folder's name.
 configured() {
     local folder=$root/build/tidy-$1
     if [[ ! -f $folder/build.ninja ]]; then
         cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
-            -DTHAUM_PORTABLE=ON -DBUILD_TESTING=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD="$1" \
-            -DCMAKE_UNITY_BUILD_BATCH_SIZE=32 >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
+            -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DTHAUM_PORTABLE=ON -DBUILD_TESTING=ON "${@:2}" \
+            >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
     else
         # Brings the list of sources up to date.
         ninja -C "$folder" build.ninja >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
@@ -85,41 +85,74 @@ keys() {
         { all[$1] = all[$1] hash[$2] }
         END { for (source in all) print common all[source] "\t" source }' "$cache/hashes" "$cache/dependencies" |
         while IFS=$'\t' read -r text source; do
-            printf '%s\t%s\n' "$(printf '%s' "$text${source#"$root"}" | sha256sum | cut -c1-40)" "$source"
+            printf '%s\t%s\n' "$(printf '%s' "$text${source#"$root"}" | sha256sum | cut -c1-16)" "$source"
         done
 }
 
-check_one() {
-    local key=${1%%$'\t'*} source=${1#*$'\t'} output
-    if output=$(clang-tidy --quiet -p "$folder" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option \
-        --extra-arg=-Wno-unknown-pragmas "$source" 2>&1); then
-        : >"$cache/$key"
-    else
-        printf '%s\n' "$output" | grep -v -e 'warnings generated' -e '^Suppressed' -e '^Use -header-filter'
-        return 1
-    fi
+# commands FOLDER: prints lines "SOURCE TAB COMMAND": how the build folder compiles each source, without its output.
+commands() {
+    awk '/^ *"command": / { command = $0; sub(/^ *"command": "/, "", command); sub(/ -o .*/, "", command) }
+        /^ *"file": / {
+            file = $0; sub(/^ *"file": "/, "", file); sub(/".*/, "", file)
+            gsub(/\\\\/, "\\", command); gsub(/\\"/, "\"", command)
+            print file "\t" command
+        }' "$1/compile_commands.json"
 }
-export -f check_one
-export root cache folder
+
+# tidy_one FOLDER SOURCE: clang-tidy over a source, or a batch.
+tidy_one() {
+    local output
+    output=$(clang-tidy --quiet -p "$1" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option "$2" 2>&1) && return
+    printf '%s\n' "$output" | grep -v -e 'warnings generated' -e '^Suppressed' -e '^Use -header-filter'
+    return 1
+}
+
+# compile_one FOLDER SOURCE: compiles a source on its own, without making code.
+compile_one() { bash -c "$(awk -F '\t' -v source="$2" '$1 == source { print $2; exit }' "$cache/commands") -fsyntax-only '$2'"; }
+
+# find_new FOLDER NAME: reads names of sources. Their keys go into the file NAME, and those that are not known to pass into
+# the file new: key and source on lines of their own.
+find_new() {
+    local key source
+    keys "$1" >"$cache/$2"
+    while IFS=$'\t' read -r key source; do
+        if [[ -e $cache/$key ]]; then touch "$cache/$key"; else printf '%s\n' "$key" "$source"; fi
+    done <"$cache/$2" >"$cache/new"
+    echo "$2: $(wc -l <"$cache/$2"), $(($(wc -l <"$cache/new") / 2)) of them new or changed"
+}
+
+# check_one CHECK FOLDER KEY SOURCE: remembers the key if the check passes.
+check_one() { "$1" "$2" "$4" && : >"$cache/$3"; }
+
+# check_new CHECK FOLDER: checks what find_new found.
+# shellcheck disable=SC2016  # $@ belongs to the inner shell
+check_new() { xargs -r -d '\n' -n 2 -P "$(nproc)" bash -c 'check_one "$@"' check_one "$@" <"$cache/new"; }
+export -f check_one tidy_one compile_one
+export cache
 
 if (($# > 0)); then
-    folder=$(configured OFF)
-    readlink -f "$@" | keys "$folder" >"$cache/keys"
-else
-    folder=$(configured ON)
-    sources_in "$folder" | keys "$folder" >"$cache/keys"
+    folder=$(configured named -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_UNITY_BUILD=OFF)
+    readlink -f "$@" | find_new "$folder" sources
+    check_new tidy_one "$folder"
+    exit
 fi
+
 # What passed in another checkout passed here.
 [[ ! -r $list ]] || awk '$1 ~ /^[0-9a-f]+$/ { print $1 }' "$list" | (cd "$cache" && xargs -r touch)
-while IFS=$'\t' read -r key source; do
-    if [[ -e $cache/$key ]]; then touch "$cache/$key"; else printf '%s\t%s\n' "$key" "$source"; fi
-done <"$cache/keys" >"$cache/todo"
-echo "clang-tidy: $(wc -l <"$cache/keys") sources or batches, $(wc -l <"$cache/todo") of them new or changed"
 find "$cache" -type f -mtime +30 -delete
-# shellcheck disable=SC2016  # $1 belongs to the inner shell
-xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'check_one "$1"' check_one <"$cache/todo"
+batches=$(configured batches -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+sources_in "$batches" | find_new "$batches" batches
+check_new tidy_one "$batches"
+alone=$(configured alone -DCMAKE_UNITY_BUILD=OFF)
+commands "$alone" >"$cache/commands"
+sources_in "$alone" | find_new "$alone" sources
+if [[ -s $cache/new ]]; then
+    ninja -C "$alone" -t targets all | sed -n 's/^\(.*\.pch\): .*/\1/p' | xargs -d '\n' ninja -C "$alone" >"$alone.log" ||
+        { cat "$alone.log" >&2; exit 1; }
+fi
+check_new compile_one "$alone"
 # Everything passed.
-(($# > 0)) || {
-    echo "# Batches that passed clang-tidy, written by tools/tidy.sh: the hash of all that a batch depends on, and its name."
-    sort -k 2 "$cache/keys" | tr '\t' ' ' | sed "s|$root/build/tidy-ON/||; s|$root/||"
+{
+    echo "# Batches and sources that passed, written by tools/tidy.sh: the hash of all that they depend on, and their names."
+    cat "$cache/batches" "$cache/sources" | sort -k 2 | tr '\t' ' ' | sed "s|$batches/||; s|$root/||"
 } >"$list"

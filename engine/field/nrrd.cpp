@@ -9,6 +9,7 @@
 #include "core/gzip.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "field/detail/nrrd_fields.h"
 #include "field/detail/nrrd_header.h"
 #include "field/detail/samples.h"
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "game/hud/arena_parts.h"
+#include "game/hud/figures.h"
 
 namespace thaum::game {
 namespace {

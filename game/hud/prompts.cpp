@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "game/data/control_words.h"
+#include "game/hud/event_words.h"
 
 namespace thaum::game {
 namespace {

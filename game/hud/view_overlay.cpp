@@ -10,6 +10,7 @@
 #include "game/hud/feed_overlay.h"
 #include "game/hud/figures.h"
 #include "game/hud/overlay.h"
+#include "game/hud/rim_card.h"
 #include "game/hud/station_card.h"
 #include "game/hud/station_strip.h"
 #include "game/hud/stroke_words.h"

@@ -7,6 +7,7 @@ set -euo pipefail
 thaum=$1 press_keys=$2
 need Xvfb xdotool import
 open_screen 1280x720
+few_pictures
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 export THAUM_ASSETS=$folder/assets
 bolt=$folder/assets/wands/bolt.toml

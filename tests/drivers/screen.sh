@@ -16,13 +16,14 @@ failed() {
 }
 
 # eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs. A busy
-# machine may take any time, so tests must wait for events and not count seconds.
+# machine may take any time, so tests must wait for events and not count seconds. Commands that look at the screen take a
+# tenth of a second of a core, so they are not asked more often than a person would look.
 eventually() {
     local what=$1 until=$((SECONDS + 900))
     shift
     while ((SECONDS < until)); do
         "$@" && return
-        sleep 0.05
+        sleep 0.2
     done
     failed "$what"
 }

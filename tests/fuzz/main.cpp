@@ -40,7 +40,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto most_work = std::chrono::seconds(10), most_time = std::chrono::seconds(600);
 constexpr rlim_t most_memory = rlim_t{1} << 30U;  ///< address space without sanitizers (bytes)
 /// Number of runs from which on both accepted and refused inputs must occur.
-constexpr std::uint64_t proof = 200;
+constexpr std::uint64_t proof = 100;
 
 /// Progress of the child process, in shared memory.
 struct Progress {

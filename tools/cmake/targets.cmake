@@ -35,7 +35,7 @@ function(thaum_headers_of set)
     endif()
     foreach(target ${ARGN})
         set(headers thaum_headers_${set})
-        # GCC takes one precompiled header at every level of optimisation but -O0, clang at one level only.
+        # A compiler takes one precompiled header at every level of optimisation but -O0.
         get_target_property(cold ${target} THAUM_COLD)
         if(cold AND THAUM_SANITIZE)
             string(APPEND headers _cold)

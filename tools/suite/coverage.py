@@ -1,4 +1,5 @@
-"""Chooses the cases that run under sanitizers, by the code that each reaches. See COVERAGE.md."""
+"""Chooses the cases that run under sanitizers, and how many inputs fuzzing tries, by the code that each reaches. See
+COVERAGE.md."""
 import argparse
 import array
 import collections
@@ -25,6 +26,14 @@ LIST_HEAD = """\
 # These run whatever they reach: they try inputs and hostile values, not code.
 ALWAYS = re.compile(r"^fuzz\.")
 PARAMETER = "  # GetParam() = "
+FUZZ_LIST = OWN_TREE / "tests" / "fuzz_runs.txt"
+FUZZ_HEAD = """\
+# Readers of files and protocols that are fuzzed, and how many inputs each gets in `./thaum test`: so many that more would
+# reach hardly any new code. Written by tools/suite/coverage.sh; a new reader is added by hand, with any number.
+"""
+FUZZ_RUNS = (100, 200, 400, 800, 1600)
+ENOUGH_BLOCKS = 0.995  # share of the blocks that the most inputs reach
+MOST_FUZZ_COST = 10  # s of a processor, after which a reader gets no more inputs
 LEAST_COST = 0.05  # s of a processor that starting a case takes at least
 MAGIC_64_BIT = 0xC0BFFFFFFFFFFF64
 BATCH = 20_000  # addresses that one call of the symbolizer gets
@@ -183,16 +192,59 @@ def cover(reached, cost, always):
     return chosen
 
 
+# ---- fuzz ----------------------------------------------------------------------------------------------------
+
+def fuzz(options):
+    """Writes how many inputs each reader gets."""
+    readers = [line.split()[0] for line in FUZZ_LIST.read_text().splitlines() if line and not line.startswith("#")]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        counts = list(pool.map(lambda reader: runs_of(options.out, reader), readers))
+    FUZZ_LIST.write_text(FUZZ_HEAD + "".join(f"{reader} {runs}\n" for reader, runs in zip(readers, counts)))
+
+
+def runs_of(folder, reader):
+    """The fewest inputs that reach nearly all blocks that the most inputs reach."""
+    blocks = {}
+    for runs in FUZZ_RUNS:
+        blocks[runs], cost = blocks_of_fuzzing(folder, reader, runs)
+        if cost > MOST_FUZZ_COST:
+            break
+    most = max(blocks.values())
+    fewest = next(runs for runs, count in blocks.items() if count >= ENOUGH_BLOCKS * most)
+    say(f"{reader}: {fewest} inputs; blocks: {', '.join(f'{runs}: {count}' for runs, count in blocks.items())}")
+    return fewest
+
+
+def blocks_of_fuzzing(folder, reader, runs):
+    """How many blocks so many inputs reach, and the processor time that they took (s)."""
+    place = folder / "tmp" / f"fuzz-{reader}"
+    shutil.rmtree(place, ignore_errors=True)
+    place.mkdir(parents=True)
+    times = place / "times"
+    result = subprocess.run(
+        [OWN_TREE / "tests/timed.sh", folder / "build/tests/thaum_fuzz", reader, "--runs", str(runs)], cwd=place,
+        capture_output=True, env={**os.environ, "ASAN_OPTIONS": f"coverage=1:coverage_dir={place}",
+                                  "THAUM_CASE_TIMES": str(times)}, check=False)
+    if result.returncode != 0:
+        stop(f"{reader}: {result.stdout.decode(errors='replace')}{result.stderr.decode(errors='replace')}")
+    cost = int(times.read_text().split("\t")[0]) / 1000
+    blocks = set()
+    for file in place.glob("*.sancov"):
+        blocks.update(read_addresses(file))
+    shutil.rmtree(place)
+    return len(blocks), cost
+
+
 def main():
     parser = argparse.ArgumentParser(prog="coverage.sh", description=__doc__)
-    parser.add_argument("step", choices=("build", "reach", "choose", "all"))
+    parser.add_argument("step", choices=("build", "reach", "choose", "fuzz", "all"))
     parser.add_argument("--out", type=lambda text: Path(text).resolve(), required=True, help="folder of the measurement")
     parser.add_argument("--cases", default="", help="file with names of cases, one a line; only these are run")
     parser.add_argument("--list", type=Path, default=LIST, help="file that the step choose writes")
     parser.add_argument("-j", "--jobs", type=int, default=max(os.cpu_count() or 1, 1))
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
-    for step in (build, reach, choose):
+    for step in (build, reach, choose, fuzz):
         if options.step in (step.__name__, "all"):
             step(options)
 
