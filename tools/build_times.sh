@@ -9,11 +9,11 @@ root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 began=${EPOCHREALTIME/./}
-cmake -G Ninja -S "$root" -B "$scratch" -DBUILD_TESTING=OFF >/dev/null
+cmake -S "$root" --preset release -B "$scratch" -DBUILD_TESTING=OFF >/dev/null
 configure=$(((${EPOCHREALTIME/./} - began) / 100000))
 echo "# Tenths of a second of a core for each step of a build, measured by tools/build_times.sh."
 {
     [[ -z ${2:-} ]] || grep -v '^#' "$2" || true
     echo "$configure configure"
-    awk -F '\t' '!/^#/ && $4 ~ /\.(o|gch|a|so)$|\/thaum(-tools)?$/ { print int(($2 - $1) / 100), $4 }' "$build/.ninja_log"
+    awk -F '\t' '!/^#/ && $4 ~ /\.(o|gch|pch|a|so)$|\/thaum(-tools)?$/ { print int(($2 - $1) / 100), $4 }' "$build/.ninja_log"
 } | awk '{ time[$2] = $1 } END { for (step in time) if (time[step] > 0) print time[step], step }' | sort -k2

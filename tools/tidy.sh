@@ -80,13 +80,21 @@ keys() {
     { grep "^$root/build/" "$cache/files" || true; } | while IFS= read -r source; do
         printf '%s  %s\n' "$(sed "s|$root||g" "$source" | sha256sum | cut -c1-64)" "$source"
     done >>"$cache/hashes"
-    awk -F '\t' -v common="$common" '
+    # All that a source depends on as a small file of its own, so that one call hashes them all.
+    rm -rf "$cache/texts"
+    mkdir "$cache/texts"
+    awk -F '\t' -v common="$common" -v root="$root" -v place="$cache/texts" '
         NR == FNR { hash[substr($0, 67)] = substr($0, 1, 64); next }
         { all[$1] = all[$1] hash[$2] }
-        END { for (source in all) print common all[source] "\t" source }' "$cache/hashes" "$cache/dependencies" |
-        while IFS=$'\t' read -r text source; do
-            printf '%s\t%s\n' "$(printf '%s' "$text${source#"$root"}" | sha256sum | cut -c1-16)" "$source"
-        done
+        END {
+            for (source in all) {
+                text = sprintf("%s/%06d", place, ++count)
+                printf "%s%s%s", common, all[source], substr(source, length(root) + 1) >text
+                close(text)
+                print source
+            }
+        }' "$cache/hashes" "$cache/dependencies" >"$cache/sources_of_texts"
+    sha256sum "$cache/texts"/* | cut -c1-16 | paste - "$cache/sources_of_texts"
 }
 
 # commands FOLDER: prints lines "SOURCE TAB COMMAND": how the build folder compiles each source, without its output.
@@ -145,7 +153,8 @@ sources_in "$batches" | find_new "$batches" batches
 check_new tidy_one "$batches"
 alone=$(configured alone -DCMAKE_UNITY_BUILD=OFF)
 commands "$alone" >"$cache/commands"
-sources_in "$alone" | find_new "$alone" sources
+# Not those that cmake makes for the precompiled headers.
+sources_in "$alone" | grep -v "^$alone/" | find_new "$alone" sources
 if [[ -s $cache/new ]]; then
     ninja -C "$alone" -t targets all | sed -n 's/^\(.*\.pch\): .*/\1/p' | xargs -d '\n' ninja -C "$alone" >"$alone.log" ||
         { cat "$alone.log" >&2; exit 1; }

@@ -66,6 +66,6 @@ bool holds_line(const Panel& box);
 
 /// Adds a card with its top left at `low`. `seconds`: clock of what moves in it.
 void add_rim_card(render::Overlay& out, const RimCard& card, const FittedCard& fitted, fvec2 low,
-                  double seconds, float u);
+                  double seconds);
 
 }  // namespace thaum::game
