@@ -8,8 +8,8 @@ endif()
 # users have, which is not the one that builds everything here: both must come to the same bits.
 add_subdirectory(${PROJECT_SOURCE_DIR}/engine/examples ${PROJECT_BINARY_DIR}/engine/examples)
 add_executable(install_probe install/probe.cpp)
-find_program(usual_compiler NAMES g++ c++ REQUIRED)
 target_link_libraries(install_probe PRIVATE Thaum::physics Thaum::render Thaum::audio thaum_flags)
+find_program(usual_compiler NAMES g++ c++ REQUIRED)
 add_test(NAME install.package COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/install/package.sh
     ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${usual_compiler})
 set_tests_properties(install.package PROPERTIES TIMEOUT ${longest_test} COST 50)

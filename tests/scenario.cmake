@@ -26,6 +26,7 @@ endforeach()
 # A second thread plays the match of this scenario.
 set_tests_properties(scenario.late_frames_same_result PROPERTIES
     LABELS "scenario;threads" ENVIRONMENT "${sanitizer_environment}")
+thread_program(thaum-tools)
 
 # Sums the tables of forces that the scenarios write: the energy that passive sources created.
 add_executable(passivity drivers/passivity.cpp)

@@ -124,8 +124,9 @@ find_new() {
     local key source
     keys "$1" >"$cache/$2"
     while IFS=$'\t' read -r key source; do
-        if [[ -e $cache/$key ]]; then touch "$cache/$key"; else printf '%s\n' "$key" "$source"; fi
+        [[ -e $cache/$key ]] || printf '%s\n' "$key" "$source"
     done <"$cache/$2" >"$cache/new"
+    cut -f1 "$cache/$2" | (cd "$cache" && xargs -r touch -c)  # what is in use is not deleted as old
     echo "$2: $(wc -l <"$cache/$2"), $(($(wc -l <"$cache/new") / 2)) of them new or changed"
 }
 

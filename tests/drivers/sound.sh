@@ -6,9 +6,7 @@ set -euo pipefail
 thaum=$1
 need Xvfb
 open_screen 640x360
-export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
-mkdir -p "$folder/config/thaum"
-printf 'version = 1\nquality = "low"\nframes_per_second = 10\ncountdown_s = 0\n' >"$folder/config/thaum/settings.toml"
+few_pictures
 
 # OpenAL's own device, which writes what it plays.
 printf '[general]\ndrivers = wave\n[wave]\nfile = %s\n' "$folder/heard.wav" >"$folder/alsoft.conf"

@@ -82,10 +82,7 @@ def reach_one(runner, folder, case):
         "ASAN_OPTIONS": f"intercept_tls_get_addr=0:coverage=1:coverage_dir={place}:log_path={place}/log",
         "UBSAN_OPTIONS": "print_stacktrace=1",
         "THAUM_CASE_TIMES": str(times)})
-    spent = sum(int(line.split("\t")[0]) for line in times.read_text().splitlines()) / 1000 if times.exists() else 0
-    blocks = collections.defaultdict(set)  # addresses by program
-    for file in place.glob("*.sancov"):
-        blocks[file.name.split(".")[0]].update(read_addresses(file))
+    spent, blocks = spent_time(times), blocks_in(place)
     shutil.rmtree(place)
     known = {program: sorted(addresses) for program, addresses in blocks.items()}
     (folder / "reached" / f"{file_name_of(case.name)}.json").write_text(json.dumps(known))
@@ -94,6 +91,19 @@ def reach_one(runner, folder, case):
 
 def file_name_of(case):
     return re.sub(r"[^A-Za-z0-9_.-]", "_", case)
+
+
+def spent_time(times):
+    """The processor time that tests/timed.sh wrote into a file (s)."""
+    return sum(int(line.split("\t")[0]) for line in times.read_text().splitlines()) / 1000 if times.exists() else 0
+
+
+def blocks_in(place):
+    """The addresses of the blocks that ran, by program, from the files that the processes left."""
+    blocks = collections.defaultdict(set)
+    for file in place.glob("*.sancov"):
+        blocks[file.name.split(".")[0]].update(read_addresses(file))
+    return blocks
 
 
 def read_addresses(path):
@@ -227,12 +237,9 @@ def blocks_of_fuzzing(folder, reader, runs):
                                   "THAUM_CASE_TIMES": str(times)}, check=False)
     if result.returncode != 0:
         stop(f"{reader}: {result.stdout.decode(errors='replace')}{result.stderr.decode(errors='replace')}")
-    cost = int(times.read_text().split("\t")[0]) / 1000
-    blocks = set()
-    for file in place.glob("*.sancov"):
-        blocks.update(read_addresses(file))
+    cost, blocks = spent_time(times), blocks_in(place)
     shutil.rmtree(place)
-    return len(blocks), cost
+    return sum(map(len, blocks.values())), cost
 
 
 def main():
