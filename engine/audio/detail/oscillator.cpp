@@ -9,15 +9,12 @@
 namespace thaum::audio {
 namespace {
 
-constexpr std::size_t table_size = 4096;
 const double falling_60_db = det::log(1e-3), octave = det::log(2), silent = det::log(1e-4);
-
-using SineTable = std::array<double, table_size + 2>;
 
 SineTable make_sine_table() {
     SineTable table{};
     for (std::size_t i = 0; i < table.size(); ++i)
-        table[i] = det::sin(2 * pi * static_cast<double>(i) / table_size);
+        table[i] = det::sin(2 * pi * static_cast<double>(i) / sine_table_size);
     return table;
 }
 
@@ -25,27 +22,32 @@ SineTable make_sine_table() {
 
 double hz_of_key(double key) { return 440 * det::exp(octave * (key - 69) / 12); }
 
-double sine_of_cycles(double cycles) {
+const SineTable& sine_table() {
     static const SineTable table = make_sine_table();
-    const double at = cycles * table_size;
-    const auto index = static_cast<std::size_t>(at);
-    return table[index] + (table[index + 1] - table[index]) * (at - static_cast<double>(index));
+    return table;
 }
 
-double gain_at(const Envelope& envelope, double decay, double time) {
+double steady_gain_at(const Envelope& envelope, double time) {
     const double tremolo =
         envelope.tremolo == 0
             ? 1
             : 1 - envelope.tremolo *
                       (0.5 - 0.5 * sine_of_cycles(std::fmod(envelope.tremolo_hz * time + 0.25, 1.0)));
     const double level = envelope.level * tremolo;
-    if (decay == 0 && envelope.attack == 0) return level;
-    if (time < envelope.attack) {
-        const double share = time / envelope.attack;
-        return level * share * share * (3 - 2 * share);
-    }
+    if (time >= envelope.attack) return level;
+    const double share = time / envelope.attack;
+    return level * share * share * (3 - 2 * share);
+}
+
+double fall_at(const Envelope& envelope, double decay, double time) {
     const double falling = time - envelope.attack - envelope.hold;
-    return falling <= 0 || decay == 0 ? level : level * det::exp(falling_60_db * falling / decay);
+    return falling <= 0 || decay == 0 ? 1 : det::exp(falling_60_db * falling / decay);
+}
+
+double fall_of_block(double decay) {
+    return decay == 0
+               ? 1
+               : det::exp(falling_60_db * (static_cast<double>(control_samples) / sample_rate) / decay);
 }
 
 double length_of(const Envelope& envelope, double decay) {

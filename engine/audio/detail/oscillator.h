@@ -3,6 +3,10 @@
 // Gains and frequencies are computed at the ends of blocks of samples. Within a block, a gain runs in a straight line
 // and a frequency stays.
 #pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "audio/recipe.h"
@@ -15,11 +19,34 @@ inline constexpr std::size_t control_samples = 16;
 /// Frequency of a MIDI key (Hz).
 double hz_of_key(double key);
 
-/// Sine of 2 pi `cycles`, for 0 <= cycles <= 1, within 4e-7.
-double sine_of_cycles(double cycles);
+inline constexpr std::size_t sine_table_size = 4096;
 
-/// Gain of an envelope at `time`, with a decay of its own (s). A decay of 0 never falls.
-double gain_at(const Envelope& envelope, double decay, double time);
+/// Sine at each of sine_table_size places of a period, and at the two places after it.
+using SineTable = std::array<double, sine_table_size + 2>;
+const SineTable& sine_table();
+
+/// Sine of 2 pi `cycles`, for 0 <= cycles <= 1, within 4e-7.
+inline double sine_of_cycles(const SineTable& table, double cycles) {
+    const double at = cycles * sine_table_size;
+    const auto index = static_cast<std::int32_t>(at);
+    const double* const place = table.data() + index;
+    return place[0] + (place[1] - place[0]) * (at - static_cast<double>(index));
+}
+inline double sine_of_cycles(double cycles) { return sine_of_cycles(sine_table(), cycles); }
+
+/// Gain of an envelope at `time`, without its decay.
+double steady_gain_at(const Envelope& envelope, double time);
+
+/// Factor of a decay (s) at `time`, 1 until it begins. A decay of 0 never falls.
+double fall_at(const Envelope& envelope, double decay, double time);
+
+/// Factor by which a decay (s) falls in one block of samples.
+double fall_of_block(double decay);
+
+/// Gain of an envelope at `time`, with a decay of its own (s).
+inline double gain_at(const Envelope& envelope, double decay, double time) {
+    return steady_gain_at(envelope, time) * fall_at(envelope, decay, time);
+}
 
 /// Time after which an envelope's gain is below -80 dB (s).
 double length_of(const Envelope& envelope, double decay);
@@ -37,7 +64,15 @@ public:
     double seconds() const;
     std::vector<double>& samples() { return samples_; }
 
-    /// Adds one sample at a position that may lie beyond the end.
+    /// Adds samples, the first at a position that may lie beyond the end.
+    void add(std::size_t at, std::span<const double> values) {
+        if (at + values.size() <= samples_.size()) {
+            for (std::size_t i = 0; i < values.size(); ++i) samples_[at + i] += values[i];
+        } else {
+            for (std::size_t i = 0; i < values.size(); ++i) add(at + i, values[i]);
+        }
+    }
+    /// Adds one sample.
     void add(std::size_t at, double value) {
         if (at >= samples_.size()) {
             if (!loops_) return;

@@ -51,17 +51,29 @@ std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
     return result;
 }
 
-/// Calls `use(index, gain, frequency)` for each sample of a part.
+/// Samples of one block of a part.
+struct Block {
+    std::size_t first{}, count{};
+    double gain{}, step{};  ///< gain of the first sample, and from each to the next
+    double hz{};
+
+    double gain_of(std::size_t sample) const { return gain + step * static_cast<double>(sample); }
+};
+
+/// Calls `use(block)` for each block of a part.
 template <class Use>
-void each_sample(const Envelope& envelope, double decay, const std::vector<double>& frequencies,
-                 std::size_t count, Use use) {
-    double gain = gain_at(envelope, decay, 0);
+void each_block(const Envelope& envelope, double decay, const std::vector<double>& frequencies,
+                std::size_t count, Use use) {
+    const double fall_of_one = fall_of_block(decay);
+    double gain = gain_at(envelope, decay, 0), fall = fall_at(envelope, decay, 0);
     for (std::size_t i = 0; i < count; i += control_samples) {
-        const auto end = std::min(i + control_samples, count);
-        const double next = gain_at(envelope, decay, static_cast<double>(end) * sample_s);
-        const double step = (next - gain) / static_cast<double>(end - i);
-        for (std::size_t k = i; k < end; ++k)
-            use(k, gain + step * static_cast<double>(k - i), frequencies[i / control_samples]);
+        const auto length = std::min(control_samples, count - i);
+        const double time = static_cast<double>(i + length) * sample_s;
+        // What falls already falls by the same factor in each whole block, and an exponential takes long.
+        fall = fall < 1 && length == control_samples ? fall * fall_of_one : fall_at(envelope, decay, time);
+        const double next = steady_gain_at(envelope, time) * fall;
+        use(Block{i, length, gain, (next - gain) / static_cast<double>(length),
+                  frequencies[i / control_samples]});
         gain = next;
     }
 }
@@ -81,11 +93,17 @@ void add_partial(Canvas& canvas, const Envelope& envelope, const std::vector<dou
     const Span span = span_of(canvas, envelope, decay);
     const double fit = span.lasting ? period_fit(frequencies, span.count, partial.ratio) : 1;
     const double cycles_per_hz = partial.ratio * fit * sample_s;
+    const SineTable& sine = sine_table();
     double cycles = 0;
-    each_sample(envelope, decay, frequencies, span.count, [&](std::size_t i, double gain, double hz) {
-        canvas.add(span.start + i, sine_of_cycles(cycles) * gain * partial.level);
-        cycles += hz * cycles_per_hz;
-        if (cycles >= 1) cycles -= std::floor(cycles);
+    each_block(envelope, decay, frequencies, span.count, [&](const Block& block) {
+        std::array<double, control_samples> samples;
+        const double turn = block.hz * cycles_per_hz;
+        for (std::size_t i = 0; i < block.count; ++i) {
+            samples[i] = sine_of_cycles(sine, cycles) * block.gain_of(i) * partial.level;
+            cycles += turn;
+            if (cycles >= 1) cycles -= std::floor(cycles);
+        }
+        canvas.add(span.start + block.first, std::span(samples).first(block.count));
     });
 }
 
@@ -179,11 +197,11 @@ void add_noise(Canvas& canvas, const Noise& noise, Random random) {
             shaper(before.uniform(-1, 1));
         }
     }
-    each_sample(envelope, envelope.decay, frequencies, span.count,
-                [&](std::size_t i, double gain, double hz) {
-                    shaper.tune(hz);
-                    canvas.add(span.start + i, shaper(random.uniform(-1, 1)) * gain);
-                });
+    each_block(envelope, envelope.decay, frequencies, span.count, [&](const Block& block) {
+        shaper.tune(block.hz);
+        for (std::size_t i = 0; i < block.count; ++i)
+            canvas.add(span.start + block.first + i, shaper(random.uniform(-1, 1)) * block.gain_of(i));
+    });
 }
 
 void add_grains(Canvas& canvas, const Grains& grains, Random random) {
