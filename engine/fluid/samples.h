@@ -50,3 +50,6 @@ struct SamplesAllocator {
 using Samples = std::vector<float, SamplesAllocator<float>>;
 
 }  // namespace thaum::fluid
+
+// Compiled once, in samples.cpp.
+extern template class std::vector<float, thaum::fluid::SamplesAllocator<float>>;

@@ -1,0 +1,3 @@
+#include "fluid/samples.h"
+
+template class std::vector<float, thaum::fluid::SamplesAllocator<float>>;
