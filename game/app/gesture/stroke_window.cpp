@@ -16,7 +16,6 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::int64_t picture_ns = 16'000'000;
 constexpr double patience_s = 0.002;  // longest wait for an event, so that motion gets its time
 constexpr double shown_m = 0.2;       // height of the window at the hand
 
@@ -61,11 +60,13 @@ void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
                    render::Align::centre);
 }
 
-Expected<void> run(StrokeDesk& desk, DrawingHand& hand, render::Window& window, render::Renderer& renderer) {
+Expected<void> run(StrokeDesk& desk, DrawingHand& hand, double frames_per_second, render::Window& window,
+                   render::Renderer& renderer) {
     const EndWatch watch;
     const auto events = events_of(desk, hand);
     render::Frame frame;
     window.capture_cursor(true);
+    const auto picture_ns = static_cast<std::int64_t>(1e9 / frames_per_second);
     auto next_ns = monotonic_ns();
     while (!ends(desk, window)) {
         window.poll(events, patience_s);
@@ -125,8 +126,9 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
     auto window = render::Window::create({.title = "Thaum: record a gesture"});
     if (!window) return window.error();
     StrokeDesk desk(wish);
-    const auto went = with_renderer(
-        *window, assets, [&](render::Renderer& renderer) { return run(desk, **hand, *window, renderer); });
+    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+        return run(desk, **hand, settings.frames_per_second, *window, renderer);
+    });
     if (!went) return went.error();
     return desk.recorder().strokes();
 }

@@ -25,7 +25,8 @@ namespace {
 
 using game::LabState;
 
-constexpr int steps_of_a_frame = 4;  // most steps for one picture; time beyond them is dropped
+constexpr int steps_of_a_frame =
+    7;  // most steps for one picture, a tenth of a second; time beyond them is dropped
 constexpr double note_s = 4, rate_s = 0.5;
 // volume poured in a step while the key is held, and for each press (m^3)
 constexpr double pour_m3 = 2e-3;
@@ -238,11 +239,12 @@ bool over(const LabSession& session, const render::Window& window, std::int64_t 
     return session.leaves || window.should_close() || session.plan.lab.steps >= end;
 }
 
-Expected<void> run(LabSession& session, render::Window& window, render::Renderer& renderer) {
+Expected<void> run(LabSession& session, double frames_per_second, render::Window& window,
+                   render::Renderer& renderer) {
     const auto events = lab_events(session);
     std::optional<LabPicture> picture(std::in_place, renderer, session.plan.lab);
     Jobs jobs(session.plan.threads - 1);
-    render::Pacer pacer(lab_frames_per_second);
+    render::Pacer pacer(frames_per_second);
     LabClock clock;
     const auto end = session.plan.seconds
                          ? session.plan.lab.steps + std::llround(*session.plan.seconds / game::lab_dt)
@@ -296,8 +298,9 @@ int run_lab_window(LabPlan plan) {
     session.page.hands.settings = session.plan.lab.settings;
     session.page.text_scale = settings.text_scale;
     session.height = -0.35 * session.plan.lab.basin.depth;
-    const auto went = with_renderer(
-        *window, assets, [&](render::Renderer& renderer) { return run(session, *window, renderer); });
+    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+        return run(session, settings.frames_per_second, *window, renderer);
+    });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
     return done;

@@ -3,7 +3,6 @@
 
 namespace thaum::app {
 
-inline constexpr double lab_frames_per_second = 60;
 inline constexpr double turn_per_px = 0.008;    // by a way of the mouse (rad/px)
 inline constexpr double nearer_per_step = 0.9;  // factor of the eye's distance by one step of the wheel
 

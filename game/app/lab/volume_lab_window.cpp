@@ -293,11 +293,12 @@ bool stays_open(Session& session, render::Window& window) {
     return !session.leaves;
 }
 
-Expected<void> run(Session& session, render::Window& window, render::Renderer& renderer) {
+Expected<void> run(Session& session, double frames_per_second, render::Window& window,
+                   render::Renderer& renderer) {
     Panels imgui(text_px);
     const auto events = imgui.listening(lab_events(session));
     std::optional<VolumePicture> picture(std::in_place, renderer, session.plan.lab);
-    render::Pacer pacer(lab_frames_per_second);
+    render::Pacer pacer(frames_per_second);
     auto last = monotonic_ns();
     double owed = 0;
     while (!session.leaves) {
@@ -354,8 +355,9 @@ int run_volume_window(VolumeLabPlan plan) {
     if (session.plan.by_mouse) put_hand_before(session);
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
-    const auto went = with_renderer(
-        *window, assets, [&](render::Renderer& renderer) { return run(session, *window, renderer); });
+    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+        return run(session, settings.frames_per_second, *window, renderer);
+    });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
     return done;
