@@ -74,8 +74,8 @@ not_called() { ! called "$1"; }
 fresh_machine
 run play --demo "two words"
 expect "starts the program with the arguments" says "started: play --demo two words"
-expect "prints the missing packages" says "missing Debian packages: clang cmake"
-expect "installs without asking where there is no terminal" called "install --no-install-recommends clang cmake"
+expect "prints the missing packages" says "missing Debian packages: clang lld cmake"
+expect "installs without asking where there is no terminal" called "install --no-install-recommends clang lld cmake"
 expect "leaves the test packages out" not_called libgtest-dev
 expect "builds the program alone" called "ninja .* thaum$"
 expect "leaves the tests out of the build" called "BUILD_TESTING:BOOL=OFF"

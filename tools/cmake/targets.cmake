@@ -14,21 +14,28 @@ function(thaum_engine name)
     thaum_headers_of(engine thaum_${name})
 endfunction()
 
-# thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands, words and tests. Little
+# thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands and words. Little
 # optimisation halves the time in which they compile. Under sanitizers, they have none.
 function(thaum_cold)
     foreach(target ${ARGN})
         if(THAUM_SANITIZE)
-            target_compile_options(${target} PRIVATE -O0)
+            thaum_unoptimised(${target})
         else()
             target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
         endif()
-        set_target_properties(${target} PROPERTIES THAUM_COLD ON)
+    endforeach()
+endfunction()
+
+# thaum_unoptimised(TARGETS...): targets that take longer to optimise than to run, such as tests.
+function(thaum_unoptimised)
+    foreach(target ${ARGN})
+        target_compile_options(${target} PRIVATE -O0)
+        set_target_properties(${target} PROPERTIES THAUM_UNOPTIMISED ON)
     endforeach()
 endfunction()
 
 # thaum_headers_of(SET TARGETS...): compiles the targets with the precompiled header tools/cmake/precompiled/SET.h. Sources
-# include all that they use themselves, so they compile without it, too. Call thaum_cold before.
+# include all that they use themselves, so they compile without it, too. Call thaum_cold or thaum_unoptimised before.
 function(thaum_headers_of set)
     if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
         return()
@@ -36,9 +43,9 @@ function(thaum_headers_of set)
     foreach(target ${ARGN})
         set(headers thaum_headers_${set})
         # A compiler takes one precompiled header at every level of optimisation but -O0.
-        get_target_property(cold ${target} THAUM_COLD)
-        if(cold AND THAUM_SANITIZE)
-            string(APPEND headers _cold)
+        get_target_property(unoptimised ${target} THAUM_UNOPTIMISED)
+        if(unoptimised)
+            string(APPEND headers _unoptimised)
         endif()
         if(NOT TARGET ${headers})
             add_library(${headers} OBJECT ${PROJECT_SOURCE_DIR}/tools/cmake/precompiled/empty.cpp)
@@ -47,8 +54,8 @@ function(thaum_headers_of set)
             if(set MATCHES _tests$)
                 target_link_libraries(${headers} PRIVATE GTest::gtest)
             endif()
-            if(cold)
-                thaum_cold(${headers})
+            if(unoptimised)
+                thaum_unoptimised(${headers})
             endif()
             target_precompile_headers(${headers} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/precompiled/${set}.h)
         endif()
