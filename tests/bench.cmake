@@ -1,5 +1,6 @@
 if(TARGET thaum_bench)
     thaum_test(test_bench
         SOURCES unit/audio_bench_test.cpp unit/bench_test.cpp
-        LINK thaum_bench nlohmann_json::nlohmann_json)
+        LINK thaum_bench nlohmann_json::nlohmann_json
+        LONG BenchPhysics.TheShippedStep*)
 endif()

@@ -94,6 +94,8 @@ target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
 add_test(NAME drivers.kill_recording COMMAND ${timed} $<TARGET_FILE:kill_recording> 8)
 set_tests_properties(drivers.kill_recording PROPERTIES RESOURCE_LOCK screen COST 100 TIMEOUT ${longest_test})
 add_test(NAME drivers.hostile_files COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
+add_test(NAME drivers.hostile_files_all COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum> all)
+set_tests_properties(drivers.hostile_files_all PROPERTIES LABELS long TIMEOUT ${longest_test})
 if(THAUM_SANITIZE)
     # The sanitizers' shadow memory takes terabytes of address space.
     set_tests_properties(drivers.hostile_files PROPERTIES ENVIRONMENT "THAUM_MEMORY_KB=unlimited;THAUM_PATIENCE_S=30")

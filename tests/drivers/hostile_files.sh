@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# tests/drivers/hostile_files.sh THAUM: whatever stands in the place of a file, its reader must refuse it at
+# tests/drivers/hostile_files.sh THAUM [all]: whatever stands in the place of a file, its reader must refuse it at
 # once in one line with exit code 2. A disk that fills up during a recording may cost the rest of the log and
-# nothing else. Two programs may record into one folder.
+# nothing else. Two programs may record into one folder. Each of ten kinds of wrong files stands for a quarter of the
+# data files, so that each data file is one of two or three kinds; with "all", for each of them.
 set -uo pipefail
-thaum=$(readlink -f "$1")
+thaum=$(readlink -f "$1") one_in=${2:+1}
 repository=$(readlink -f "$(dirname "$0")/../..")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -54,7 +55,10 @@ kept() {
         (($(grep -c . <<<"$said") <= 2 && ${#said} < 800)) || fail "$1: gave $status: ${said:0:400}"
 }
 
+data_files=(arenas/boiling_court.toml rules/quick.toml wizards/wizard.toml wands/bolt.toml wands/blast.toml wands/lob.toml
+    bots/level_1.toml haptics.toml cauldron.toml orb.toml crystal.toml carving/melt.toml devices/touch.toml)
 cp -r "$repository/assets" "$folder/assets"
+turn=0
 for kind in empty huge directory fifo device itself noise zeros long_line deep; do
     put "$kind" "$folder/log"
     refused "$kind log" replay "$folder/log" --verify
@@ -66,7 +70,8 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
     status=$?
     [[ ($status == 1 || $status == 2) && $(grep -c . <<<"$said") == 1 && ${#said} -lt 600 ]] ||
         fail "$kind scenario: gave $status: ${said:0:300}"
-    for file in arenas/boiling_court.toml rules/quick.toml wizards/wizard.toml wands/bolt.toml wands/blast.toml wands/lob.toml bots/level_1.toml haptics.toml cauldron.toml orb.toml crystal.toml carving/melt.toml devices/touch.toml; do
+    for file in "${data_files[@]}"; do
+        ((turn++ % ${one_in:-4} == 0)) || continue
         mv "$folder/assets/$file" "$folder/kept"
         put "$kind" "$folder/assets/$file"
         THAUM_ASSETS=$folder/assets refused "$kind $file" --headless --seconds 1 --out "$folder/out"

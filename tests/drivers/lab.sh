@@ -7,6 +7,7 @@ set -euo pipefail
 thaum=$1 press_keys=$2
 need Xvfb xdotool import
 open_screen 1280x720
+few_pictures
 fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev/null)" -gt 100 ]; }
