@@ -231,7 +231,7 @@ cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was sav
 [[ -z $(find "$folder" -name '*.part*') ]] || { echo "failed: half-written files stay"; failures=$((failures + 1)); }
 
 # A league has the same results with any number of processes.
-league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
+league=(league --levels 1,3 --matches 3 --set quick.seconds=6 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
 # Gestures: files that are wrong are refused in one line; a network and a gesture file are written whole.
