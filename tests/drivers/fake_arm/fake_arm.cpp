@@ -81,8 +81,9 @@ public:
             return fail("the fake arm does not answer: plug it in again");
         device_ = haptics::simulated_device(device_spec(), haptics::Hand{});
         state_ = haptics::resting_at(place_at(script_.path, 0).target);
+        told_ = vec3(0);
         if (script_.has("live")) live_ = map_live(script_.of("live"));
-        update_live(1);
+        update_live();
         return {};
     }
 
@@ -98,7 +99,7 @@ public:
         state_ = haptics::step(device_, state_, place.target, told_);
         ++ticks_;
         if (felt_at_ == 0 && told_ != vec3(0)) felt_at_ = ticks_;
-        update_live(1);
+        update_live();
         if (is_due("hang"))
             for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
         if (is_due("vanish") && !plugged_.came_back) {
@@ -114,7 +115,7 @@ public:
 
     ArmFault write(vec3 force) noexcept override {
         told_ = force;
-        update_live(1);
+        update_live();
         return 0;
     }
 
@@ -124,9 +125,11 @@ public:
     }
 
     void close() override {
-        if (live_ != nullptr) live_->left = numbers_of(told_);
-        told_ = vec3(0);
-        update_live(0);
+        // The force that was told stays in told_: another thread may hang in a read, which uses it.
+        if (live_ == nullptr) return;
+        live_->left = numbers_of(told_);
+        live_->force = {};
+        live_->initiated = 0;
     }
 
 private:
@@ -160,12 +163,12 @@ private:
 
     static std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
-    void update_live(std::uint64_t taken) noexcept {
+    void update_live() noexcept {
         if (live_ == nullptr) return;
         live_->force = numbers_of(told_);
         live_->greatest_force = std::max(live_->greatest_force, glm::length(told_));
         live_->ticks = ticks_;
-        live_->initiated = taken;
+        live_->initiated = 1;
     }
 
     std::string arm_;
