@@ -49,6 +49,14 @@ TEST(AudioSynth, PartialHasItsFrequencyAndDecay) {
     }
 }
 
+/// A decay is computed block by block. After 3,900 of them it must still be the exponential.
+TEST(AudioSynth, ALongDecayStaysExponential) {
+    const auto sound = made(head(1.5) + tone(1000, "decay = 1.5"));
+    const double early = std::abs(wave_at(sound, 1000, 0.1, 0.04)),
+                 late = std::abs(wave_at(sound, 1000, 1.4, 0.04));
+    EXPECT_NEAR(std::log(early / late), std::log(1000.0) * 1.3 / 1.5, 1e-6);
+}
+
 TEST(AudioSynth, PartialsHaveTheirRatiosLevelsAndDecays) {
     const auto sound =
         made(head(0.5) + tone(500, "decay = 1\nratios = [1, 2.7]\nlevels = [1, 0.5]\ndecays = [1, 0.25]"));

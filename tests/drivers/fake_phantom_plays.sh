@@ -57,10 +57,6 @@ shots_are_felt() {
         END { print shots + 0, "kicks of 1.1 to 1.3 N,", others + 0, "others, hand", left, "to", right, "m"
               exit !(shots >= 3 && right > 0.01 && left < -0.01) }' "$folder/good.csv" >"$folder/good.shots"
 }
-# Replaying takes a core, so it is asked when the arm has felt three forces and its hand was on both sides.
-feels_three good
-been_on_both_sides() { [ "$(live good 4 u8)" -gt 3500 ]; }
-eventually "the hand rests" been_on_both_sides
 eventually "the forces are not those of shots" shots_are_felt
 cat "$folder/good.shots"
 kill -TERM $game

@@ -4,7 +4,8 @@
 # nothing else. Two programs may record into one folder. Each of ten kinds of wrong files stands for a quarter of the
 # data files, so that each data file is one of two or three kinds; with "all", for each of them.
 set -uo pipefail
-thaum=$(readlink -f "$1") one_in=${2:+1}
+thaum=$(readlink -f "$1") one_in=4
+[[ ${2:-} != all ]] || one_in=1
 repository=$(readlink -f "$(dirname "$0")/../..")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -71,7 +72,7 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
     [[ ($status == 1 || $status == 2) && $(grep -c . <<<"$said") == 1 && ${#said} -lt 600 ]] ||
         fail "$kind scenario: gave $status: ${said:0:300}"
     for file in "${data_files[@]}"; do
-        ((turn++ % ${one_in:-4} == 0)) || continue
+        ((turn++ % one_in == 0)) || continue
         mv "$folder/assets/$file" "$folder/kept"
         put "$kind" "$folder/assets/$file"
         THAUM_ASSETS=$folder/assets refused "$kind $file" --headless --seconds 1 --out "$folder/out"

@@ -16,7 +16,7 @@ failed() {
 # compiles COMPILER OPTION...
 compiles() { "$1" -std=c++20 -fsyntax-only -I"$engine" "${@:2}" "$components" >"$output" 2>&1; }
 
-# is_refused COMPONENT: the output names its line, and a requirement that does not hold.
+# is_refused COMPONENT: the compiler's output names the line that asks for its description.
 is_refused() {
     local line
     line=$(grep -n "component_info<$1>" "$components" | cut -d: -f1)

@@ -38,6 +38,7 @@ struct EcsSnapshot : testing::Test {
         world.resize<Levels>(10);
         std::iota(world.blob<Levels>().begin(), world.blob<Levels>().end(), 0.0F);
     }
+    void expect_spoilt_are_refused_or_consistent(std::size_t step);
     World world, copy;
     Bytes bytes;
 };
@@ -157,9 +158,10 @@ TEST_F(EcsSnapshot, ASystemMayUseOnlyTheBlobsItDeclared) {
     world.set_access(nullptr);
 }
 
-/// Cuts off a snapshot of a world at every `step`th byte, and flips bits of that byte.
-void expect_spoilt_are_refused_or_consistent(const World& world, World& copy, Bytes& bytes,
-                                             std::size_t step) {
+/// Cuts off a snapshot at every `step`th byte, and flips bits of that byte.
+void EcsSnapshot::expect_spoilt_are_refused_or_consistent(std::size_t step) {
+    fill(world, 40);
+    fill_levels();
     save(world, bytes);
     for (std::size_t n = 0; n < bytes.size(); n += step) {
         ASSERT_FALSE(restore(copy, std::span(bytes).first(n)).has_value()) << n;
@@ -179,17 +181,14 @@ void expect_spoilt_are_refused_or_consistent(const World& world, World& copy, By
     EXPECT_EQ(state_hash(copy), state_hash(world));
 }
 
-// The heads of tables and columns are shorter than 100 bytes, so seven is small enough to spoil each number in them.
+// Every number of eight bytes has a byte whose place is a multiple of seven. Under sanitizers this takes the place of the
+// case below.
 TEST_F(EcsSnapshot, EverySeventhTruncationAndFlippedByteIsRefusedOrConsistent) {
-    fill(world, 40);
-    fill_levels();
-    expect_spoilt_are_refused_or_consistent(world, copy, bytes, 7);
+    expect_spoilt_are_refused_or_consistent(7);
 }
 
 TEST_F(EcsSnapshot, EveryTruncationAndEveryFlippedByteIsRefusedOrConsistent) {
-    fill(world, 40);
-    fill_levels();
-    expect_spoilt_are_refused_or_consistent(world, copy, bytes, 1);
+    expect_spoilt_are_refused_or_consistent(1);
 }
 
 }  // namespace

@@ -39,15 +39,12 @@ double steady_gain_at(const Envelope& envelope, double time) {
     return level * share * share * (3 - 2 * share);
 }
 
-double fall_at(const Envelope& envelope, double decay, double time) {
-    const double falling = time - envelope.attack - envelope.hold;
-    return falling <= 0 || decay == 0 ? 1 : det::exp(falling_60_db * falling / decay);
+double fall_within(double time, double decay) {
+    return decay == 0 ? 1 : det::exp(falling_60_db * time / decay);
 }
 
-double fall_of_block(double decay) {
-    return decay == 0
-               ? 1
-               : det::exp(falling_60_db * (static_cast<double>(control_samples) / sample_rate) / decay);
+double fall_at(const Envelope& envelope, double decay, double time) {
+    return fall_within(std::max(0.0, time - envelope.attack - envelope.hold), decay);
 }
 
 double length_of(const Envelope& envelope, double decay) {

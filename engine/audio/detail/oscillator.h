@@ -37,11 +37,11 @@ inline double sine_of_cycles(double cycles) { return sine_of_cycles(sine_table()
 /// Gain of an envelope at `time`, without its decay.
 double steady_gain_at(const Envelope& envelope, double time);
 
-/// Factor of a decay (s) at `time`, 1 until it begins. A decay of 0 never falls.
-double fall_at(const Envelope& envelope, double decay, double time);
+/// Factor by which a gain with this decay (s) falls within a time (s). A decay of 0 never falls.
+double fall_within(double time, double decay);
 
-/// Factor by which a decay (s) falls in one block of samples.
-double fall_of_block(double decay);
+/// Factor of a decay (s) at `time`, 1 until it begins.
+double fall_at(const Envelope& envelope, double decay, double time);
 
 /// Gain of an envelope at `time`, with a decay of its own (s).
 inline double gain_at(const Envelope& envelope, double decay, double time) {

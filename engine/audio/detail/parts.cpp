@@ -64,13 +64,14 @@ struct Block {
 template <class Use>
 void each_block(const Envelope& envelope, double decay, const std::vector<double>& frequencies,
                 std::size_t count, Use use) {
-    const double fall_of_one = fall_of_block(decay);
-    double gain = gain_at(envelope, decay, 0), fall = fall_at(envelope, decay, 0);
+    const double fall_of_block = fall_within(static_cast<double>(control_samples) / sample_rate, decay);
+    double fall = fall_at(envelope, decay, 0), gain = steady_gain_at(envelope, 0) * fall;
     for (std::size_t i = 0; i < count; i += control_samples) {
         const auto length = std::min(control_samples, count - i);
         const double time = static_cast<double>(i + length) * sample_s;
-        // What falls already falls by the same factor in each whole block, and an exponential takes long.
-        fall = fall < 1 && length == control_samples ? fall * fall_of_one : fall_at(envelope, decay, time);
+        // Once a decay has begun, its factor shrinks by the same share in every whole block. A product costs less than
+        // another exponential.
+        fall = fall < 1 && length == control_samples ? fall * fall_of_block : fall_at(envelope, decay, time);
         const double next = steady_gain_at(envelope, time) * fall;
         use(Block{i, length, gain, (next - gain) / static_cast<double>(length),
                   frequencies[i / control_samples]});

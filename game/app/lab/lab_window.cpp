@@ -25,8 +25,9 @@ namespace {
 
 using game::LabState;
 
-constexpr int steps_of_a_frame =
-    7;  // most steps for one picture, a tenth of a second; time beyond them is dropped
+// The most steps for one picture take a tenth of a second, the longest time between pictures that the settings allow. Time
+// beyond them is dropped.
+constexpr int steps_of_a_frame = 7;
 constexpr double note_s = 4, rate_s = 0.5;
 // volume poured in a step while the key is held, and for each press (m^3)
 constexpr double pour_m3 = 2e-3;
