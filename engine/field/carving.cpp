@@ -92,7 +92,7 @@ float next_density(const VoxelView& body, const Cast& cast, float now, double we
 /// A step of `share` from a byte to another, rounded at random: `dice` in [0, 1).
 std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double share, double dice) {
     const double exact = from + share * (to - from);
-    return static_cast<std::uint8_t>(std::clamp(std::floor(exact + dice), 0.0, 255.0));
+    return static_cast<std::uint8_t>(std::clamp(exact + dice, 0.0, 255.0));
 }
 
 Rgb8 next_colour(const Cast& cast, std::size_t voxel, Rgb8 now, double weight) {

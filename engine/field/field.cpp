@@ -110,7 +110,8 @@ bool can_read(const Grid& grid, vec3 place) {
 
 }  // namespace
 
-double Grid::value(vec3 place) const {
+double Grid::value_at(double x_m, double y_m, double z_m) const {
+    const vec3 place(x_m, y_m, z_m);
     if (!can_read(*this, place)) return 0;
     const vec3 at = (place - origin) / spacing;
     if (kernel == Kernel::linear && *std::ranges::min_element(count) >= 2) return trilinear(*this, at);
@@ -132,7 +133,8 @@ double Grid::value(vec3 place) const {
     return base + result;
 }
 
-Scalar Grid::operator()(vec3 place) const {
+Scalar Grid::scalar_at(double x_m, double y_m, double z_m) const {
+    const vec3 place(x_m, y_m, z_m);
     if (!can_read(*this, place)) return {};
     const vec3 at = (place - origin) / spacing;
     const vec3 per_metre = 1.0 / spacing;

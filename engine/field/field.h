@@ -79,9 +79,15 @@ struct Grid {
     vec3 spacing{1};  ///< distance between samples along each axis, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
-    Scalar operator()(vec3 place) const;
+    // Both pass the place on in registers. From memory, where the caller has just written it, clang reads two numbers
+    // at once, and the processor waits until both have arrived there: for half of the time that a value takes.
+    Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
     /// The same value, to the last bit, without the gradient and in less time.
-    double value(vec3 place) const;
+    double value(vec3 place) const { return value_at(place.x, place.y, place.z); }
+
+private:
+    Scalar scalar_at(double x, double y, double z) const;
+    double value_at(double x, double y, double z) const;
 };
 
 /// A vector field with one grid per component. The grids may be staggered on cell faces, as in a flow, or
