@@ -37,7 +37,8 @@ TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
             keep_freed_memory();
             grow_and_go();
             const long kept = page_faults_of(grow_and_go);
-            std::exit(as_it_comes > 1000 && kept < 100 ? 0 : 1);
+            // Without large pages it faults 4,000 times, with them 500 times.
+            std::exit(as_it_comes > 100 && kept < 10 ? 0 : 1);
         },
         testing::ExitedWithCode(0), "");
 }

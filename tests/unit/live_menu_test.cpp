@@ -44,9 +44,10 @@ protected:
     /// A point in a part of a row (px).
     fvec2 point_of(std::string_view label, game::MenuPart part = game::MenuPart::row) const {
         const auto row = row_of(label);
-        for (float y = 0; y < 720; y += 4) {
-            for (float x = 0; x < 1280; x += 4) {
-                const auto place = game::place_at(menu_.picture(), rig::window, 1, {x, y});
+        const auto picture = menu_.picture();
+        for (float y = 0; y < 720; y += 8) {
+            for (float x = 0; x < 1280; x += 8) {
+                const auto place = game::place_at(picture, rig::window, 1, {x, y});
                 if (place && place->row == row && place->part == part) return {x, y};
             }
         }

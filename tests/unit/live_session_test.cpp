@@ -45,11 +45,11 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_EQ(screen().menu, game::MenuPicture{}) << "the match has not paused yet";
     pause(1);
     step();
-    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide was unplugged");
+    EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 0}}).head);
     EXPECT_TRUE(screen().hud.menu);
     pads_[0] = rig::pad_with();
     step();
-    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide was unplugged");
+    EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 0}}).head);
     EXPECT_EQ(requests().go_on, game::no_player);
     pads_[0] = rig::pad_with({PadButton::a});
     step();
@@ -132,7 +132,7 @@ TEST_F(LiveSessionTest, ThePauseSaysThatTheWindowLostTheFocus) {
     step(200);
     pause(0);
     step();
-    EXPECT_EQ(screen().menu.line, "the window lost the focus");
+    EXPECT_EQ(screen().menu.line, pause_words({.focus_lost = true}).line);
     shared_.progress.state = PlayState::playing;
     step();
     pause(0);

@@ -82,7 +82,7 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     EXPECT_FALSE(session_->menu().is_open());
     step({});
     ASSERT_TRUE(becomes(PlayState::paused));
-    EXPECT_EQ(session_->menu().picture().title, "Pad 1 of Tide was unplugged");
+    EXPECT_EQ(session_->menu().picture().title, pause_words({.lost_pad = {std::nullopt, 0}}).head);
     step({rig::pad_with({input::PadButton::a})});
     ASSERT_TRUE(becomes(PlayState::playing));
     end_match();
