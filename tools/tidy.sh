@@ -5,7 +5,7 @@
 #
 # This is slow, so what passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is committed, so
 # that a fresh checkout reads only what changed since. The key is a hash of everything that the batch or source depends on:
-# the settings, the compiler's command, and the text of its sources and of every header of ours that they include, each
+# the settings, its compiler's command, and the text of its sources and of every header of ours that they include, each
 # without the place of the checkout.
 set -euo pipefail
 
@@ -67,11 +67,21 @@ dependencies() {
         { follow($0, $0) }'
 }
 
+# commands FOLDER: prints lines "SOURCE TAB COMMAND": how the build folder compiles each source, without its output.
+commands() {
+    awk '/^ *"command": / { command = $0; sub(/^ *"command": "/, "", command); sub(/ -o .*/, "", command) }
+        /^ *"file": / {
+            file = $0; sub(/^ *"file": "/, "", file); sub(/".*/, "", file)
+            gsub(/\\\\/, "\\", command); gsub(/\\"/, "\"", command)
+            print file "\t" command
+        }' "$1/compile_commands.json"
+}
+
 # keys FOLDER: reads names of sources and prints lines "KEY TAB SOURCE".
 keys() {
     local common
-    common=$({ clang-tidy --version && cat "$root/.clang-tidy" && grep -h '"command"' "$1/compile_commands.json" |
-        sed "s/.*\"command\": \"\(.*\) -o .*/\1/; s|$root||g" | sort -u; } | sha256sum | cut -c1-16)
+    common=$({ clang-tidy --version && cat "$root/.clang-tidy"; } | sha256sum | cut -c1-16)
+    commands "$1" | sed "s|$root||g" >"$cache/commands_without_place"
     dependencies >"$cache/dependencies"
     # One hash per file, then per source a hash of its hashes.
     cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
@@ -84,27 +94,19 @@ keys() {
     rm -rf "$cache/texts"
     mkdir "$cache/texts"
     awk -F '\t' -v common="$common" -v root="$root" -v place="$cache/texts" '
-        NR == FNR { hash[substr($0, 67)] = substr($0, 1, 64); next }
+        FNR == 1 { ++file }
+        file == 1 { hash[substr($0, 67)] = substr($0, 1, 64); next }
+        file == 2 { command[root $1] = $2; next }
         { all[$1] = all[$1] hash[$2] }
         END {
             for (source in all) {
                 text = sprintf("%s/%06d", place, ++count)
-                printf "%s%s%s", common, all[source], substr(source, length(root) + 1) >text
+                printf "%s%s%s%s", common, command[source], all[source], substr(source, length(root) + 1) >text
                 close(text)
                 print source
             }
-        }' "$cache/hashes" "$cache/dependencies" >"$cache/sources_of_texts"
+        }' "$cache/hashes" "$cache/commands_without_place" "$cache/dependencies" >"$cache/sources_of_texts"
     sha256sum "$cache/texts"/* | cut -c1-16 | paste - "$cache/sources_of_texts"
-}
-
-# commands FOLDER: prints lines "SOURCE TAB COMMAND": how the build folder compiles each source, without its output.
-commands() {
-    awk '/^ *"command": / { command = $0; sub(/^ *"command": "/, "", command); sub(/ -o .*/, "", command) }
-        /^ *"file": / {
-            file = $0; sub(/^ *"file": "/, "", file); sub(/".*/, "", file)
-            gsub(/\\\\/, "\\", command); gsub(/\\"/, "\"", command)
-            print file "\t" command
-        }' "$1/compile_commands.json"
 }
 
 # tidy_one FOLDER SOURCE: clang-tidy over a source, or a batch.
