@@ -5,7 +5,7 @@
 #
 # This is slow, so what passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is committed, so
 # that a fresh checkout reads only what changed since. The key is a hash of everything that the batch or source depends on:
-# the settings, its compiler's command, and the text of its sources and of every header of ours that they include, each
+# the settings, the command that compiles it, and the text of its sources and of every header of ours that they include, each
 # without the place of the checkout.
 set -euo pipefail
 
@@ -81,7 +81,7 @@ commands() {
 keys() {
     local common
     common=$({ clang-tidy --version && cat "$root/.clang-tidy"; } | sha256sum | cut -c1-16)
-    commands "$1" | sed "s|$root||g" >"$cache/commands_without_place"
+    commands "$1" >"$cache/commands"
     dependencies >"$cache/dependencies"
     # One hash per file, then per source a hash of its hashes.
     cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
@@ -105,7 +105,7 @@ keys() {
                 close(text)
                 print source
             }
-        }' "$cache/hashes" "$cache/commands_without_place" "$cache/dependencies" >"$cache/sources_of_texts"
+        }' "$cache/hashes" <(sed "s|$root||g" "$cache/commands") "$cache/dependencies" >"$cache/sources_of_texts"
     sha256sum "$cache/texts"/* | cut -c1-16 | paste - "$cache/sources_of_texts"
 }
 
@@ -117,7 +117,7 @@ tidy_one() {
     return 1
 }
 
-# compile_one FOLDER SOURCE: compiles a source on its own, without making code.
+# compile_one FOLDER SOURCE: compiles a source on its own by the command that `keys` has found, without making code.
 compile_one() { bash -c "$(awk -F '\t' -v source="$2" '$1 == source { print $2; exit }' "$cache/commands") -fsyntax-only '$2'"; }
 
 # find_new FOLDER NAME: reads names of sources. Their keys go into the file NAME, and those that are not known to pass into
@@ -155,7 +155,6 @@ batches=$(configured batches -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 sources_in "$batches" | find_new "$batches" batches
 check_new tidy_one "$batches"
 alone=$(configured alone -DCMAKE_UNITY_BUILD=OFF)
-commands "$alone" >"$cache/commands"
 # Not those that cmake makes for the precompiled headers.
 sources_in "$alone" | grep -v "^$alone/" | find_new "$alone" sources
 if [[ -s $cache/new ]]; then
