@@ -191,10 +191,10 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .sky = {},
                                                .hidden = {},
                                                .dipped = {}});
-    Renderer renderer(std::move(state));
-    warm_up(renderer);
-    return renderer;
+    return Renderer(std::move(state));
 }
+
+void Renderer::warm_up(Quality quality) { detail::warm_up(*this, quality); }
 
 std::string Renderer::device() const {
     const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

@@ -39,13 +39,15 @@ struct DrawStatistics {
 class Renderer {
 public:
     /// Loads the shaders; `assets` is the folder that holds shaders/. A context must be current, and must
-    /// outlive the Renderer. Takes up to a second, since drivers compile a shader variant at its first use
-    /// and each variant is used once here. Errors: a shader file (with its name and the driver's line), no
-    /// font.
+    /// outlive the Renderer. Errors: a shader file (with its name and the driver's line), no font.
     static Expected<Renderer> create(const std::filesystem::path& assets);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
+
+    /// Uses all that pictures of this quality need, so that none of them waits: drivers compile a shader at its
+    /// first use. Takes up to a second at a program's first run. It spoils the picture that is not presented yet.
+    void warm_up(Quality quality);
 
     MeshId upload(const MeshData& mesh);
     /// Uploads a mesh with coarser copies (render/simplify.h), which replace it if it is small on the screen.

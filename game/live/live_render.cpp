@@ -86,6 +86,7 @@ struct RenderState {
     InterpolationBuffer buffer{};
     game::FrameMemory memory{};
     QualityChoice quality{};
+    std::size_t warm_qualities = 0;  ///< qualities whose shaders were used already, from the lowest on
     std::int64_t next_still_ns = 0;
 };
 
@@ -141,8 +142,15 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     auto fresh = render::Renderer::create(plan.assets);
     if (!fresh) return;
     renderer = std::move(*fresh);
+    state.warm_qualities = 0;
     state.arena_scene = arena_scene_of(renderer, *scene);
     state.scene = scene;
+}
+
+/// Warms one quality up after each of the first pictures, which therefore come as early as they can.
+void warm_up_next(render::Renderer& renderer, RenderState& state) {
+    if (state.warm_qualities == render::qualities) return;
+    renderer.warm_up(static_cast<render::Quality>(state.warm_qualities++));
 }
 
 /// Times that the render thread reports when it ends.
@@ -195,6 +203,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
         renderer.draw(frame_of(state, screen, size));
         window.present();
         count_picture(begun_ns, shared, state, times);
+        warm_up_next(renderer, state);
     }
     shared.report.frame_ms_median = times.frames.at(0.5);
     shared.report.frame_ms_p99 = times.frames.at(0.99);

@@ -60,6 +60,7 @@ private:
     };
     /// Playing and fading voices: as many again may fade as play.
     static constexpr std::size_t most_playing = 2 * most_heard;
+    static_assert(most_playing + most_heard <= Loopback::most_at_once);
     static constexpr std::size_t most_candidates = most_playing + 32 + most_begins;
 
     void free_ended();

@@ -26,12 +26,16 @@ Expected<void> expect_no_error(std::string_view doing) {
     return fail(text("OpenAL cannot ", doing, ": error ", code));
 }
 
-/// Samples that OpenAL can play: those that are not numbers become 0.
-std::vector<float> clean_samples(const Sound& sound) {
-    auto samples = sound.samples;
-    for (auto& sample : samples) sample = std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F;
-    if (samples.empty()) samples.push_back(0);
-    return samples;
+bool is_playable(float sample) { return std::abs(sample) <= 1; }
+
+/// Samples that OpenAL can play: those that are not numbers become 0. `changed` keeps them if any had to change.
+std::span<const float> playable_samples(const Sound& sound, std::vector<float>& changed) {
+    const auto& samples = sound.samples;
+    if (!samples.empty() && std::all_of(samples.begin(), samples.end(), is_playable)) return samples;
+    changed = samples;
+    for (auto& sample : changed) sample = std::isfinite(sample) ? std::clamp(sample, -1.0F, 1.0F) : 0.0F;
+    if (changed.empty()) changed.push_back(0);
+    return changed;
 }
 
 }  // namespace
@@ -121,10 +125,11 @@ Expected<void> Loopback::upload(const SoundBank& bank) {
     loops_.resize(bank.sounds.size());
     alGenBuffers(static_cast<ALsizei>(buffers_.size()), buffers_.data());
     for (std::size_t i = 0; i < buffers_.size(); ++i) {
-        const auto samples = clean_samples(bank.sounds[i]);
+        std::vector<float> changed;
+        const auto samples = playable_samples(bank.sounds[i], changed);
         loops_[i] = bank.sounds[i].loops;
         alBufferData(buffers_[i], AL_FORMAT_MONO_FLOAT32, samples.data(),
-                     static_cast<ALsizei>(samples.size() * sizeof(float)), static_cast<ALsizei>(sample_rate));
+                     static_cast<ALsizei>(samples.size_bytes()), static_cast<ALsizei>(sample_rate));
         if (auto kept = expect_no_error(text("keep the sound ", bank.sounds[i].name)); !kept) return kept;
     }
     return {};
@@ -154,16 +159,18 @@ void Loopback::attach(Source& source, std::uint32_t sound) {
 void Loopback::warm_up() {
     if (buffers_.empty()) return;
     std::array<float, 2 * frame_samples> unheard{};
+    // OpenAL Soft starts with memory for 256 voices, and doubles it before a start that could use them up.
+    const auto playing = std::span(pool_).first(most_at_once);
     for (int round = 0; round < 3; ++round) {
         begin_changes();
-        for (const auto& source : pool_) {
+        for (const auto& source : playing) {
             alSourcef(source.name, AL_GAIN, round == 0 ? 0.0F : 1e-6F * static_cast<float>(round));
             alSourcePlay(source.name);
         }
         end_changes();
         render(unheard);
     }
-    for (const auto& source : pool_) {
+    for (const auto& source : playing) {
         alSourceStop(source.name);
         alSourcef(source.name, AL_GAIN, 0.0F);
     }

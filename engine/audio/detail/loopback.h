@@ -17,6 +17,8 @@ namespace thaum::audio::detail {
 class Loopback {
 public:
     static constexpr std::uint32_t pool_size = 256;
+    /// Sources that play at once, at most.
+    static constexpr std::uint32_t most_at_once = 192;
 
     /// The error is one line.
     static Expected<std::unique_ptr<Loopback>> open(const SoundBank& bank, bool hrtf);
@@ -64,7 +66,7 @@ private:
     Expected<void> upload(const SoundBank& bank);
     Expected<void> make_sources();
     void attach(Source& source, std::uint32_t sound);
-    /// Plays all sources silently once, so that OpenAL makes its own memory now.
+    /// Plays as many sources as will ever play at once, silently, so that OpenAL makes its own memory now.
     void warm_up();
     void read_hrtf();
     std::vector<ALCint> attributes(bool hrtf) const;

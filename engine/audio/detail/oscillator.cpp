@@ -44,7 +44,8 @@ double fall_within(double time, double decay) {
 }
 
 double fall_at(const Envelope& envelope, double decay, double time) {
-    return fall_within(std::max(0.0, time - envelope.attack - envelope.hold), decay);
+    const double falling = time - envelope.attack - envelope.hold;
+    return falling <= 0 ? 1 : fall_within(falling, decay);
 }
 
 double length_of(const Envelope& envelope, double decay) {

@@ -45,7 +45,7 @@ Pitch fitted(Pitch pitch, const Canvas& canvas, const Span& span) {
 std::vector<double> frequencies_of(const Pitch& pitch, std::size_t count) {
     std::vector<double> result;
     for (std::size_t i = 0; i < count; i += control_samples) {
-        const auto middle = static_cast<double>(i + std::min(i + control_samples, count)) / 2;
+        const double middle = static_cast<double>(i) + control_samples / 2.0;
         result.push_back(std::min(hz_at(pitch, middle * sample_s), highest_hz));
     }
     return result;
@@ -62,7 +62,7 @@ struct Block {
 
 /// Calls `use(block)` for each block of a part.
 template <class Use>
-void each_block(const Envelope& envelope, double decay, const std::vector<double>& frequencies,
+void each_block(const Envelope& envelope, double decay, std::span<const double> frequencies,
                 std::size_t count, Use use) {
     const double fall_of_block = fall_within(static_cast<double>(control_samples) / sample_rate, decay);
     double fall = fall_at(envelope, decay, 0), gain = steady_gain_at(envelope, 0) * fall;
@@ -80,7 +80,7 @@ void each_block(const Envelope& envelope, double decay, const std::vector<double
 }
 
 /// Factor that gives a partial a whole number of periods in a lasting part.
-double period_fit(const std::vector<double>& frequencies, std::size_t count, double ratio) {
+double period_fit(std::span<const double> frequencies, std::size_t count, double ratio) {
     double periods = 0;
     for (std::size_t i = 0; i < count; i += control_samples)
         periods += frequencies[i / control_samples] * ratio * sample_s *
@@ -88,7 +88,7 @@ double period_fit(const std::vector<double>& frequencies, std::size_t count, dou
     return std::max(1.0, std::floor(periods + 0.5)) / periods;
 }
 
-void add_partial(Canvas& canvas, const Envelope& envelope, const std::vector<double>& frequencies,
+void add_partial(Canvas& canvas, const Envelope& envelope, std::span<const double> frequencies,
                  const Partial& partial) {
     const double decay = envelope.decay * partial.decay;
     const Span span = span_of(canvas, envelope, decay);
@@ -224,16 +224,20 @@ void add_grains(Canvas& canvas, const Grains& grains, Random random) {
 
 void add_score(Canvas& canvas, const Score& score) {
     const double beat_s = 60 / score.beats_per_minute;
+    // The vibrato begins anew with each note. So all notes share its course: frequencies of a note of 1 Hz.
+    std::vector<double> course, frequencies;
     for (const auto& note : score.notes) {
-        Tone tone;
-        tone.envelope = score.envelope;
-        tone.envelope.start += note.beat * beat_s;
-        tone.envelope.hold = std::max(0.0, note.beats * beat_s - tone.envelope.attack);
-        tone.envelope.level *= note.level;
-        tone.partials = score.partials;
+        Envelope envelope = score.envelope;
+        envelope.start += note.beat * beat_s;
+        envelope.hold = std::max(0.0, note.beats * beat_s - envelope.attack);
+        envelope.level *= note.level;
+        const auto count = span_of(canvas, envelope, envelope.decay).count;
+        if (count > course.size() * control_samples)
+            course = frequencies_of({1, 1, 1, score.vibrato_hz, score.vibrato}, count);
         const double hz = hz_of_key(note.key);
-        tone.pitch = {hz, hz, 1, score.vibrato_hz, score.vibrato};
-        add_tone(canvas, tone);
+        frequencies.clear();
+        for (const double factor : course) frequencies.push_back(std::min(hz * factor, highest_hz));
+        for (const auto& partial : score.partials) add_partial(canvas, envelope, frequencies, partial);
     }
 }
 

@@ -100,6 +100,13 @@ Fading fading_of(float pixel_angle) {
 
 JoinedPatches joined(const Patchwork& patchwork) {
     JoinedPatches out;
+    std::size_t vertices = 0, indices = 0;
+    for (const auto& patch : patchwork) {
+        vertices += patch.full.vertices.size() + patch.plain.vertices.size();
+        indices += patch.full.indices.size() + patch.plain.indices.size();
+    }
+    out.mesh.vertices.reserve(vertices);
+    out.table.indices.reserve(indices);
     for (const auto& patch : patchwork) {
         const auto& shown = patch.full.indices.empty() ? patch.plain : patch.full;
         PlacedPatch placed{.bounds = bounds(shown),

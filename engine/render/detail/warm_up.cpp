@@ -4,7 +4,7 @@
 
 namespace thaum::render::detail {
 
-void warm_up(Renderer& renderer) {
+void warm_up(Renderer& renderer, Quality quality) {
     const std::array texels{Texel{255, 255, 255, 255}};
     const std::array skin{SkinVertex{.position = {-1, 1, -3}}, SkinVertex{.position = {1, 1, -3}},
                           SkinVertex{.position = {0, 1, -4}}};
@@ -31,14 +31,12 @@ void warm_up(Renderer& renderer) {
     frame.casters = {{&instance, 1}, {&instance, 1}};
     frame.overlay.items.emplace_back(RectItem{.low = {0, 0}, .high = {4, 4}});
     frame.overlay.items.push_back(TextItem{.text = "a", .position = {0, 0}, .size = 8});
-    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
-        frame.quality = quality;
-        frame.internal_scale = quality == Quality::medium ? 0.5F : 1.0F;
-        // Draws the volume seen from outside and from inside.
-        for (const fvec3 centre : {fvec3(0, 1, -3), fvec3(0, 2, 0)}) {
-            volume.centre = centre;
-            renderer.draw(frame);
-        }
+    frame.quality = quality;
+    frame.internal_scale = quality == Quality::medium ? 0.5F : 1.0F;
+    // Draws the volume seen from outside and from inside.
+    for (const fvec3 centre : {fvec3(0, 1, -3), fvec3(0, 2, 0)}) {
+        volume.centre = centre;
+        renderer.draw(frame);
     }
     renderer.replace(mesh, {});
     renderer.replace(patchwork, {});

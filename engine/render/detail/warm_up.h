@@ -1,11 +1,11 @@
-// Uses every shader once, before the first picture is needed.
+// Uses the shaders of a quality once, before a match needs them.
 #pragma once
 #include "render/renderer.h"
 
 namespace thaum::render::detail {
 
-/// Uses every shader once, with every kind of framebuffer. Drivers compile a shader at its first use, which
-/// took a software rasteriser 20 to 260 ms each.
-void warm_up(Renderer& renderer);
+/// Draws one picture of each kind that this quality has. Drivers compile a shader at its first use, which took a
+/// software rasteriser 20 to 260 ms each.
+void warm_up(Renderer& renderer, Quality quality);
 
 }  // namespace thaum::render::detail
