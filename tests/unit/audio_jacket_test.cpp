@@ -47,6 +47,20 @@ double peak_of(const std::vector<double>& samples) {
     return peak;
 }
 
+TEST(ChannelTones, ABlockHoldsTheTonesAlone) {
+    audio::ChannelTones tones(2);
+    tones.set(1, {.amplitude = 0.5, .hz = 250});
+    tones.set(1, {.amplitude = 0.5, .hz = 0});  // no frequency: that of before stays
+    std::vector<float> block(2 * frame_samples), heard;
+    for (int i = 0; i < 20; ++i) {
+        std::fill(block.begin(), block.end(), 9.0F);
+        tones.mix(block);
+        if (i >= 10) heard.insert(heard.end(), block.begin(), block.end());
+    }
+    EXPECT_EQ(peak_of(channel_of(heard, 2, 0)), 0);
+    EXPECT_NEAR(amplitude_at(channel_of(heard, 2, 1), 250), 0.5, 0.01);
+}
+
 /// A sound card with some channels, whose time passes when the test says so.
 class CardDevice final : public audio::SoundDevice {
 public:

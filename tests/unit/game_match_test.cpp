@@ -58,6 +58,8 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     };
     EXPECT_NE(message("quick.kils=7").find("rules/quick.toml: has no key 'kils'"), std::string::npos);
     EXPECT_NE(message("quick.kills=0").find("'kills' is 0"), std::string::npos);
+    EXPECT_NE(message("wizard.body.height_m=0.6").find("must be more than twice radius_m"),
+              std::string::npos);
     EXPECT_NE(message("nothing.kills=3").find("--set nothing.kills=3"), std::string::npos);
     EXPECT_NE(message("quick.kills=[").find("no value"), std::string::npos);
 }

@@ -383,6 +383,26 @@ TEST(SoundScene, TheStartIsHeardAndAfterTheEndNothingGoesOn) {
         EXPECT_EQ(bank().sounds[voice.sound].group, audio::SoundGroup::music);
 }
 
+TEST(SoundScene, TheEndOfARoundIsHeardAsWonLostOrDrawn) {
+    for (const std::uint32_t winner : {0U, 1U, no_player}) {
+        SoundRig rig;
+        if (winner < players)
+            rig.match.world_to_change().get<Score>(rig.wizard(winner)).kills = rig.match.data().round.kills;
+        auto& match = rig.match.world_to_change().single<Match>();
+        match.played = rig.match.data().round.length - ticks(0.1);
+        std::map<std::string, std::uint32_t> heard_by;
+        for (Tick t = 0; t < ticks(0.2); t += audio::frame_ticks) {
+            rig.play(audio::frame_ticks);
+            for (const auto& voice : rig.heard.frame.begins)
+                if (voice.at_ear) heard_by[bank().sounds[voice.sound].name] |= voice.heard_by;
+        }
+        EXPECT_EQ(rig.match.match().winner, winner);
+        EXPECT_EQ(heard_by["round_won"], winner < players ? 1U << winner : 0U) << winner;
+        EXPECT_EQ(heard_by["round_lost"], winner < players ? 3U - (1U << winner) : 0U) << winner;
+        EXPECT_EQ(heard_by["round_drawn"], winner < players ? 0U : 3U) << winner;
+    }
+}
+
 TEST(SoundScene, AFallIsHeardAtTheOwnEarAndByTheOtherFromItsPlace) {
     SoundRig rig;
     record(rig.match.context_to_change(), {.tick = rig.match.match().played,
