@@ -12,6 +12,7 @@
 
 #include "core/file_writer.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 
 namespace thaum {
 namespace {
@@ -30,14 +31,18 @@ Error system_error(const std::filesystem::path& path, std::string_view doing) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
 }
 
+enum class Owner : std::uint8_t { user, program };
+
 /// Reads the file or, of a longer one, its first `most` bytes. A file of more than `limit` bytes is refused.
-Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit, std::size_t most) {
+Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit, std::size_t most,
+                           Owner owner = Owner::user) {
     // O_NONBLOCK: opening a fifo without a writer must not hang.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.fd < 0) return system_error(path, "open");
     struct stat info {};
     if (::fstat(file.fd, &info) != 0) return system_error(path, "read");
     if (!S_ISREG(info.st_mode)) return fail(text(path.string(), ": not an ordinary file"));
+    if (owner == Owner::user) declare_read(path);
     const auto whole = static_cast<std::size_t>(info.st_size);
     if (whole > limit) {
         return fail(text(path.string(), ": ", whole, " bytes, more than the limit of ", limit));
@@ -68,6 +73,14 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
     return true;
 }
 
+bool flush_to_disk(int fd) {
+    int failed = 0;
+    do {
+        failed = ::fdatasync(fd);
+    } while (failed != 0 && errno == EINTR);
+    return failed == 0 || errno == EINVAL;
+}
+
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit) {
     return read_bytes(path, limit, limit);
 }
@@ -76,10 +89,21 @@ Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most) 
     return read_bytes(path, std::numeric_limits<std::size_t>::max(), most);
 }
 
-Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit) {
-    const auto bytes = read_file(path, limit);
+namespace {
+
+Expected<std::string> as_text(const Expected<Bytes>& bytes) {
     if (!bytes) return bytes.error();
     return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+}
+
+}  // namespace
+
+Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit) {
+    return as_text(read_file(path, limit));
+}
+
+Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit) {
+    return as_text(read_bytes(path, limit, limit, Owner::program));
 }
 
 Expected<void> make_folder(const std::filesystem::path& folder) {

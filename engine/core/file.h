@@ -10,8 +10,8 @@
 
 namespace thaum {
 
-/// Reads a whole file. The error names the path and the fault: missing, not an ordinary file (directory,
-/// fifo, device), larger than `limit` bytes, or not readable.
+/// Reads a whole file, which no writer of this run replaces from then on (write_rule.h). The error names the path and
+/// the fault: missing, not an ordinary file (directory, fifo, device), larger than `limit` bytes, or not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
 /// Reads the first bytes of a file, at most `most`. The error is that of `read_file`, but a file may be of any length.
@@ -20,9 +20,16 @@ Expected<Bytes> read_start(const std::filesystem::path& path, std::size_t most);
 /// Reads a whole file, as `read_file` does, and returns it as text.
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit);
 
+/// Reads a file that the program owns and may replace itself, such as its settings. tests/structure lists who may.
+Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit);
+
 /// Writes all bytes to an open descriptor. On failure returns false with errno set; some of the bytes may
 /// have been written.
 bool write_all(int fd, std::span<const std::byte> bytes);
+
+/// Waits until the bytes of an open file are on the disk. On failure returns false with errno set. An interruption is no
+/// failure, nor is a file system without a disk.
+bool flush_to_disk(int fd);
 
 /// Creates the folder and any missing parent folders. The error names the folder, which cannot be created or
 /// is not writable.

@@ -28,7 +28,8 @@ Error fault(const std::filesystem::path& path, std::string_view doing, int why) 
 int create_part(const std::filesystem::path& target, std::string& part) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {
-        part = text(target.string(), ".", ::getpid(), "-", i, ".part");
+        // The name does not begin with the target's, which may be as long as a name can be.
+        part = (target.parent_path() / text(".thaum-", ::getpid(), "-", i, ".part")).string();
         const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (fd >= 0 || errno != EEXIST) return fd;
     }
@@ -53,6 +54,7 @@ FileWriter::FileWriter(FileWriter&& other) noexcept
     : name_(std::move(other.name_)),
       target_(std::move(other.target_)),
       part_(std::exchange(other.part_, {})),
+      claimed_(std::exchange(other.claimed_, false)),
       fd_(std::exchange(other.fd_, -1)),
       fault_(other.fault_),
       written_(other.written_),
@@ -61,6 +63,7 @@ FileWriter::FileWriter(FileWriter&& other) noexcept
 FileWriter::~FileWriter() {
     if (fd_ >= 0) ::close(fd_);
     if (!part_.empty()) ::unlink(part_.c_str());
+    give_name_back();
 }
 
 Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
@@ -71,6 +74,24 @@ Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
     if (fd < 0) return fault(path, "create", errno);
     take_rights_of(*target, fd);
     return FileWriter(std::move(path), std::move(*target), std::move(part), fd);
+}
+
+Expected<FileWriter> FileWriter::create_new(std::filesystem::path path) {
+    // The empty file takes the name at once, so two programs never choose the same.
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0) return fault(path, "create", errno);
+    ::close(fd);
+    auto made = create(path);
+    if (made)
+        made->claimed_ = true;
+    else
+        ::unlink(path.c_str());
+    return made;
+}
+
+/// Removes the file that only took the name.
+void FileWriter::give_name_back() {
+    if (std::exchange(claimed_, false)) ::unlink(target_.c_str());
 }
 
 void FileWriter::write(std::span<const std::byte> bytes) {
@@ -101,6 +122,7 @@ void FileWriter::flush() {
 Error FileWriter::give_up(std::string_view doing, int why) {
     if (fd_ >= 0) ::close(std::exchange(fd_, -1));
     ::unlink(std::exchange(part_, {}).c_str());
+    give_name_back();
     return fault(name_, doing, why);
 }
 
@@ -108,8 +130,8 @@ Expected<void> FileWriter::finish() {
     if (fd_ < 0) return {};
     flush();
     if (fault_ != 0) return give_up("write", fault_);
-    // Some disks report only here that they are full. EINVAL means a file system without a disk.
-    if (::fdatasync(fd_) != 0 && errno != EINVAL) return give_up("write", errno);
+    // Some disks report only here that they are full.
+    if (!flush_to_disk(fd_)) return give_up("write", errno);
     if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
     return {};
 }
@@ -120,10 +142,13 @@ Expected<void> FileWriter::close() {
     const auto still = writable_target(target_);
     if (!still) {
         ::unlink(std::exchange(part_, {}).c_str());
+        give_name_back();
         return still.error();
     }
     if (::rename(part_.c_str(), target_.c_str()) != 0) return give_up("replace", errno);
     part_.clear();
+    claimed_ = false;
+    declare_written(target_);
     return {};
 }
 

@@ -19,6 +19,9 @@ public:
     /// Starts a file. The error names the path: it cannot be created, or an existing file must not be
     /// replaced.
     static Expected<FileWriter> create(std::filesystem::path path);
+    /// Starts a file of a name that no file has, and takes the name at once: an empty file stands there until `close`.
+    /// The error names the path.
+    static Expected<FileWriter> create_new(std::filesystem::path path);
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
     ~FileWriter();
@@ -41,10 +44,12 @@ public:
 private:
     FileWriter(std::filesystem::path name, std::filesystem::path target, std::string part, int fd);
     Error give_up(std::string_view doing, int why);
+    void give_name_back();
 
     std::filesystem::path name_;    ///< path as given by the caller, for messages
     std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved
     std::string part_;           ///< path of the temporary file, in the target's folder; empty: there is none
+    bool claimed_ = false;       ///< an empty file of our own stands at the target
     int fd_;                     ///< -1 from `finish` on
     int fault_ = 0;              ///< errno of the first write that failed
     std::uint64_t written_ = 0;  ///< bytes that `write` was given

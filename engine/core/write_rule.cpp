@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
-#include <vector>
+#include <set>
 
 #include "core/text.h"
 
@@ -18,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Inputs {
+struct KnownFiles {
     std::mutex mutex;
-    std::vector<fs::path> paths;
+    std::set<fs::path> inputs, read;
+    std::set<fs::path> written;  ///< canonical paths
 };
 
-Inputs& inputs() {
-    static Inputs all;
+KnownFiles& known_files() {
+    static KnownFiles all;
     return all;
 }
 
@@ -58,13 +59,16 @@ bool lies_below(const fs::path& folder, const fs::path& path) {
 
 /// Returns true if `path` is a declared input. `info` is null if no file exists at the path yet.
 bool is_input(const fs::path& path, const struct stat* info) {
-    const std::lock_guard lock(inputs().mutex);
-    const auto& paths = inputs().paths;
-    return std::any_of(paths.begin(), paths.end(), [&](const fs::path& input) {
-        if (info != nullptr && is_file(input, *info)) return true;
-        if (lies_below(input, path)) return true;
-        return info != nullptr && info->st_nlink > 1 && has_other_name_in(input, *info);
-    });
+    auto& known = known_files();
+    const std::lock_guard lock(known.mutex);
+    const auto is_it = [&](const fs::path& input) { return info != nullptr && is_file(input, *info); };
+    const auto holds_it = [&](const fs::path& input) {
+        return lies_below(input, path) ||
+               (info != nullptr && info->st_nlink > 1 && has_other_name_in(input, *info));
+    };
+    if (std::ranges::any_of(known.inputs, [&](const auto& i) { return is_it(i) || holds_it(i); }))
+        return true;
+    return !known.written.contains(path) && std::ranges::any_of(known.read, is_it);
 }
 
 bool is_standard_stream(const struct stat& info) {
@@ -98,9 +102,24 @@ bool begins_like_recording(const fs::path& path) {
            std::string_view(first.data(), first.size()) == recording_magic;
 }
 
+void declare_read(const fs::path& path) {
+    auto& known = known_files();
+    const std::lock_guard lock(known.mutex);
+    known.read.insert(path);
+}
+
 void protect_input(const fs::path& path) {
-    const std::lock_guard lock(inputs().mutex);
-    inputs().paths.push_back(path);
+    auto& known = known_files();
+    const std::lock_guard lock(known.mutex);
+    known.inputs.insert(path);
+}
+
+void declare_written(const fs::path& target) {
+    std::error_code error;
+    auto real = fs::canonical(target, error);
+    auto& known = known_files();
+    const std::lock_guard lock(known.mutex);
+    if (!error) known.written.insert(std::move(real));
 }
 
 bool same_target(const fs::path& a, const fs::path& b) {

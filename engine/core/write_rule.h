@@ -1,7 +1,8 @@
 // core/write_rule.h: decides which files this program may write.
 //
-// Every writer in core checks here, so no output destroys an input. A file that the command reads is never
-// replaced, under whatever name. A recorded match is never replaced either.
+// Every reader in core and input declares here what it opens, and every writer checks here. So no output destroys an
+// input: a file that this run has read is never replaced, under whatever name, except a file that the program owns
+// (read_own_file) or that this run has written itself. A recorded match is never replaced either.
 #pragma once
 #include <filesystem>
 #include <string_view>
@@ -15,8 +16,15 @@ inline constexpr std::string_view recording_magic = "THAUMLOG";
 
 bool begins_like_recording(const std::filesystem::path& path);
 
-/// Declares a file that this run of the program reads, or a folder of such files. From now on no writer
-/// replaces it. Two names mean the same file if device and inode agree.
+/// Declares a file that a reader has opened. From now on no writer replaces it, unless this run had written it. Two names
+/// mean the same file if device and inode agree.
+void declare_read(const std::filesystem::path& path);
+
+/// Declares a file that a writer has put at its place.
+void declare_written(const std::filesystem::path& target);
+
+/// Declares a file that no writer may replace, or a folder of such files, whoever wrote them: what a command reads after
+/// it begins to write, or may read.
 void protect_input(const std::filesystem::path& path);
 
 /// Returns true if both paths lead to the same file, whether or not the file exists yet.

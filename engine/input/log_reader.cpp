@@ -69,6 +69,7 @@ Expected<LogDescriptor> open_file(const std::string& path) {
     if (!S_ISREG(info.st_mode)) return fail(text(path, ": not an ordinary file"));
     file.size = static_cast<std::size_t>(info.st_size);
     if (file.size == 0) return fail(text(path, ": not a Thaum log (empty file)"));
+    declare_read(path);
     return file;
 }
 

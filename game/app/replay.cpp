@@ -7,7 +7,6 @@
 #include "core/file_writer.h"
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 #include "game/app/command.h"
 #include "game/app/feel.h"
 #include "game/app/replay_body.h"
@@ -260,18 +259,6 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
-/// Rejects two outputs with the same file, which would overwrite each other.
-Expected<void> check_distinct(const Pass& pass) {
-    const std::array files{&pass.events, &pass.state, &pass.forces, &pass.tactile, &pass.wav};
-    for (std::size_t a = 0; a < files.size(); ++a) {
-        for (std::size_t b = 0; b < a; ++b) {
-            if (*files[a] && *files[b] && same_target(**files[a], **files[b]))
-                return fail("--events, --state, --forces, --tactile and --wav need one file for each");
-        }
-    }
-    return {};
-}
-
 /// Rejects options that need another option which is missing.
 Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
@@ -319,7 +306,6 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
         pass.shots = std::move(*shots);
     }
     if (auto fits = check_company(arguments, pass); !fits) return fits.error();
-    if (auto distinct = check_distinct(pass); !distinct) return distinct.error();
     return pass;
 }
 
@@ -367,20 +353,19 @@ int print_header(const std::vector<std::string>& words, const std::string& path)
 
 int run_replay(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--verify"},           {"--at", 1},
-                                         {"--speed", 1},         {"--dump", 2},
-                                         {"--out", 1},           {"--events", 1},
-                                         {"--state", 1},         {"--forces", 1},
+                                         {"--speed", 1},         output("--dump", 2),
+                                         {"--out", 1},           output("--events"),
+                                         output("--state"),      output("--forces"),
                                          {"--every", 1},         {"--shots", 1},
                                          {"--size", 1},          {"--shot-every", 1},
                                          {"--shot-at", 1, true}, {"--shot-on", 1, true},
                                          {"--feel", 1},          {"--player", 1},
-                                         {"--header"},           {"--tactile", 1},
-                                         {"--wav", 1},           {"--ears", 1},
+                                         {"--header"},           output("--tactile"),
+                                         output("--wav"),        {"--ears", 1},
                                          {"--felt-sound", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});
-    protect_input(arguments->plain()[0]);
     if (arguments->has("--header")) return print_header(words, arguments->plain()[0]);
     auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
     if (!playback) return refuse(playback.error());

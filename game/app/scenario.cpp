@@ -93,7 +93,7 @@ void protect_scripts(const std::vector<std::filesystem::path>& scripts, const ga
 }
 
 int run_scenario(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}, {"--once"}, {"--twice"}};
+    static constexpr Option options[] = {output("--json"), {"--out", 1}, {"--once"}, {"--twice"}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto json = arguments->value("--json");

@@ -7,7 +7,6 @@
 #include "core/file.h"
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 #include "game/app/command.h"
 #include "game/app/highlight.h"
 #include "game/command_line/arguments.h"
@@ -117,7 +116,6 @@ int run_shots(const std::vector<std::string>& words) {
         return refuse({"shots needs one log and --out; see `thaum shots --help`"});
     const auto& log = arguments->plain()[0];
     const auto file = std::filesystem::path(*out) / "duel.png";
-    protect_input(log);
     if (const auto made = make_folder(*out); !made) return refuse(made.error());
     if (const auto free = check_output(file); !free) return refuse(free.error());
     auto playback = game::Playback::open(log, game::find_assets());

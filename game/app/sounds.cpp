@@ -82,7 +82,7 @@ Expected<void> write_all_of(const Chosen& sounds, const std::filesystem::path& f
 }
 
 int run_sounds(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--out", 1}, {"--sheet", 1}};
+    static constexpr Option options[] = {{"--out", 1}, output("--sheet")};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto out = arguments->value("--out"), sheet = arguments->value("--sheet");

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/text.h"
+#include "core/write_rule.h"
 
 namespace thaum::app {
 namespace {
@@ -20,6 +21,45 @@ Expected<T> parse_value(std::string_view word, std::string_view what, T low, T h
                      in_digits ? "" : ", in digits alone"));
 }
 
+using Given = std::map<std::string, std::vector<std::string>>;
+
+bool is_file(const std::string& name) {
+    std::error_code unknown;
+    return std::filesystem::is_regular_file(name, unknown);
+}
+
+const Option* find_option(std::span<const Option> options, std::string_view name) {
+    const auto found =
+        std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.name == name; });
+    return found == options.end() ? nullptr : &*found;
+}
+
+/// Error if a file that one option writes is named by another word.
+Expected<void> check_written(std::span<const Option> options, const Given& given,
+                             const std::vector<std::string>& plain) {
+    for (const auto& option : options) {
+        const auto written = given.find(std::string(option.name));
+        if (!option.writes || written == given.end()) continue;
+        const auto& target = written->second.back();
+        if (target == "-") continue;
+        const auto is_input = [&](const std::string& word) {
+            return is_file(word) && same_target(word, target);
+        };
+        bool is_read = std::any_of(plain.begin(), plain.end(), is_input);
+        for (const auto& [name, values] : given) {
+            if (name == option.name) continue;
+            const bool writes = find_option(options, name)->writes;
+            if (writes && same_target(values.back(), target))
+                return fail(text(option.name, " and ", name, " both write ", target,
+                                 "; give one of them another name"));
+            is_read = is_read || (!writes && std::any_of(values.begin(), values.end(), is_input));
+        }
+        if (is_read)
+            return fail(text(target, ": cannot write: it is read by this command; give another name"));
+    }
+    return {};
+}
+
 }  // namespace
 
 // Not CLI11: with it this function is longer, since its messages differ from ours and must be translated; this file then
@@ -32,9 +72,8 @@ Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::sp
             result.plain_.push_back(word);
             continue;
         }
-        const auto option =
-            std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.name == word; });
-        if (option == options.end()) return fail(text("unknown option '", word, "'"));
+        const auto* option = find_option(options, word);
+        if (option == nullptr) return fail(text("unknown option '", word, "'"));
         if (result.has(word) && !option->repeats) return fail(text("option '", word, "' is given twice"));
         auto& values = result.given_[word];
         if (words.size() - i - 1 < option->values) {
@@ -43,6 +82,7 @@ Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::sp
         }
         for (std::size_t v = 0; v < option->values; ++v) values.push_back(words[++i]);
     }
+    if (auto checked = check_written(options, result.given_, result.plain_); !checked) return checked.error();
     return result;
 }
 

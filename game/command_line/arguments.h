@@ -18,11 +18,16 @@ struct Option {
     std::string_view name;   ///< name with its dashes: "--seed"
     std::size_t values = 0;  ///< number of words that follow the option
     bool repeats = false;    ///< true if the option may be given more than once
+    bool writes = false;     ///< true if its last value names a file that the command writes
 };
+
+/// An option that names a file to be written; "-" is no file.
+constexpr Option output(std::string_view name, std::size_t values = 1) { return {name, values, false, true}; }
 
 class Arguments {
 public:
-    /// Parses `words`. The error names the first wrong word.
+    /// Parses `words`. The error names the first wrong word, or a file to be written that another word names, too: such a
+    /// file would be lost at the end of the command's work.
     static Expected<Arguments> parse(std::span<const std::string> words, std::span<const Option> options);
 
     const std::vector<std::string>& plain() const { return plain_; }

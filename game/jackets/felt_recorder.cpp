@@ -45,25 +45,27 @@ private:
     std::string fault_{};  ///< why the recording was given up; empty: it was not
 };
 
-/// The first name that no file has: FILE.csv, FILE_2.csv, ...
-std::optional<std::filesystem::path> free_name(const std::filesystem::path& wanted) {
+/// Starts a file with the first name that no file has: FILE.csv, FILE_2.csv, ... Another program may take a name between
+/// the look and the start, and then the next one is tried.
+Expected<FileWriter> start_new(const std::filesystem::path& wanted, std::filesystem::path& name) {
     for (int i = 1; i < most_names; ++i) {
-        auto name = wanted;
+        name = wanted;
         if (i > 1) name.replace_filename(text(wanted.stem().string(), "_", i, wanted.extension().string()));
-        std::error_code unknown;
-        if (std::filesystem::symlink_status(name, unknown).type() == std::filesystem::file_type::not_found)
-            return name;
+        const auto is_there = [&] {
+            std::error_code unknown;
+            return std::filesystem::exists(std::filesystem::symlink_status(name, unknown));
+        };
+        if (is_there()) continue;
+        auto made = FileWriter::create_new(name);
+        if (made || !is_there()) return made;
     }
-    return std::nullopt;
+    return fail("there are too many recordings of this name; choose another");
 }
 
 Expected<void> FeltRecorder::open() {
     if (!fault_.empty()) return fail(fault_);  // a full disk is not tried again
     end();
-    auto name = free_name(wanted_);
-    if (!name) return fail("there are too many recordings of this name; choose another");
-    path_ = std::move(*name);
-    auto made = FileWriter::create(path_);
+    auto made = start_new(wanted_, path_);
     if (!made) return made.error();
     file_.emplace(std::move(*made));
     file_->write(felt_header());

@@ -102,7 +102,7 @@ std::vector<FeelProfile> load_feel_profiles(const std::filesystem::path& folder,
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
         if (it->path().extension() != ending || profiles.size() >= most_profiles) continue;
-        const auto source = read_text_file(it->path(), largest_file);
+        const auto source = read_own_text_file(it->path(), largest_file);
         auto profile =
             source ? parse_feel_profile(*source, it->path().string()) : Expected<FeelProfile>(source.error());
         if (profile)

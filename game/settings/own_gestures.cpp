@@ -65,7 +65,7 @@ std::vector<input::ProfileData> load_own_gestures(const std::filesystem::path& f
         const auto file = file_of(folder, shipped.name);
         std::error_code error;
         if (!std::filesystem::exists(file, error)) continue;
-        const auto toml = read_text_file(file, largest_own_gesture);
+        const auto toml = read_own_text_file(file, largest_own_gesture);
         if (!toml) {
             faults.push_back(toml.error().message);
             continue;

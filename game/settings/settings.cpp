@@ -289,7 +289,7 @@ Expected<ReadSettings> read_settings_file(const std::filesystem::path& file,
         // Players can play even if the home folder is not writable.
         if (!write_text_file(file, *defaults)) return ReadSettings{};
     }
-    const auto source = read_text_file(file, max_settings_file);
+    const auto source = read_own_text_file(file, max_settings_file);
     if (!source) return source.error();
     return read_settings(*source, file.string());
 }

@@ -194,7 +194,7 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
     // Writes through a symbolic link, so that the link stays a link.
     const auto real = std::filesystem::weakly_canonical(file, error);
     const auto& target = error ? file : real;
-    const auto source = read_text_file(target, max_edited_file);
+    const auto source = read_own_text_file(target, max_edited_file);
     if (!source) return source.error();
     const auto edited = edit_settings(*source, file.string(), edits);
     if (!edited) return edited.error();

@@ -14,13 +14,15 @@ cp -r "$repository/assets" assets
 "$thaum" lab --fluid --headless --cells 16 --seconds 0.1 --save brew >/dev/null || { echo "failed: no brew"; exit 1; }
 printf 'time_s,x_m,y_m,z_m\n0,0.5,-0.2,0\n0.5,-0.5,-0.3,0.4\n' >path.csv
 cp "$repository/tests/scenarios/panic_key.lua" script.lua
+"$thaum" gesture generate --users 2 --samples 1 --out made >/dev/null || { echo "failed: no strokes"; exit 1; }
+mv made/strokes.csv strokes.csv
 mv made/duel.thaumlog log
 cp log other
 mkdir kept
-cp log other report brew path.csv script.lua kept/
+cp log other report brew path.csv script.lua strokes.csv kept/
 
 restore() {
-    rm -rf log other report brew path.csv script.lua hard soft outputs
+    rm -rf log other report brew path.csv script.lua strokes.csv hard soft outputs
     cp kept/* .
     ln log hard
     ln -s log soft
@@ -29,7 +31,7 @@ restore() {
 # unharmed WHAT: checks that the inputs are unchanged and that there is no half-written file.
 unharmed() {
     local file
-    for file in log other report brew path.csv script.lua; do
+    for file in log other report brew path.csv script.lua strokes.csv; do
         cmp -s "$file" "kept/$file" && continue
         fail "$1: $file was destroyed"
         cp "kept/$file" "$file"
@@ -65,27 +67,38 @@ writers=(
     "brew lab --fluid --headless --seconds 3 --load brew --save @"
     "brew lab --fluid --headless --seconds 3 --load brew --trace @"
     "path.csv lab --fluid --headless --seconds 3 --stir path.csv --save @"
+    "strokes.csv gesture eval strokes.csv --json @"
+    "strokes.csv gesture eval strokes.csv --svg @"
+    "strokes.csv gesture train strokes.csv --method tdnn --out @"
+    "strokes.csv gesture spot path.csv --labels script.lua --train strokes.csv --json @"
+    "strokes.csv gesture record circle --strokes strokes.csv --out @"
 )
+# All writers ask one rule, so the first tries every name of its input and every bad place, and the others some.
 for row in "${writers[@]}"; do
     input=${row%% *}
     words=${row#* }
+    names=("$input" other_name) recordings=(other) places=(/proc/x missing/file)
+    if [[ $row == "${writers[0]}" ]]; then
+        names+=("./$input" link "$folder/../$(basename "$folder")/$input")
+        places+=(/dev/full log/file "$folder")
+    fi
+    [[ $input != script.lua ]] || recordings+=(hard soft)
     if [[ $input != - ]]; then
         restore
         ln "$input" other_name
         ln -s "$input" link
-        for name in "$input" "./$input" other_name link "$folder/../$(basename "$folder")/$input"; do
+        for name in "${names[@]}"; do
             # shellcheck disable=SC2086
             refused "is read by this command" ${words//@/$name}
         done
         rm other_name link
     fi
     restore
-    for name in other hard soft; do
-        [[ $input == log && $name != other ]] && continue
+    for name in "${recordings[@]}"; do
         # shellcheck disable=SC2086
         refused "is a recording" ${words//@/$name}
     done
-    for name in /dev/full /proc/x missing/file log/file "$folder"; do
+    for name in "${places[@]}"; do
         # shellcheck disable=SC2086
         refused "$name: cannot" ${words//@/$name}
     done
@@ -96,8 +109,9 @@ bolt=$(cat assets/wands/bolt.toml)
 refused "is read by this command" replay log --events assets/wands/bolt.toml
 refused "is read by this command" replay log --events assets/wands/new.toml
 [[ $(cat assets/wands/bolt.toml) == "$bolt" ]] || fail "a data file was destroyed"
-refused "one file for" replay log --events same --state same
-refused "one file for" lab --fluid --headless --seconds 3 --save same --trace ./same
+refused "both write" replay log --events same --state same
+refused "both write" lab --fluid --headless --seconds 3 --save same --trace ./same
+refused "both write" gesture eval strokes.csv --json same --svg ./same
 
 # ---- commands that fill a folder: one of their files, which is a link to a recording, and the words --------
 

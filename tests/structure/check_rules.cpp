@@ -132,6 +132,23 @@ TEST_F(Rules, HeadersWithoutATitleAreFound) {
     EXPECT_EQ(headers_without_title(root()).size(), 2);
 }
 
+TEST_F(Rules, FilesOpenedAroundTheRuleAreFound) {
+    add("engine/core/file.cpp", "int fd = ::open(name, 0);\n");
+    add("engine/audio/good.cpp",
+        "#include <fstream>\n// fopen(name)\nauto a = Device::open(name);\nread_text_file(name, 9);\n");
+    add("tests/unit/free.cpp", "std::ifstream in(name);\n");
+    EXPECT_EQ(opens_around_the_rule(root()), Faults{});
+    for (const auto* line :
+         {"int fd = ::open(name, 0);", "if (::open(name, 0) < 0)", "auto* f = fopen(name, \"r\");",
+          "auto* f = std::fopen(name, \"r\");", "std::ifstream in(name);", "std::ofstream out{name};",
+          "std::fstream(name) >> word;", "luaL_loadfilex(lua, name, 0);", "read_own_text_file(name, 9);"}) {
+        add("engine/audio/bad.cpp", std::string("// one\n") + line + "\n");
+        const auto faults = opens_around_the_rule(root());
+        ASSERT_EQ(faults.size(), 1) << line;
+        EXPECT_TRUE(faults[0].starts_with("engine/audio/bad.cpp:2: ")) << line;
+    }
+}
+
 TEST_F(Rules, LongFilesAreFound) {
     std::string lines;
     for (int i = 0; i < 600; ++i) lines += "int a;\n";

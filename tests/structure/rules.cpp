@@ -189,6 +189,63 @@ std::size_t find_path(const std::string& text, const std::string& path) {
     return at;
 }
 
+// ---- opened files ------------------------------------------------------------------------------------------
+
+/// Files that may open files themselves, and why.
+const std::map<std::string, std::string_view, std::less<>> may_open = {
+    {"engine/core/file.cpp", "the reader of all others"},
+    {"engine/core/file_writer.cpp", "the writer of all others"},
+    {"engine/core/write_rule.cpp", "looks whether a file is a recording"},
+    {"engine/input/log_reader.cpp", "reads pieces of a recording, and declares it"},
+    {"engine/input/log_writer.cpp", "makes new files only"},
+    {"engine/input/rumble.cpp", "opens devices"},
+    {"engine/render/priority.cpp", "reads what the system says of threads"},
+    {"game/app/doctor.cpp", "reads what the system says of devices"},
+    {"tools/bench/report.cpp", "reads what the system says of the processor"},
+    {"tools/bench/soak.cpp", "reads what the system says of memory"},
+    {"tools/suite/mutant_switch.h", "is no part of the program"},
+};
+
+/// Files that may read what the program owns: settings, profiles and own gestures.
+const std::set<std::string, std::less<>> may_read_own = {
+    "engine/core/file.cpp",           "engine/core/file.h",
+    "game/settings/settings.cpp",     "game/settings/settings_edit.cpp",
+    "game/settings/feel_profile.cpp", "game/settings/own_gestures.cpp",
+};
+
+/// What opens a file.
+constexpr std::array<std::string_view, 16> openers = {
+    "::open(",     "::openat(",    "::creat(",   "fopen(",     "freopen(", "fdopen(",
+    "popen(",      "mkstemp(",     "ifstream",   "ofstream",   "fstream",  "luaL_loadfil",
+    "luaL_dofile", "FT_New_Face(", "stbi_load(", "parse_file("};
+
+bool opens_a_file(std::string_view code) {
+    return std::ranges::any_of(openers, [&](std::string_view opener) {
+        const auto at = code.find(opener);
+        const auto is_letter = [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+        };
+        return at != std::string_view::npos && (at == 0 || !is_letter(code[at - 1]));
+    });
+}
+
+void check_opens(const std::string& name, const std::string& text, Faults& faults) {
+    std::istringstream lines(text);
+    std::string line;
+    for (std::size_t number = 1; std::getline(lines, line); ++number) {
+        const auto code = line.substr(0, line.find("//"));
+        if (code.starts_with("#include")) continue;
+        if (!may_open.contains(name) && opens_a_file(code))
+            faults.push_back(at_line(name, number,
+                                     "opens a file itself; use core/file.h, which declares what is read, "
+                                     "or list the file in tests/structure/rules.cpp"));
+        if (!may_read_own.contains(name) && code.find("read_own_text_file") != std::string::npos)
+            faults.push_back(at_line(name, number,
+                                     "reads a file as the program's own, so that an output may replace it; "
+                                     "use read_text_file, or list the file in tests/structure/rules.cpp"));
+    }
+}
+
 // ---- lengths ----------------------------------------------------------------------------------------------
 
 constexpr std::size_t most_file_lines = 600;
@@ -266,6 +323,15 @@ Faults headers_without_title(const fs::path& root) {
         if (!read(file).starts_with("// " + name + ": ")) {
             faults.push_back(at_line("engine/" + name, 1, "must open with \"// " + name + ": purpose\""));
         }
+    }
+    return faults;
+}
+
+Faults opens_around_the_rule(const fs::path& root) {
+    Faults faults;
+    for (const auto& file : own_sources(root)) {
+        const auto name = relative_to(root, file);
+        if (!name.starts_with("tests/")) check_opens(name, read(file), faults);
     }
     return faults;
 }

@@ -128,7 +128,7 @@ TEST_F(CoreFile, ALinkAtTheTemporaryNameIsNotFollowed) {
     const auto path = in_folder("a"), precious = in_folder("precious");
     ASSERT_TRUE(write_text_file(precious, "precious"));
     for (const auto* ending : {"", "-0", "-1"})
-        fs::create_symlink(precious, path.string() + text(".", ::getpid(), ending, ".part"));
+        fs::create_symlink(precious, in_folder(text(".thaum-", ::getpid(), ending, ".part")));
     ASSERT_TRUE(write_text_file(path, "x"));
     EXPECT_EQ(read_text_file(precious, 100), "precious");
     EXPECT_EQ(read_text_file(path, 100), "x");
@@ -150,6 +150,59 @@ TEST_F(CoreFile, AnInputIsNeverReplacedUnderAnyName) {
     EXPECT_EQ(read_text_file(input, 100), "input");
     EXPECT_EQ(read_text_file(data / "below/file", 100), "data");
     EXPECT_TRUE(write_text_file(in_folder("other"), "x"));
+}
+
+TEST_F(CoreFile, WhatWasReadIsNeverReplaced) {
+    const auto whole = in_folder("whole"), start = in_folder("start"), own = in_folder("own");
+    for (const auto& file : {whole, start, own}) std::ofstream(file) << "old";
+    fs::create_hard_link(whole, in_folder("hard"));
+    fs::create_symlink(start, in_folder("soft"));
+    auto begun = FileWriter::create(whole).value();
+    ASSERT_TRUE(read_file(whole, 100));
+    ASSERT_TRUE(read_start(start, 1));
+    ASSERT_EQ(read_own_text_file(own, 100), "old");
+    EXPECT_FALSE(read_text_file(in_folder("missing"), 100));
+    for (const auto* name : {"whole", "start", "hard", "soft"})
+        expect_refused(write_text_file(in_folder(name), "new"), in_folder(name), "is read by this command");
+    begun.write("new");
+    expect_refused(begun.close(), fs::canonical(whole), "is read by this command");
+    for (const auto* name : {"own", "missing"}) EXPECT_TRUE(write_text_file(in_folder(name), "new"));
+    EXPECT_EQ(read_text_file(whole, 100), "old");
+    EXPECT_EQ(read_text_file(start, 100), "old");
+}
+
+TEST_F(CoreFile, WhatWasWrittenMayBeReadAndWrittenAgain) {
+    const auto path = in_folder("a");
+    ASSERT_TRUE(write_text_file(path, "first"));
+    EXPECT_EQ(read_text_file(path, 100), "first");
+    EXPECT_TRUE(write_text_file(path, "second"));
+    protect_input(path);
+    expect_refused(write_text_file(path, "third"), path, "is read by this command");
+}
+
+TEST_F(CoreFile, TheLongestNameThatAFolderHoldsCanBeWritten) {
+    const auto path = in_folder(std::string(255, 'n'));
+    ASSERT_TRUE(write_text_file(path, "x"));
+    EXPECT_EQ(read_text_file(path, 100), "x");
+    EXPECT_EQ(files(), 1);
+    expect_refused(write_text_file(in_folder(std::string(256, 'n')), "x"), in_folder(std::string(256, 'n')),
+                   "File name too long");
+}
+
+TEST_F(CoreFile, ANewFileTakesItsNameAtOnce) {
+    const auto path = in_folder("a");
+    auto file = FileWriter::create_new(path).value();
+    EXPECT_TRUE(fs::exists(path));
+    expect_refused(FileWriter::create_new(path), path, "File exists");
+    file.write("x");
+    ASSERT_TRUE(file.close());
+    EXPECT_EQ(read_text_file(path, 100), "x");
+    EXPECT_EQ(files(), 1);
+    { const auto left = FileWriter::create_new(in_folder("b")).value(); }
+    EXPECT_EQ(files(), 1) << "one that is never closed gives its name back";
+    fs::create_symlink(in_folder("nowhere"), in_folder("link"));
+    EXPECT_FALSE(FileWriter::create_new(in_folder("link")));
+    EXPECT_FALSE(FileWriter::create_new(in_folder("no_folder") / "a"));
 }
 
 TEST_F(CoreFile, ARecordingIsNeverReplaced) {

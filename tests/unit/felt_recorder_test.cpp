@@ -46,7 +46,8 @@ TEST(FeltRecorder, WritesTheTableOfAReplay) {
     recorder->silence();
     recorder->write(frame_at(32), 2);
     EXPECT_TRUE(recorder->is_connected());
-    EXPECT_FALSE(std::filesystem::exists(file)) << "a file is there when it is complete";
+    EXPECT_EQ(std::filesystem::file_size(file), 0U)
+        << "a file takes its name at once, and is empty or complete";
     recorder->close();
     EXPECT_EQ(read(file), felt_header() + row_of(8, 2) + row_of(32, 2));
     EXPECT_EQ(felt_header().find("tick,player,front_1_1,front_1_2,"), 0U);
@@ -65,6 +66,21 @@ TEST(FeltRecorder, NoFileIsEverReplaced) {
     EXPECT_EQ(read(file), "mine\n");
     EXPECT_EQ(read(folder.path() / "felt_3.csv"), felt_header() + row_of(0, 1));
     EXPECT_EQ(read(folder.path() / "felt_4.csv"), felt_header() + row_of(8, 1));
+}
+
+TEST(FeltRecorder, TwoAtOnceWriteTwoFiles) {
+    const TemporaryFolder folder;
+    const auto first = felt_recorder(folder.path() / "felt.csv", 0);
+    const auto second = felt_recorder(folder.path() / "felt.csv", 1);
+    ASSERT_TRUE(first->open());
+    ASSERT_TRUE(second->open());
+    EXPECT_TRUE(second->name().ends_with("/felt_2.csv")) << second->name();
+    first->write(frame_at(8), 0);
+    second->write(frame_at(16), 0);
+    first->close();
+    second->close();
+    EXPECT_EQ(read(folder.path() / "felt.csv"), felt_header() + row_of(8, 1));
+    EXPECT_EQ(read(folder.path() / "felt_2.csv"), felt_header() + row_of(16, 2));
 }
 
 TEST(FeltRecorder, AFolderThatIsMissingIsToldInOneLine) {

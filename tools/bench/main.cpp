@@ -48,7 +48,7 @@ int run_bench(std::vector<std::string> words) {
         return done;
     }
     protect_inputs("bench");
-    static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, {"--json", 1}};
+    static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, output("--json")};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     bench::Options chosen;

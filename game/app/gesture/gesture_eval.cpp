@@ -66,7 +66,7 @@ Expected<void> read_counts(const Arguments& arguments, EvalPlan& plan) {
 Expected<EvalPlan> read_eval_plan(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--method", 1},  {"--protocol", 1}, {"--templates", 1},
                                          {"--repeats", 1}, {"--channels", 1}, {"--open-set", 1},
-                                         {"--seed", 1},    {"--json", 1},     {"--svg", 1}};
+                                         {"--seed", 1},    output("--json"),  output("--svg")};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return arguments.error();
     if (arguments->plain().size() != 1)

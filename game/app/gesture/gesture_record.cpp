@@ -116,8 +116,8 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
 
 int run_gesture_record(const std::vector<std::string>& words) {
     static constexpr Option options[] = {
-        {"--log", 1}, {"--player", 1}, {"--strokes", 1},    {"--device", 1}, {"--count", 1},
-        {"--out", 1}, {"--closed"},    {"--any-direction"}, {"--planar"},    {"--rotation", 1}};
+        {"--log", 1},    {"--player", 1}, {"--strokes", 1},    {"--device", 1}, {"--count", 1},
+        output("--out"), {"--closed"},    {"--any-direction"}, {"--planar"},    {"--rotation", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (const auto out = arguments->value("--out")) {

@@ -45,7 +45,7 @@ struct SpotPlan {
 Expected<SpotPlan> read_spot_plan(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--labels", 1},  {"--train", 1},    {"--templates", 1},
                                          {"--repeats", 1}, {"--channels", 1}, {"--wait", 1},
-                                         {"--seed", 1},    {"--json", 1},     {"--ignore", 1}};
+                                         {"--seed", 1},    output("--json"),  {"--ignore", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return arguments.error();
     const auto labels = arguments->value("--labels"), train = arguments->value("--train");

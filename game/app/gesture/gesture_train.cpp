@@ -51,7 +51,7 @@ double share_right(const gesture::StrokeNetwork& network, std::span<const gestur
 }  // namespace
 
 int run_gesture_train(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--method", 1}, {"--out", 1}, {"--seed", 1}, {"--epochs", 1}};
+    static constexpr Option options[] = {{"--method", 1}, output("--out"), {"--seed", 1}, {"--epochs", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto out = arguments->value("--out");

@@ -9,7 +9,6 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 #include "game/app/command.h"
 #include "game/app/lab/volume_lab.h"
 #include "game/app/program.h"
@@ -53,7 +52,7 @@ keys, or with --headless faster than real time.
 constexpr Option lab_options[] = {
     {"--fluid"},      {"--solver", 1},     {"--cells", 1},     {"--order", 1},   {"--bowl"},
     {"--box"},        {"--edges", 1},      {"--viscosity", 1}, {"--gravity", 1}, {"--substance", 1, true},
-    {"--stir", 1},    {"--pour", 1, true}, {"--load", 1},      {"--save", 1},    {"--trace", 1},
+    {"--stir", 1},    {"--pour", 1, true}, {"--load", 1},      output("--save"), output("--trace"),
     {"--times"},      {"--shots", 1},      {"--every", 1},     {"--size", 1},    {"--headless"},
     {"--seconds", 1}, {"--threads", 1}};
 
@@ -279,9 +278,6 @@ int run_brew_lab(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab --fluid --headless"});
-    for (const auto* word : {"--load", "--stir"}) {
-        if (const auto file = arguments->value(word)) protect_input(*file);
-    }
     auto plan = read_plan(*arguments);
     if (!plan) return refuse(plan.error());
     return arguments->has("--headless") ? run_headless(std::move(*plan)) : run_lab_window(std::move(*plan));

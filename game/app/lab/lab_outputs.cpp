@@ -2,7 +2,6 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 
 namespace thaum::app {
 namespace {
@@ -22,8 +21,6 @@ Expected<LabOutputs> read_lab_outputs(const Arguments& arguments, std::int64_t e
     if (arguments.has("--every") && !outputs.shots) return fail("--every needs --shots");
     if (arguments.has("--size") && arguments.has("--headless") && !outputs.shots)
         return fail("--size needs --shots, or a window");
-    if (outputs.save && outputs.trace && same_target(*outputs.save, *outputs.trace))
-        return fail("--save and --trace need one file for each");
     const auto wanted = arguments.whole("--every", 1, 1'000'000, static_cast<std::uint64_t>(every));
     if (!wanted) return wanted.error();
     outputs.every = static_cast<std::int64_t>(*wanted);

@@ -11,7 +11,6 @@
 #include "core/hash.h"
 #include "core/one_line.h"
 #include "core/text.h"
-#include "core/write_rule.h"
 #include "field/volume_file.h"
 #include "game/app/command.h"
 #include "game/app/lab/volume_lab_files.h"
@@ -60,7 +59,7 @@ constexpr Option volume_options[] = {
     {"--transfer", 1, true}, {"--feel", 1, true}, {"--opacity", 1},    {"--beside", 1, true},
     {"--place", 1},          {"--registered"},    {"--level", 1},      {"--hand", 1},
     {"--carve", 1, true},    {"--device", 1},     {"--look", 1},       {"--session", 1},
-    {"--save", 1},           {"--trace", 1},      {"--shots", 1},      {"--every", 1},
+    output("--save"),        output("--trace"),   {"--shots", 1},      {"--every", 1},
     {"--size", 1},           {"--step", 1},       {"--headless"},      {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
@@ -383,7 +382,7 @@ Expected<VolumeLabPlan> read_volume_plan(const Arguments& arguments) {
     auto opened = plan_of(*session);
     if (!opened) return opened;
     VolumeLabPlan plan = std::move(*opened);
-    protect_volumes(plan);
+    protect_companions(plan);
     plan.session_file = arguments.path("--session");
     if (auto read = read_modes(arguments, plan); !read) return read.error();
     if (!session->view) come_near(plan.lab, plan.view);  // the level may be another one now
@@ -523,8 +522,6 @@ int run_volume_lab(const std::vector<std::string>& words) {
         return refuse({"lab takes one volume, or --fluid; `thaum lab --help` says more"});
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
-    if (const auto file = arguments->value("--session")) protect_input(*file);
-    if (const auto file = arguments->value("--hand")) protect_input(*file);
     auto plan = read_volume_plan(*arguments);
     if (!plan) return refuse(plan.error());
     for (const auto& note : plan->notes) std::printf("%s\n", note.c_str());

@@ -42,9 +42,7 @@ bool is_made(std::string_view name) {
     return std::ranges::find(made, name) != made.end();
 }
 
-void protect_volumes(const VolumeLabPlan& plan) {
-    for (std::size_t i = 0; i <= plan.beside.size(); ++i)
-        for (const auto& file : game::volume_of(plan.lab, i).source.files) protect_input(file);
+void protect_companions(const VolumeLabPlan& plan) {
     for (const auto& file : companions(plan)) protect_input(file);
 }
 

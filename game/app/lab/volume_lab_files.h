@@ -11,8 +11,8 @@ namespace thaum::app {
 /// True for a name of a volume that the lab makes; any other name is a file.
 bool is_made(std::string_view name);
 
-/// Protects all files that the volumes were read from (core/write_rule.h).
-void protect_volumes(const VolumeLabPlan& plan);
+/// Protects the files of colours and materials beside the first volume, read or not (core/write_rule.h).
+void protect_companions(const VolumeLabPlan& plan);
 
 /// Checks that each output has a file of its own, which this command does not read. A saved body has three.
 Expected<void> check_outputs(const VolumeLabPlan& plan);
