@@ -106,6 +106,7 @@ if(THAUM_SANITIZE)
 endif()
 add_test(NAME drivers.verify COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/verify.sh $<TARGET_FILE:thaum> $<TARGET_FILE:forge_log>)
 thaum_driver_test(homeless ${CMAKE_CURRENT_SOURCE_DIR}/drivers/homeless.sh $<TARGET_FILE:thaum>)
+thaum_driver_test(lost_display ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lost_display.sh $<TARGET_FILE:thaum>)
 if(NOT THAUM_SANITIZE)  # Other tests show the sanitizers how files are written.
     add_test(NAME drivers.outputs COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/outputs.sh $<TARGET_FILE:thaum>)
     set_tests_properties(drivers.outputs PROPERTIES COST 50)

@@ -131,6 +131,7 @@ void guard_ends() {
         handle(signal, on_end, SA_NODEFER | SA_ONSTACK);
     for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) handle(signal, on_stop, SA_RESTART);
     std::atexit(on_exit);
+    std::at_quick_exit(on_exit);
 }
 
 }  // namespace thaum::input

@@ -18,7 +18,7 @@ void end_silence() noexcept;
 /// handler.
 void silence_arms_and_wait() noexcept;
 
-/// Makes the force zero before the process ends by exit() or by a signal. That covers faults, aborts (a
+/// Makes the force zero before the process ends by exit(), by quick_exit() or by a signal. That covers faults, aborts (a
 /// failed assertion, an uncaught exception), requests to end (SIGTERM, SIGINT, SIGQUIT, SIGHUP), a broken
 /// pipe and a limit. The force is also zero while the process is stopped (SIGTSTP, SIGTTIN, SIGTTOU). The
 /// process then ends or stops as it would have done otherwise. Signals that are ignored or handled elsewhere

@@ -287,7 +287,7 @@ struct LogWriter::State {
     void sync() {
         if (write_failed) return;
         synced = Clock::now();
-        if (::fdatasync(fd) == 0 || errno == EINVAL) return;  // EINVAL: a file system without a disk
+        if (flush_to_disk(fd)) return;
         write_failed = true;
         stop(text(std::strerror(errno), " (flushing); kept up to about tick ", on_disk.load()));
     }

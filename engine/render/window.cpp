@@ -11,6 +11,7 @@
 #include "core/text.h"
 #include "render/context.h"
 #include "render/detail/pad_places.h"
+#include "render/display.h"
 
 namespace thaum::render {
 
@@ -194,6 +195,7 @@ Expected<Window> Window::create(const WindowSpec& spec) {
     last_glfw_error.clear();
     glfwSetErrorCallback(keep_glfw_error);
     if (glfwInit() == 0) return no_display();
+    end_with_display();
     alive = true;
     auto state = std::make_unique<State>();
     state->spec = spec;

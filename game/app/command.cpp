@@ -1,15 +1,9 @@
 #include "game/app/command.h"
 
-#include <cstdlib>
+#include "render/display.h"
 
 namespace thaum::app {
 
-bool display_there() {
-    for (const auto* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
-        const char* value = std::getenv(name);
-        if (value != nullptr && *value != '\0') return true;
-    }
-    return false;
-}
+bool display_there() { return !render::display_for_windows().empty(); }
 
 }  // namespace thaum::app

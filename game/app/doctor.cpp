@@ -25,6 +25,7 @@
 #include "haptics/safety.h"
 #include "physics/bullet_maths.h"
 #include "render/context.h"
+#include "render/display.h"
 
 namespace thaum::app {
 namespace {
@@ -187,10 +188,11 @@ Finding input_to_picture(const std::filesystem::path& assets, const Expected<Dat
 }
 
 Finding display() {
-    for (const auto* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
-        const char* value = std::getenv(name);
-        if (value != nullptr && *value != '\0') return {"display", State::good, text(name, "=", value), ""};
-    }
+    if (const auto there = render::display_for_windows(); !there.empty())
+        return {"display", State::good, there, ""};
+    if (const auto other = render::display_not_spoken(); !other.empty())
+        return {"display", State::note, text(other, " alone, but this GLFW opens windows on X11 only"),
+                "start XWayland, which most desktops have, so that DISPLAY is set"};
     return {"display", State::note, "none: thaum plays a duel of bots off-screen",
             "start it in a desktop session"};
 }
@@ -388,7 +390,7 @@ void print(const std::vector<Finding>& findings) {
 }
 
 int run_doctor(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--json", 1}};
+    static constexpr Option options[] = {output("--json")};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (!arguments->plain().empty()) return refuse({text("doctor takes no '", arguments->plain()[0], "'")});

@@ -1,6 +1,7 @@
 // thaum league: matches between bots of all levels. The results show whether a higher level plays better and
 // whether matches have the wanted length. A match is a function of its data and seed, so any process may play
 // it.
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,9 +47,9 @@ a death that is nobody's kill; falls: deaths by a fall. In a fair arena both sea
 win equally often.
 )";
 
-constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
-                                     {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
-                                     {"--json", 1},   {"--check"}};
+constexpr Option league_options[] = {{"--levels", 1},  {"--matches", 1},   {"--rules", 1}, {"--match", 1},
+                                     {"--arena", 1},   {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
+                                     output("--json"), {"--check"}};
 
 struct Plan {
     std::vector<int> levels{1, 2, 3};
@@ -168,10 +169,14 @@ Expected<Worker> start(const Plan& plan, const Data& data, const std::vector<Fix
                        std::size_t job) {
     std::array<int, 2> ends{};
     if (::pipe(ends.data()) != 0) return fail("league: no pipe to a process");
+    const auto parent = ::getpid();
     const auto process = ::fork();
     if (process < 0) return fail("league: cannot start a process; try fewer --jobs");
     if (process == 0) {
         ::close(ends[0]);
+        // A worker must not go on when the league was killed, perhaps before this line.
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (::getppid() != parent) ::_exit(does_not_hold);
         work(plan, data, fixtures, job, ends[1]);
     }
     ::close(ends[1]);

@@ -9,6 +9,7 @@
 #include "game/bots/bot.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
+#include "render/display.h"
 
 namespace thaum::app {
 namespace {
@@ -42,9 +43,9 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
                    older ones are replaced (out)
 )";
 
-constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},
-                                   {"--bots", 1},      {"--rules", 1}, {"--match", 1},  {"--arena", 1},
-                                   {"--set", 1, true}, {"--seed", 1},  {"--record", 1}, {"--headless"},
+constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},         {"--hands", 1},
+                                   {"--bots", 1},      {"--rules", 1}, {"--match", 1},     {"--arena", 1},
+                                   {"--set", 1, true}, {"--seed", 1},  output("--record"), {"--headless"},
                                    {"--seconds", 1},   {"--out", 1}};
 
 /// Checked options of the command line.
@@ -203,7 +204,8 @@ int run_play(const std::vector<std::string>& words) {
     if (!options) return refuse(options.error());
     if (!options->headless && !display_there()) {
         if (options->solo) return refuse({"--solo needs a display; without one: thaum --headless"});
-        std::printf("no display: two bots play off-screen\n");
+        std::printf("no display%s: two bots play off-screen\n",
+                    render::display_not_spoken().empty() ? "" : " (Wayland alone; windows need X11)");
         return play_off_screen(*options);
     }
     return options->headless ? play_off_screen(*options) : play_in_window(*options);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -29,6 +30,10 @@ int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
         return refuse({text("the system refused a resource that the program needs: ", refused.what())});
     } catch (const std::bad_alloc&) {
         return refuse({"out of memory"});
+    } catch (const std::exception& fault) {
+        return refuse({text("a fault of the program: ", fault.what())});
+    } catch (...) {
+        return refuse({"a fault of the program that says nothing of itself"});
     }
 }
 

@@ -1,0 +1,54 @@
+#include "render/display.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/tell_user.h"
+#include "core/text.h"
+
+namespace thaum::render {
+namespace {
+
+constexpr const char* wayland = "WAYLAND_DISPLAY";
+
+bool speaks(std::string_view system) {
+    return std::string_view(glfwGetVersionString()).find(system) != std::string_view::npos;
+}
+
+std::string value_of(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value == nullptr || *value == '\0' ? std::string() : text(variable, "=", value);
+}
+
+int on_lost_display(void*) {
+    static std::atomic<bool> told{false};
+    // Another thread has met the fault, too, and ends the program. Xlib would call exit() if this returned.
+    while (told.exchange(true)) ::pause();
+    tell_user("the display is gone: the X server has ended");
+    std::quick_exit(1);
+}
+
+}  // namespace
+
+std::string display_for_windows() {
+    auto display = speaks("Wayland") ? value_of(wayland) : std::string();
+    return display.empty() && speaks("X11") ? value_of("DISPLAY") : display;
+}
+
+std::string display_not_spoken() { return speaks("Wayland") ? std::string() : value_of(wayland); }
+
+void end_with_display() {
+    // GLFW has loaded Xlib, whose headers need not be there.
+    using Handler = int (*)(void*);
+    using SetHandler = Handler (*)(Handler);
+    if (auto* set = reinterpret_cast<SetHandler>(::dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")); set != nullptr)
+        set(on_lost_display);
+}
+
+}  // namespace thaum::render
