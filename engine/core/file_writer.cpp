@@ -17,6 +17,7 @@ namespace thaum {
 namespace {
 
 constexpr std::size_t buffer_size = 1U << 16U;
+constexpr std::size_t longest_name = 255;  ///< bytes of a file's name
 
 Error fault(const std::filesystem::path& path, std::string_view doing, int why) {
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(why)));
@@ -28,8 +29,10 @@ Error fault(const std::filesystem::path& path, std::string_view doing, int why) 
 int create_part(const std::filesystem::path& target, std::string& part) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {
-        // The name does not begin with the target's, which may be as long as a name can be.
-        part = (target.parent_path() / text(".thaum-", ::getpid(), "-", i, ".part")).string();
+        const auto ending = text(".", ::getpid(), "-", i, ".part");
+        // The target's name may be as long as a name can be.
+        const auto name = target.filename().string().substr(0, longest_name - ending.size());
+        part = (target.parent_path() / (name + ending)).string();
         const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (fd >= 0 || errno != EEXIST) return fd;
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/assert.h"
 #include "core/text.h"
@@ -26,6 +27,12 @@ public:
         stream.next_in = reinterpret_cast<const Bytef*>(next.data());
         stream.avail_in = static_cast<uInt>(next.size());
         left_ = left_.subspan(next.size());
+    }
+    /// Whether another member begins here.
+    bool begins_member(const z_stream& stream) const {
+        constexpr Bytef first = 0x1f, second = 0x8b;
+        if (stream.avail_in >= 2) return stream.next_in[0] == first && stream.next_in[1] == second;
+        return left_.size() >= 2 && left_[0] == std::byte{first} && left_[1] == std::byte{second};
     }
     bool is_used_up(const z_stream& stream) const { return left_.empty() && stream.avail_in == 0; }
 
@@ -52,7 +59,12 @@ private:
 
 }  // namespace
 
-Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit) {
+namespace {
+
+enum class Beyond : std::uint8_t { refused, left };
+
+/// Unpacks `limit` bytes at most. More than that, or data that are not gzip behind a member, are refused or left.
+Expected<UnpackedStart> unpack(std::span<const std::byte> packed, std::size_t limit, Beyond beyond) {
     Inflater inflater;
     if (!inflater.started()) return fail("no memory to unpack the file");
     auto& stream = inflater.stream;
@@ -66,9 +78,16 @@ Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t
         feed.refill(stream);
         const int code = inflate(&stream, Z_NO_FLUSH);
         out.resize(before + room - stream.avail_out);
-        if (out.size() > limit) return fail(text("the gzip data hold more than ", limit, " bytes"));
+        if (out.size() > limit) {
+            if (beyond == Beyond::refused)
+                return fail(text("the gzip data hold more than ", limit, " bytes"));
+            out.resize(limit);
+            return UnpackedStart{std::move(out), true};
+        }
         if (code == Z_STREAM_END) {
-            if (feed.is_used_up(stream)) return out;
+            if (feed.is_used_up(stream)) return UnpackedStart{std::move(out), false};
+            if (beyond == Beyond::left && !feed.begins_member(stream))
+                return UnpackedStart{std::move(out), true};
             if (inflateReset(&stream) != Z_OK) return fail("the gzip data are damaged");
         } else if (code == Z_BUF_ERROR || (code == Z_OK && feed.is_used_up(stream) && stream.avail_out > 0)) {
             return fail("the gzip data are cut off; copy the file again");
@@ -76,6 +95,18 @@ Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t
             return fail("the gzip data are damaged; copy the file again");
         }
     }
+}
+
+}  // namespace
+
+Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit) {
+    auto whole = unpack(packed, limit, Beyond::refused);
+    if (!whole) return whole.error();
+    return std::move(whole->bytes);
+}
+
+Expected<UnpackedStart> unpack_gzip_start(std::span<const std::byte> packed, std::size_t most) {
+    return unpack(packed, most, Beyond::left);
 }
 
 Bytes pack_gzip(std::span<const std::byte> bytes) {

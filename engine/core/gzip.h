@@ -14,6 +14,15 @@ namespace thaum {
 /// claim.
 Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
 
+/// What the beginning of gzip data holds.
+struct UnpackedStart {
+    std::string bytes;
+    bool goes_on{};  ///< more was packed, or something else follows the gzip data
+};
+
+/// Unpacks at most the first `most` bytes. What follows is neither read nor judged.
+Expected<UnpackedStart> unpack_gzip_start(std::span<const std::byte> packed, std::size_t most);
+
 /// Packs bytes as one member without name or time, so that equal bytes give equal data.
 Bytes pack_gzip(std::span<const std::byte> bytes);
 

@@ -1,16 +1,21 @@
 // field/nrrd.h: volumes in NRRD files (teem.sourceforge.net/nrrd/format.html), the usual format of scans in
 // research.
 //
-// Read: three axes, or four with one axis of components; 8 and 16 bit integers, float and double, of either
-// byte order; raw or gzip; samples in the same file or in one other file ("data file: NAME"). The samples
+// Read: three axes of space, in any order with one of components (3, or colours) and one of time; integers of 8 to 64
+// bits, float and double, of either byte order; raw, gzip or ascii; samples in the same file, in another, or in several
+// (LIST, or a pattern such as "slice%03d.raw 1 40 1"), behind skipped lines and bytes. Of a file with time, one moment is
+// read; of colours, the luminance. Not read: other kinds of axes (list, matrices, quaternions), two axes of space or
+// four, spaces with time, hex, bzip2, and block types: each is refused in a line that says what it is. The samples
 // come out with x fastest along the axes of the file's space. What a header says about space is kept so:
 //
 //     space directions along the axes of space   samples are put in order; their lengths are the spacing
 //     directions turned against those axes       placement.turn
 //     directions that are not at right angles    an error
 //     space origin                               placement.origin is the middle of the samples (Volume::has_place)
-//     only spacings                              the same, with the middle of the samples at the origin
-//     units (space units, or units of the axes)  metres come out; without units, lengths are mm, as in medicine
+//     only spacings                              the same; without an origin, with the middle of the samples there
+//     "nan" or "none"                            not given
+//     units (space units, or units of the axes)  metres come out; without units, or with others than of length such as
+//                                                "pixel", lengths are mm, as in medicine
 //     axis mins and maxs without spacings        their difference over the samples, or over the gaps of nodes
 //     no spacing at all                          1 mm
 //     a space such as right-anterior-superior    turned to left-posterior-superior (Volume::is_of_patient)
@@ -19,7 +24,8 @@
 // A file that is written says what was read: the same vectors, the same frame, and no origin if there was none. The
 // key/value pair "thaum save:=NAME" tells which files belong to one body (Volume::save_name).
 //
-// Other fields, comments and key/value pairs are skipped. Samples that are not numbers stay so.
+// Comments and key/value pairs are skipped; what else was left out or changed is in Volume::notes. Samples that are not
+// numbers stay so.
 #pragma once
 #include <filesystem>
 
@@ -29,9 +35,16 @@
 
 namespace thaum::field {
 
-/// Reads a volume of at most `limit` samples times components. The error is one line with the path and, for a
-/// header, the line: nothing is allocated that the size of the file does not justify.
-Expected<Volume> read_nrrd(const std::filesystem::path& path, std::size_t limit = most_samples);
+/// What to read of a file.
+struct ReadChoice {
+    std::size_t limit = most_samples;  ///< most samples times components, of all moments
+    int frame = 0;                     ///< moment of time, from 0 on
+    bool colours_as_vectors = false;   ///< false: the luminance of each
+};
+
+/// Reads a volume. The error is one line with the path and, for a header, the line: nothing is allocated that the
+/// size of the file does not justify.
+Expected<Volume> read_nrrd(const std::filesystem::path& path, const ReadChoice& choice = {});
 
 enum class Packing : std::uint8_t { raw, gzip };
 

@@ -7,7 +7,7 @@
 //
 // Volume's frame: its origin is the middle of the box that the samples span, and its axes are those of the
 // samples. The placement takes it to the frame of the file or of the world. Samples are floats, which hold
-// every integer of 8 or 16 bits exactly and round a double.
+// every integer of 8 or 16 bits exactly and round a double and integers from 16,777,216 on.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -25,7 +25,18 @@
 namespace thaum::field {
 
 /// Type of a sample in a file.
-enum class SampleType : std::uint8_t { int8, uint8, int16, uint16, float32, float64 };
+enum class SampleType : std::uint8_t {
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    int64,
+    uint64,
+    float32,
+    float64
+};
 
 /// Largest number of samples times components of a volume that is read or made: 512 along each axis.
 inline constexpr std::size_t most_samples = std::size_t{1} << 27U;
@@ -60,6 +71,8 @@ struct Volume {
     /// Name of the save that this file and others belong to, for properties of one body; may be empty.
     std::string save_name{};
     std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
+    int frames{1};                               ///< moments of time in the file, of which one was read
+    std::vector<std::string> notes{};  ///< what the reader of the file tells its user, one line each
 
     /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
     Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;

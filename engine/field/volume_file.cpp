@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "field/detail/nrrd_fields.h"
 #include "field/detail/samples.h"
 #include "field/nrrd.h"
 
@@ -71,17 +72,18 @@ Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) 
     if (bytes->size() != raw->bytes)
         return fail(in_one_line(text(data_path.string(), ": ", bytes->size(), " bytes, but ", path.string(),
                                      " describes ", raw->bytes, "; correct sizes and type")));
-    decode(*bytes, plain_order(raw->volume.count, raw->volume.components), raw->big_endian, raw->volume);
+    decode({*bytes, raw->volume.stored_as, raw->big_endian},
+           plain_order(raw->volume.count, raw->volume.components), raw->volume);
     raw->volume.files = {path, data_path};
     return std::move(raw->volume);
 }
 
-Expected<Volume> read_volume(const std::filesystem::path& path, std::size_t limit) {
-    const std::string ending = path.extension().string();
+Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice& choice) {
+    const std::string ending = in_lower_case(path.extension().string());
     const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
     if (!nrrd && ending != ".toml")
         return fail(text(path.string(), ": volumes are files that end in .nrrd, .nhdr or .toml"));
-    auto volume = nrrd ? read_nrrd(path, limit) : read_raw(path, limit);
+    auto volume = nrrd ? read_nrrd(path, choice) : read_raw(path, choice.limit);
     if (volume && not_finite(*volume) == volume->samples.size())
         return fail(in_one_line(text(path.string(), ": none of its ", volume->samples.size(),
                                      " samples is a finite number; export the volume again")));

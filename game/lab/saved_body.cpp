@@ -40,7 +40,7 @@ std::string name_of(const field::Voxels& body) {
 template <class Take>
 Expected<void> take_property(const fs::path& file, VolumeLab& lab, Take take) {
     if (!is_there(file)) return {};
-    const auto volume = field::read_volume(file);
+    const auto volume = field::read_volume(file, {.colours_as_vectors = true});
     if (!volume) return volume.error();
     if (volume->save_name != lab.source.save_name)
         return fail(text(file.string(),

@@ -66,6 +66,7 @@ SessionVolume read_session_volume(const ConfigTable& table) {
     SessionVolume one{.volume = table.string("volume")};
     one.count = table.integer("count", {8, 512}, one.count);
     one.seed = table.integer("seed", {0, 9e15}, one.seed);
+    one.moment = table.integer("moment", {1, 1e9}, one.moment);
     const auto n = table.numbers("place", {-360, 360}, 5, {0, 0, 0, 1, 0});
     if (n.size() != 5)
         table.report("place", "must be x, y, z, scale and degrees");
@@ -77,8 +78,8 @@ SessionVolume read_session_volume(const ConfigTable& table) {
 std::string volume_text(const SessionVolume& one) {
     const auto& p = one.place;
     return text("volume = ", in_quotes(one.volume), "\ncount = ", one.count, "\nseed = ", one.seed,
-                "\nplace = [", p.origin.x, ", ", p.origin.y, ", ", p.origin.z, ", ", p.scale, ", ",
-                p.yaw / degree, "]\n");
+                one.moment == 1 ? "" : text("\nmoment = ", one.moment), "\nplace = [", p.origin.x, ", ",
+                p.origin.y, ", ", p.origin.z, ", ", p.scale, ", ", p.yaw / degree, "]\n");
 }
 
 std::optional<SessionView> read_view(const ConfigTable& root) {

@@ -3,6 +3,7 @@
 //     version = 1
 //     volume = "head.nrrd"              as on the command line; a relative path is relative to this file
 //     count = 64                        of a volume that is made; seed too
+//     moment = 1                        of a file with time; may be left out
 //     place = [0, 0, 0, 1, 0]           of its middle (m), scale, turn about the upright axis (degrees)
 //     [[beside]]                        a volume beside it, with volume, count, seed and place; none or more
 //     volume = "vortices"
@@ -45,6 +46,7 @@ struct SessionVolume {
     std::int64_t count = 64;  ///< samples along each axis of one that is made
     std::int64_t seed = 1;    ///< seed of one that is made
     LabPlace place{};
+    std::int64_t moment = 1;  ///< moment of a file with time, from 1 on
 };
 
 /// Place of the eye (game/app/lab/volume_lab_picture.h).

@@ -51,7 +51,7 @@ template <const char* const& name>
 Outcome read_volume_file(const std::string& input, const Places& places) {
     const auto path = places.scratch / name;
     if (!write_text_file(path, input)) return {.fault = "the scratch folder cannot be written"};
-    return use_volume(field::read_volume(path, most_read), places);
+    return use_volume(field::read_volume(path, {.limit = most_read}), places);
 }
 
 constexpr const char *nrrd = "volume.nrrd", *nhdr = "volume.nhdr", *toml = "volume.toml";

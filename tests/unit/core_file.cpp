@@ -128,7 +128,7 @@ TEST_F(CoreFile, ALinkAtTheTemporaryNameIsNotFollowed) {
     const auto path = in_folder("a"), precious = in_folder("precious");
     ASSERT_TRUE(write_text_file(precious, "precious"));
     for (const auto* ending : {"", "-0", "-1"})
-        fs::create_symlink(precious, in_folder(text(".thaum-", ::getpid(), ending, ".part")));
+        fs::create_symlink(precious, path.string() + text(".", ::getpid(), ending, ".part"));
     ASSERT_TRUE(write_text_file(path, "x"));
     EXPECT_EQ(read_text_file(precious, 100), "precious");
     EXPECT_EQ(read_text_file(path, 100), "x");

@@ -14,67 +14,14 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "field/volume_file.h"
+#include "unit/volume_files.h"
 
 namespace thaum::field {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::array types{SampleType::int8,   SampleType::uint8,   SampleType::int16,
-                           SampleType::uint16, SampleType::float32, SampleType::float64};
-
-/// Samples 0, 1, 2 ... as bytes of int16.
-std::string shorts(int n, bool big = false) {
-    std::string out;
-    for (int i = 0; i < n; ++i) {
-        const auto low = static_cast<char>(i & 255), high = static_cast<char>(i >> 8);
-        out += big ? high : low;
-        out += big ? low : high;
-    }
-    return out;
-}
-
-std::string gzipped(std::string_view words) {
-    const Bytes bytes = pack_gzip(std::as_bytes(std::span(words)));
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-class VolumeFiles : public ::testing::Test {
-protected:
-    fs::path in_folder(std::string_view name) const { return folder_.path() / name; }
-
-    fs::path put(std::string_view name, std::string_view content) const {
-        EXPECT_TRUE(write_text_file(in_folder(name), content));
-        return in_folder(name);
-    }
-
-    /// Reads an NRRD file with these lines between the magic and the data.
-    Expected<Volume> read(std::string_view lines, std::string_view data,
-                          std::size_t limit = most_samples) const {
-        return read_nrrd(put("v.nrrd", text("NRRD0004\n", lines, "\n\n", data)), limit);
-    }
-
-    /// Reads 2 x 3 x 4 samples 0 to 23 of int16 with more fields.
-    Volume read_short(std::string_view more) const {
-        const auto volume =
-            read(text("type: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: raw\n", more),
-                 shorts(24));
-        EXPECT_TRUE(volume) << (volume ? "" : volume.error().message);
-        return volume.value_or(Volume{});
-    }
-
-    /// Expects a refusal of one line that begins with the path and contains `what`.
-    void expect_refused(const Expected<Volume>& volume, std::string_view what) const {
-        ASSERT_FALSE(volume) << what;
-        const std::string& message = volume.error().message;
-        EXPECT_TRUE(message.starts_with(folder_.path().string())) << message;
-        EXPECT_NE(message.find(what), std::string::npos) << message;
-        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    }
-
-private:
-    TemporaryFolder folder_;
-};
+constexpr std::array types{SampleType::int8,    SampleType::uint8,  SampleType::int16, SampleType::uint16,
+                           SampleType::int32,   SampleType::uint32, SampleType::int64, SampleType::uint64,
+                           SampleType::float32, SampleType::float64};
 
 float sample(const Volume& v, int i, int j, int k, int c = 0) {
     const int at = c + v.components * (i + v.count[0] * (j + v.count[1] * k));
@@ -218,9 +165,6 @@ TEST_F(VolumeFiles, VectorsTurnWithTheirFrame) {
         read(text(start, "space dimension: 3\nmeasurement frame: (0,1,0) (0,0,1) (1,0,0)"), shorts(3));
     ASSERT_TRUE(measured) << measured.error().message;
     EXPECT_EQ(measured->samples, (std::vector<float>{2, 0, 1}));
-    const auto colours = read(text(start, "space: RAS\nkinds: RGB-color domain domain domain"), shorts(3));
-    ASSERT_TRUE(colours) << colours.error().message;
-    EXPECT_EQ(colours->samples, (std::vector<float>{0, 1, 2}));
 }
 
 TEST_F(VolumeFiles, DetachedHeadersAndSkippedBytes) {
@@ -281,7 +225,8 @@ TEST_F(VolumeFiles, EveryVolumeReadsAsItWasWritten) {
                 v.placement.origin = {random.uniform(-1, 1), 0.25, random.uniform(-1, 1)};
                 if (is_turned)
                     v.placement.turn = glm::mat3_cast(rotation(glm::normalize(vec3(1, 2, 3)), 0.7));
-                const bool is_signed = type != SampleType::uint8 && type != SampleType::uint16;
+                const bool is_signed = type != SampleType::uint8 && type != SampleType::uint16 &&
+                                       type != SampleType::uint32 && type != SampleType::uint64;
                 const bool is_real = type == SampleType::float32 || type == SampleType::float64;
                 for (int i = 0; i < 60 * components; ++i) {
                     const double x = random.uniform(is_signed ? -128 : 0, 127);
@@ -463,24 +408,27 @@ TEST_F(VolumeFiles, WrongHeadersAreRefusedWithTheirLine) {
     refused(good + "\nnonsense", ":7: 'nonsense' is no field");
     refused(good + "\ncolour: red", ":7: NRRD has no field 'colour'");
     refused(good + "\nsizes: 2 3 4", ":7: field 'sizes' stands in the header twice");
-    refused(without("type") + "\ntype: int", "'int' cannot be read; convert to int8");
     refused(without("type") + "\ntype: block", "'block' cannot be read");
-    for (const char* encoding : {"ascii", "bzip2", "hex", "zstd", ""})
+    for (const char* encoding : {"bzip2", "hex", "zstd", ""})
         refused(without("encoding") + "\nencoding: " + encoding, text("'", encoding, "' cannot be read"));
-    refused(without("dimension") + "\ndimension: 2", "from 3 to 4");
+    refused(without("dimension") + "\ndimension: 2", "from 3 to 5");
     refused(without("sizes") + "\nsizes: 2 3", "2 numbers for 3 axes");
-    for (const char* sizes : {"2 0 4", "2 -3 4", "2 2.5 4", "2 x 4", "nan 1 1"})
+    refused(without("sizes") + "\nsizes: 2 x 4", "'x' is no number");
+    for (const char* sizes : {"2 0 4", "2 -3 4", "2 2.5 4", "nan 1 1"})
         refused(without("sizes") + "\nsizes: " + sizes, "not a whole number");
-    for (const char* spacings : {"nan 1 1", "0 1 1", "inf 1 1", "1e300 1 1", "x 1 1"})
+    for (const char* spacings : {"0 1 1", "1e300 1 1"})
         refused(good + "\nspacings: " + spacings, "spacing is not a number");
-    refused(good + "\nspacings: 1 1 1\nunits: \"mm\" \"mm\" \"miles\"", "'miles' is no unit");
+    for (const char* spacings : {"inf 1 1", "x 1 1"})
+        refused(good + "\nspacings: " + spacings, "is no number");
     refused(good + "\nspacings: 1 1\n", "2 numbers for 3 axes");
     refused(good + "\nspace directions: (1,0,0) (0,1,0) (0,0,1)", "'space'");
-    refused(good + "\nkinds: domain domain vector", "three axes of space");
-    refused(good + "\ndata file: LIST", "several files");
-    refused(good + "\ndata file: slice%03d.raw 1 4 1", "several files");
+    refused(good + "\nkinds: domain domain time", "three axes of space");
+    refused(good + "\nkinds: domain domain vector", "has 3 samples, not 4");
+    refused(good + "\ndata file: LIST", "no names of files follow LIST");
+    refused(good + "\nspace origin: (0,0,0)", "the header also needs 'space'");
     refused(good + "\nbyte skip: -2", "whole number from -1");
-    refused(good + "\nline skip: 2", "field 'line skip': lines of text before the samples cannot be read");
+    refused(good + "\nline skip: -2", "field 'line skip': '-2' is not a whole number");
+    refused(without("encoding") + "\nencoding: ascii\nbyte skip: -1", "do not end the file");
     refused(good + "\nbyte Skip: x", "field 'byte Skip': 'x'");
     EXPECT_TRUE(read(good + "\nline skip: 0", shorts(24)));
 }
@@ -503,7 +451,6 @@ TEST_F(VolumeFiles, WrongSpacesAreRefused) {
     refused(space + "(1,0,0) (0,1,0)", "not one vector for each of 3 axes");
     refused(space + "(1,0,0) (0,1,0) (0,0,1) (1,1,1)", "not one vector for each of 3 axes");
     refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspace origin: (1e300,0,0)", "origin is farther away");
-    refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspace origin: none", "no place");
     refused(space + "(1,0,0) (0,1,0) (0,0,1)\nspacings: 1 1 1", "keep one");
     refused("space directions: (1,0,0) (0,1,0) (0,0,1)", "field 'space directions': the header also needs");
     expect_refused(read("type: short\ndimension: 4\nsizes: 3 2 2 2\nendian: little\nencoding: raw\n"
@@ -523,17 +470,17 @@ TEST_F(VolumeFiles, LyingHeadersAreRefusedBeforeMemoryIsTaken) {
             limit);
     };
     expect_refused(with("2 3 5", "raw", shorts(24)), "promises 60 bytes of samples, but there are 48");
-    expect_refused(with("2 3 3", "raw", shorts(24)), "promises 36 bytes of samples, but there are 48");
     expect_refused(with("2 3 5", "gzip", gzipped(shorts(24))), "promises 60");
-    expect_refused(with("2 3 3", "gzip", gzipped(shorts(24))), "more than 36 bytes");
     expect_refused(with("2000 2000 2000", "raw", shorts(24)), "more than 134217728 samples");
     expect_refused(with("1000000000 1000000000 1000000000", "raw", shorts(24)), "more than");
     expect_refused(with("99999999999999999999 1 1", "raw", shorts(24)), "not a whole number");
     expect_refused(with("512 512 512", "gzip", gzipped(shorts(24))), "cannot hold them");
     expect_refused(with("512 512 512", "raw", shorts(24)), "promises 268435456");
     expect_refused(with("2 3 4", "raw", shorts(24), 23), "more than 23 samples");
-    // A bomb: 8 MB of zeros in 8 kB, with a header that promises 48 bytes.
-    expect_refused(with("2 3 4", "gzip", gzipped(std::string(8'000'000, '\0'))), "more than 48 bytes");
+    // A bomb: 8 MB of zeros in 8 kB, with a header that promises 48 bytes. Only these are unpacked.
+    EXPECT_TRUE(with("2 3 4", "gzip", gzipped(std::string(8'000'000, '\0'))));
+    expect_refused(with("2 3 4", "gzip\nbyte skip: -1", gzipped(std::string(80'000'000, '\0'))),
+                   "more than 67108864 bytes are packed before the samples");
     std::string cut = gzipped(shorts(24));
     cut.resize(cut.size() - 9);
     expect_refused(with("2 3 4", "gzip", cut), "cut off");
@@ -547,7 +494,8 @@ TEST_F(VolumeFiles, OtherObjectsAreRefused) {
     expect_refused(read_volume(put("v.stl", "solid")), "end in .nrrd, .nhdr or .toml");
     expect_refused(read_volume(put("v.nrrd", "")), "not an NRRD file");
     expect_refused(read_volume(put("v.nrrd", "NRRD0009\n\n")), "version of NRRD");
-    expect_refused(read_volume(put("v.nrrd", text("NRRD0004\n# ", std::string(70'000, 'x')))), "longer than");
+    expect_refused(read_volume(put("v.nrrd", text("NRRD0004\n# ", std::string(5'000'000, 'x')))),
+                   "longer than");
     expect_refused(read_volume(put("v.nrrd", text("NRRD0004\nty\x1bpe: \x07\n\n"))), "no field");
     expect_refused(read_volume(put("v.nhdr",
                                    "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 4\nendian: little\n"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "core/file.h"
 #include "game/live/next_match.h"
 #include "unit/live_rig.h"
@@ -101,7 +103,7 @@ TEST_F(NextMatchTest, ReadsTheChosenFiles) {
 
 TEST_F(NextMatchTest, AFaultyFileIsNamedAndTheOldDataStays) {
     const auto before = next_->data();
-    ASSERT_TRUE(write_text_file(folder_ / "rules" / "quick.toml", "version = 1\nkills = \"many\"\n"));
+    std::ofstream(folder_ / "rules" / "quick.toml") << "version = 1\nkills = \"many\"\n";
     const auto chosen = next_->choose("quick", "boiling_court");
     ASSERT_FALSE(chosen);
     EXPECT_NE(chosen.error().message.find("quick.toml"), std::string::npos) << chosen.error().message;
@@ -115,7 +117,7 @@ TEST_F(NextMatchTest, PracticeIsForOneMatch) {
     EXPECT_TRUE(next_->is_practice());
     EXPECT_TRUE(next_->take_range());
     EXPECT_FALSE(next_->is_practice());
-    ASSERT_TRUE(write_text_file(folder_ / "range.toml", "version = 1\n"));
+    std::ofstream(folder_ / "range.toml") << "version = 1\n";
     EXPECT_FALSE(next_->open_range());
     EXPECT_FALSE(next_->is_practice());
 }

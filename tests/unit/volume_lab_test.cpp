@@ -468,7 +468,7 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     auto lab = made("sphere", 16);
     VolumeSession session{
         .first = {"a \"b\\.nrrd", 32, 9, {{0.01, 0, -0.02}, 0.5, 2}}, .device = "omni", .translucent = true};
-    session.beside = {{"vortices", 16, 4, {{0, 0.03, 0}, 0, 0.5}}};
+    session.beside = {{"vortices", 16, 4, {{0, 0.03, 0}, 0, 0.5}, 3}};
     session.level = 0.1;
     session.view = SessionView{0.25, -0.5, 2.5, {0.01, 0, 0.02}};
     session.opacity = field::window(-1, 2.5, 0, 0.75);

@@ -12,7 +12,6 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::size_t longest_header = 1U << 16U;
 constexpr std::size_t shown = 60;  ///< bytes of a value in a message
 constexpr std::string_view magic = "NRRD000";
 
@@ -57,14 +56,6 @@ std::string_view trimmed(std::string_view s) {
     return s;
 }
 
-std::string in_lower_case(std::string_view s) {
-    std::string out(s);
-    for (char& c : out) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return out;
-}
-
 /// "Data File" -> "datafile".
 std::string name_of_field(std::string_view name) {
     std::string out = in_lower_case(name);
@@ -93,13 +84,9 @@ std::vector<std::string_view> split(std::string_view s) {
     return words;
 }
 
-double number_of(std::string_view word) {
-    word = trimmed(word);
-    if (word.starts_with('+')) word.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
-    return whole ? value : std::numeric_limits<double>::quiet_NaN();
+bool is_not_given(std::string_view word) {
+    const auto lower = in_lower_case(word);
+    return lower == "nan" || lower == "-nan" || lower == "none" || lower == "???";
 }
 
 /// Takes "none" or "(x,y,z)" from the front. Returns false if the text begins with neither.
@@ -114,17 +101,37 @@ bool take_vector(std::string_view& s, std::optional<vec3>& out) {
     std::string_view inner = s.substr(1, end - 1);
     s.remove_prefix(end + 1);
     vec3 v(0);
+    int not_given = 0;
     for (int i = 0; i < 3; ++i) {
         const std::size_t comma = i < 2 ? inner.find(',') : inner.size();
         if (comma == std::string_view::npos) return false;
         v[i] = number_of(inner.substr(0, comma));
+        not_given += is_not_given(trimmed(inner.substr(0, comma))) ? 1 : 0;
         inner.remove_prefix(std::min(inner.size(), comma + 1));
     }
+    if (not_given == 3) return true;
     out = v;
     return is_finite(v);
 }
 
 }  // namespace
+
+std::string in_lower_case(std::string_view s) {
+    std::string out(s);
+    for (char& c : out) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return out;
+}
+
+double number_of(std::string_view word) {
+    word = trimmed(word);
+    if (word.starts_with('+')) word.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = error == std::errc() && end == word.data() + word.size() && !word.empty();
+    return whole ? value : std::numeric_limits<double>::quiet_NaN();
+}
 
 Error NrrdFields::at_line(std::size_t number, std::string_view message) const {
     return {in_one_line(text(name_, ":", number, ": ", message))};
@@ -173,7 +180,9 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
             result.end_ = end + 1;
             return result;
         }
-        if (number > 1 && !line.empty()) {
+        if (result.text_of("datafile").starts_with("LIST")) {
+            if (const auto name = trimmed(line); !name.empty()) result.listed_files_.emplace_back(name);
+        } else if (number > 1 && !line.empty()) {
             if (auto added = result.add(line, number); !added) return added.error();
         }
         if (end == file.size()) return result;
@@ -217,12 +226,18 @@ std::vector<std::string_view> NrrdFields::words(std::string_view field) const {
     return split(text_of(field));
 }
 
-std::vector<double> NrrdFields::numbers(std::string_view field, std::size_t count) {
-    std::vector<double> result;
-    for (const std::string_view word : words(field)) result.push_back(number_of(word));
+std::vector<std::optional<double>> NrrdFields::numbers(std::string_view field, std::size_t count) {
+    std::vector<std::optional<double>> result;
+    for (const std::string_view word : words(field)) {
+        result.emplace_back();
+        if (is_not_given(word)) continue;
+        result.back() = number_of(word);
+        if (!std::isfinite(*result.back()))
+            report(field, text("'", printable(word, shown), "' is no number"));
+    }
     if (result.size() != count)
         report(field, text(result.size(), " numbers for ", count, " axes; give one for each axis"));
-    result.resize(count, std::numeric_limits<double>::quiet_NaN());
+    result.resize(count);
     return result;
 }
 

@@ -11,6 +11,9 @@
 
 namespace thaum::field {
 
+/// Longest header that is read (bytes). Key/value pairs of segmentations take hundreds of kilobytes.
+inline constexpr std::size_t longest_header = std::size_t{4} << 20U;
+
 /// The one key/value pair that is kept; NrrdFields gives its value by this name.
 inline constexpr std::string_view key_of_save = "thaum save";
 
@@ -24,6 +27,8 @@ public:
     /// Position behind the header and its empty line. std::nullopt: the file ends with the header.
     std::optional<std::size_t> end() const { return end_; }
     bool has(std::string_view field) const { return fields_.contains(field); }
+    /// Names of files after "data file: LIST", which ends a header.
+    const std::vector<std::string>& listed_files() const { return listed_files_; }
     /// Text of a field; empty if the field is missing.
     std::string_view text_of(std::string_view field) const;
 
@@ -31,11 +36,12 @@ public:
     long integer(std::string_view field, long low, long high, long fallback);
     /// Reads words without blanks: 128 128 54.
     std::vector<std::string_view> words(std::string_view field) const;
-    /// Reads numbers; NaN stands for a word that is no number. Reports a wrong count.
-    std::vector<double> numbers(std::string_view field, std::size_t count);
+    /// Reads numbers; std::nullopt: "nan", "none" or "???", which mean that it is not given. Reports a wrong count and a
+    /// word that is no number.
+    std::vector<std::optional<double>> numbers(std::string_view field, std::size_t count);
     /// Reads words in quotes: "mm" "mm" "mm".
     std::vector<std::string> quoted(std::string_view field, std::size_t count);
-    /// Reads vectors of three numbers: none (1,0,0) (0,1,0) (0,0,1). Reports a wrong count or form.
+    /// Reads vectors of three numbers: none (1,0,0) (0,1,0) (0,0,1); (nan,nan,nan) is none. Reports a wrong count or form.
     std::vector<std::optional<vec3>> vectors(std::string_view field, std::size_t count);
     /// Reads one of the names in any case, and returns its index. Reports a missing field or another name.
     std::size_t choice(std::string_view field, std::string_view names_for_message,
@@ -57,8 +63,15 @@ private:
 
     std::string name_;
     std::map<std::string, Line, std::less<>> fields_;
+    std::vector<std::string> listed_files_;
     std::optional<std::size_t> end_;
     std::optional<Error> fault_;
 };
+
+/// With letters of ASCII in lower case.
+std::string in_lower_case(std::string_view s);
+
+/// Reads a number that may begin with '+'; NaN for any other word.
+double number_of(std::string_view word);
 
 }  // namespace thaum::field

@@ -12,124 +12,228 @@ namespace {
 
 constexpr double shortest = 1e-9, longest = 1e3;  ///< spacings that are believed (m)
 constexpr double farthest = 1e6;                  ///< farthest origin that is believed (m)
-constexpr std::size_t no_axis = 4;
+constexpr std::size_t most_axes = 5;
+constexpr std::size_t most_files = 100'000;
 
-/// Axes of the file.
+enum class Role : std::uint8_t { space, component, time };
+
+struct Axis {
+    long size = 1;
+    Role role = Role::space;
+};
+
+/// Axes of the file: three of space, at most one of components, at most one of time.
 struct Axes {
-    std::size_t count = 3;
-    std::array<long, 4> size{1, 1, 1, 1};
-    std::size_t components = no_axis;  ///< axis of components, if there is one
-
-    /// Axes of space in the file's order.
-    std::array<std::size_t, 3> in_space() const {
-        std::array<std::size_t, 3> result{};
-        std::size_t n = 0;
-        for (std::size_t a = 0; a < count && n < 3; ++a) {
-            if (a != components) result[n++] = a;
-        }
-        return result;
-    }
+    std::vector<Axis> all;
+    std::array<std::size_t, 3> in_space{};  ///< axes of space in the file's order
 };
 
 void read_type(NrrdFields& fields, NrrdHeader& header) {
     header.type = static_cast<SampleType>(
-        fields.choice("type", "int8, uint8, int16, uint16, float or double",
+        fields.choice("type", "an integer of 8 to 64 bits, float or double",
                       {{"int8", "signed char", "int8_t"},
                        {"uint8", "uchar", "unsigned char", "uint8_t"},
                        {"int16", "short", "short int", "signed short", "signed short int", "int16_t"},
                        {"uint16", "ushort", "unsigned short", "unsigned short int", "uint16_t"},
+                       {"int32", "int", "signed int", "int32_t"},
+                       {"uint32", "uint", "unsigned int", "uint32_t"},
+                       {"int64", "longlong", "long long", "long long int", "signed long long",
+                        "signed long long int", "int64_t"},
+                       {"uint64", "ulonglong", "unsigned long long", "unsigned long long int", "uint64_t"},
                        {"float"},
                        {"double"}}));
+    header.encoding = static_cast<NrrdEncoding>(
+        fields.choice("encoding", "raw, gzip or ascii", {{"raw"}, {"gzip", "gz"}, {"ascii", "text", "txt"}}));
     const bool one_byte = header.type == SampleType::int8 || header.type == SampleType::uint8;
-    if (!one_byte || fields.has("endian"))
+    const bool in_bytes = !one_byte && header.encoding != NrrdEncoding::ascii;
+    if (in_bytes || fields.has("endian"))
         header.big_endian = fields.choice("endian", "little or big", {{"little"}, {"big"}}) == 1;
-    const std::size_t packing = fields.choice("encoding", "raw or gzip", {{"raw"}, {"gzip", "gz"}});
-    header.packing = packing == 0 ? Packing::raw : Packing::gzip;
 }
 
-bool is_axis_of_space(std::string_view kind) {
-    return kind == "domain" || kind == "space" || kind == "???" || kind == "none";
+// ---- axes -------------------------------------------------------------------------------------------------
+
+/// What a kind of axis means. Sizes of 0 mean any.
+struct KindOfAxis {
+    std::string_view name;
+    Role role{};
+    long size{};
+    NrrdColour colour{};
+};
+
+constexpr std::array kinds_read{
+    KindOfAxis{"domain", Role::space},
+    KindOfAxis{"space", Role::space},
+    KindOfAxis{"time", Role::time},
+    KindOfAxis{"stub", Role::component, 1},
+    KindOfAxis{"scalar", Role::component, 1},
+    KindOfAxis{"vector", Role::component, 3},
+    KindOfAxis{"covariant-vector", Role::component, 3},
+    KindOfAxis{"normal", Role::component, 3},
+    KindOfAxis{"3-vector", Role::component, 3},
+    KindOfAxis{"3-gradient", Role::component, 3},
+    KindOfAxis{"3-normal", Role::component, 3},
+    KindOfAxis{"3-color", Role::component, 3, NrrdColour::red_green_blue},
+    KindOfAxis{"rgb-color", Role::component, 3, NrrdColour::red_green_blue},
+    KindOfAxis{"4-color", Role::component, 4, NrrdColour::red_green_blue},
+    KindOfAxis{"rgba-color", Role::component, 4, NrrdColour::red_green_blue},
+    KindOfAxis{"hsv-color", Role::component, 3, NrrdColour::value_last},
+    KindOfAxis{"xyz-color", Role::component, 3, NrrdColour::luminance_second},
+};
+
+const KindOfAxis* kind_of(std::string_view word) {
+    const auto lower = in_lower_case(word);
+    const auto found = std::ranges::find(kinds_read, lower, &KindOfAxis::name);
+    return found == kinds_read.end() ? nullptr : &*found;
 }
 
-/// Finds the axis of components among four: by its kind, or as the one without a direction, or the first.
-std::size_t component_axis(NrrdFields& fields) {
-    const auto kinds = fields.words("kinds");
-    if (kinds.size() == 4) {
-        const auto vector = std::ranges::find_if_not(kinds, is_axis_of_space);
-        if (vector != kinds.end()) return static_cast<std::size_t>(vector - kinds.begin());
-    }
-    if (fields.has("spacedirections")) {
-        const auto directions = fields.vectors("spacedirections", 4);
-        const auto none = std::ranges::find_if_not(directions, &std::optional<vec3>::has_value);
-        if (none != directions.end()) return static_cast<std::size_t>(none - directions.begin());
-    }
-    return 0;
+bool is_unknown(std::string_view kind) {
+    const auto lower = in_lower_case(kind);
+    return lower == "???" || lower == "none" || lower == "unknown";
 }
 
-Axes read_axes(NrrdFields& fields, std::size_t limit) {
-    Axes axes;
+void read_sizes(NrrdFields& fields, std::size_t limit, NrrdHeader& header, Axes& axes) {
     if (!fields.has("dimension")) fields.report("dimension", "a volume has 'dimension: 3'");
-    axes.count = static_cast<std::size_t>(fields.integer("dimension", 3, 4, 3));
-    const auto sizes = fields.numbers("sizes", axes.count);
+    axes.all.resize(static_cast<std::size_t>(fields.integer("dimension", 3, most_axes, 3)));
+    const auto sizes = fields.numbers("sizes", axes.all.size());
     std::size_t product = 1;
-    for (std::size_t a = 0; a < axes.count; ++a) {
-        const bool whole = sizes[a] >= 1 && sizes[a] <= 1e9 && sizes[a] == std::floor(sizes[a]);
+    for (std::size_t a = 0; a < axes.all.size(); ++a) {
+        const double size = sizes[a].value_or(0);
+        const bool whole = size >= 1 && size <= 1e9 && size == std::floor(size);
         if (!whole) fields.report("sizes", "a size is not a whole number from 1 on");
-        axes.size[a] = whole ? static_cast<long>(sizes[a]) : 1;
-        const auto size = static_cast<std::size_t>(axes.size[a]);
-        if (size > limit / product) {
+        if (whole && static_cast<std::size_t>(size) > limit / product) {
             fields.report("sizes", text("more than ", limit, " samples; make the volume smaller"));
-            axes.size[a] = 1;
-        } else {
-            product *= size;
+        } else if (whole) {
+            axes.all[a].size = static_cast<long>(size);
+            product *= static_cast<std::size_t>(size);
         }
     }
-    const auto kinds = fields.words("kinds");
-    if (fields.has("kinds") && kinds.size() != axes.count)
-        fields.report("kinds", text(kinds.size(), " kinds for ", axes.count, " axes"));
-    if (axes.count == 4) {
-        axes.components = component_axis(fields);
-        const long size = axes.size[axes.components];
-        if (size != 1 && size != 3)
-            fields.report("sizes", text("the axis of components has ", size,
-                                        " samples; only scalars and vectors of 3 can be read"));
-    } else if (!std::ranges::all_of(kinds, is_axis_of_space)) {
-        fields.report("kinds", "a volume has three axes of space");
+    header.stored = product;
+}
+
+/// Gives an axis the role of its kind, and the header what the kind says of colours.
+void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader& header) {
+    const auto* kind = kind_of(word);
+    const bool of_one = axis.size == 1 && !is_unknown(word);  // one entry of a list, and so on
+    if (kind == nullptr && !of_one) {
+        fields.report("kinds",
+                      text("an axis of the kind '", printable(word, 40), "' cannot be read; ",
+                           "a volume has three of space, and may have one of components (vector, colour) "
+                           "and one of time"));
+        return;
     }
+    axis.role = kind == nullptr ? Role::component : kind->role;
+    if (kind != nullptr && kind->role == Role::component && axis.size != 1 && axis.size != kind->size)
+        fields.report("sizes", text("an axis of the kind '", kind->name, "' has ", kind->size,
+                                    " samples, not ", axis.size));
+    if (kind != nullptr && axis.size != 1) header.colour = std::max(header.colour, kind->colour);
+}
+
+/// Finds the axis beyond space whose kind the header does not tell: the one without a direction, or one of 1 or 3
+/// samples: the first, as most programs write.
+void find_component_axis(NrrdFields& fields, Axes& axes) {
+    std::size_t at = 0;
+    if (fields.has("spacedirections")) {
+        const auto directions = fields.vectors("spacedirections", axes.all.size());
+        const auto none = std::ranges::find_if_not(directions, &std::optional<vec3>::has_value);
+        const bool one = std::ranges::count(directions, std::optional<vec3>{}) == 1;
+        if (one) at = static_cast<std::size_t>(none - directions.begin());
+    }
+    auto& axis = axes.all[at];
+    if (axis.size != 1 && axis.size != 3)
+        fields.report("sizes", text("'kinds' does not tell what the ", axis.size, " samples of axis ", at,
+                                    " are; only scalars and vectors of 3 can be read without it"));
+    axis.role = Role::component;
+}
+
+Axes read_axes(NrrdFields& fields, std::size_t limit, NrrdHeader& header) {
+    Axes axes;
+    read_sizes(fields, limit, header, axes);
+    const auto kinds = fields.words("kinds");
+    bool any_unknown = kinds.empty();
+    if (fields.has("kinds") && kinds.size() != axes.all.size()) {
+        fields.report("kinds", text(kinds.size(), " kinds for ", axes.all.size(), " axes"));
+    } else {
+        for (std::size_t a = 0; a < kinds.size(); ++a) {
+            if (is_unknown(kinds[a]))
+                any_unknown = true;
+            else
+                take_kind(fields, kinds[a], axes.all[a], header);
+        }
+    }
+    const auto count = [&](Role role) { return std::ranges::count(axes.all, role, &Axis::role); };
+    if (count(Role::space) == 4 && any_unknown) find_component_axis(fields, axes);
+    if (count(Role::space) != 3 || count(Role::component) > 1 || count(Role::time) > 1)
+        fields.report(fields.has("kinds") ? "kinds" : "dimension",
+                      "a volume has three axes of space, and may have one of components and one of time");
+    std::size_t n = 0;
+    for (std::size_t a = 0; a < axes.all.size() && n < 3; ++a)
+        if (axes.all[a].role == Role::space) axes.in_space[n++] = a;
     return axes;
 }
 
 void keep_axes(const Axes& axes, NrrdHeader& header) {
-    std::array<std::ptrdiff_t, 4> stride{};
     std::ptrdiff_t step = 1;
-    for (std::size_t a = 0; a < axes.count; ++a) {
-        stride[a] = step;
-        step *= axes.size[a];
+    std::size_t n = 0;
+    for (const auto& axis : axes.all) {
+        switch (axis.role) {
+            case Role::space:
+                if (n == 3) break;
+                header.sizes[n] = static_cast<int>(axis.size);
+                header.stride[n++] = step;
+                break;
+            case Role::component:
+                header.components = axis.size == 1 ? 1 : 3;
+                header.component_stride = step;
+                break;
+            case Role::time:
+                header.frames = static_cast<int>(axis.size);
+                header.frame_stride = step;
+                break;
+        }
+        step *= axis.size;
     }
-    const auto in_space = axes.in_space();
-    for (std::size_t a = 0; a < 3; ++a) {
-        header.sizes[a] = static_cast<int>(axes.size[in_space[a]]);
-        header.stride[a] = stride[in_space[a]];
-    }
-    if (axes.components == no_axis) return;
-    header.components = axes.size[axes.components] == 3 ? 3 : 1;
-    header.component_stride = stride[axes.components];
 }
 
+// ---- space ------------------------------------------------------------------------------------------------
+
 /// A unit as a division, because that rounds a length of 2 mm as the number 0.002 is rounded.
-double to_metres(NrrdFields& fields, std::string_view field, const std::string& unit, double length) {
-    if (unit.empty() || unit == "???" || unit == "none" || unit == "mm" || unit == "millimeter" ||
-        unit == "millimeters")
-        return length / 1000;
-    if (unit == "m" || unit == "meter" || unit == "meters") return length;
-    if (unit == "cm" || unit == "centimeter" || unit == "centimeters") return length / 100;
-    if (unit == "um" || unit == "\xc2\xb5m" || unit == "\xce\xbcm" || unit == "micron" || unit == "microns" ||
-        unit == "micrometer" || unit == "micrometers")
-        return length / 1e6;
-    if (unit == "nm" || unit == "nanometer" || unit == "nanometers") return length / 1e9;
-    fields.report(field, text("'", printable(unit, 60), "' is no unit of length; use m, cm, mm, um or nm"));
-    return length;
-}
+struct Unit {
+    std::string_view words;  ///< names between blanks, in lower case
+    double in_a_metre{};
+};
+
+constexpr std::array units_read{
+    Unit{" mm millimeter millimeters millimetre millimetres ", 1000},
+    Unit{" m meter meters metre metres ", 1},
+    Unit{" cm centimeter centimeters centimetre centimetres ", 100},
+    Unit{" um \xc2\xb5m \xce\xbcm \xb5m micron microns micrometer micrometers micrometre micrometres ", 1e6},
+    Unit{" nm nanometer nanometers nanometre nanometres ", 1e9},
+    Unit{" in inch inches ", 1 / 0.0254},
+};
+
+/// Lengths of a field with units. A word that is no unit of length, such as "pixel", counts as none, and is told.
+class Lengths {
+public:
+    Lengths(NrrdHeader& header, std::vector<std::string> units) : header_(header), units_(std::move(units)) {}
+
+    double metres(std::size_t axis, double length) {
+        const auto word = in_lower_case(axis < units_.size() ? units_[axis] : std::string());
+        if (word.empty() || word == "???" || word == "none") return length / units_read[0].in_a_metre;
+        const auto found = std::ranges::find_if(units_read, [&](const Unit& unit) {
+            return word.find(' ') == std::string::npos &&
+                   unit.words.find(text(' ', word, ' ')) != std::string_view::npos;
+        });
+        if (found != units_read.end()) return length / found->in_a_metre;
+        const auto note =
+            text("'", printable(units_[axis], 60), "' is no unit of length, so lengths are taken as mm");
+        if (std::ranges::find(header_.notes, note) == header_.notes.end()) header_.notes.push_back(note);
+        return length / units_read[0].in_a_metre;
+    }
+
+private:
+    NrrdHeader& header_;
+    std::vector<std::string> units_;
+};
 
 /// Signs that make the frame of space right-handed and, for a patient, left-posterior-superior.
 vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
@@ -147,60 +251,81 @@ vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     return signs[space];
 }
 
-/// Directions and origin in the file's space.
-void read_directions(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
-    if (fields.has("spacings")) fields.report("spacings", "the header also has 'space directions'; keep one");
-    if (!fields.has("space") && !fields.has("spacedimension"))
-        fields.report("spacedirections", "the header also needs 'space' or 'space dimension: 3'");
-    std::vector<std::string> unit(3);
-    if (fields.has("spaceunits")) unit = fields.quoted("spaceunits", 3);
-    const auto metres = [&](vec3 v) {
-        for (int i = 0; i < 3; ++i)
-            v[i] = sign[i] * to_metres(fields, "spaceunits", unit[static_cast<std::size_t>(i)], v[i]);
-        return v;
-    };
-    const auto directions = fields.vectors("spacedirections", axes.count);
-    const auto in_space = axes.in_space();
-    for (std::size_t a = 0; a < 3; ++a) {
-        const auto& direction = directions[in_space[a]];
-        if (!direction) fields.report("spacedirections", "an axis of space has no direction");
-        header.direction[a] = metres(direction.value_or(vec3(1)));
-    }
-    if (!fields.has("spaceorigin")) return;
-    const auto origin = fields.vectors("spaceorigin", 1).front();
-    if (!origin) fields.report("spaceorigin", "it has no place, such as (0,0,0)");
-    header.first = metres(origin.value_or(vec3(0)));
-}
-
 /// Spacings by the ends of the axes. An axis has a sample at each end if it is centred on nodes, otherwise, as the format
 /// says, the samples are the middles of cells between the ends.
-std::vector<double> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
-    const auto low = fields.numbers("axismins", axes.count), high = fields.numbers("axismaxs", axes.count);
-    const std::string_view centers = fields.has("centers") ? "centers" : "centerings";
-    const auto centres = fields.words(centers);
-    std::vector<double> spacing(axes.count);
-    for (std::size_t a = 0; a < axes.count; ++a) {
-        const bool nodes = a < centres.size() && centres[a] == "node";
-        spacing[a] = (high[a] - low[a]) / static_cast<double>(axes.size[a] - (nodes ? 1 : 0));
+std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
+    const auto low = fields.numbers("axismins", axes.all.size()),
+               high = fields.numbers("axismaxs", axes.all.size());
+    const auto centres = fields.words(fields.has("centers") ? "centers" : "centerings");
+    std::vector<std::optional<double>> spacing(axes.all.size());
+    for (std::size_t a = 0; a < axes.all.size(); ++a) {
+        const bool nodes = a < centres.size() && in_lower_case(centres[a]) == "node";
+        if (low[a] && high[a])
+            spacing[a] = (*high[a] - *low[a]) / static_cast<double>(axes.all[a].size - (nodes ? 1 : 0));
     }
     return spacing;
 }
 
-/// Axes along those of space, with spacings alone.
-void read_spacings(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
-    std::vector<double> spacing(axes.count, 1.0);
-    if (fields.has("spacings"))
-        spacing = fields.numbers("spacings", axes.count);
-    else if (fields.has("axismins") && fields.has("axismaxs"))
-        spacing = spacings_of_ends(fields, axes);
-    std::vector<std::string> unit(axes.count);
-    if (fields.has("units")) unit = fields.quoted("units", axes.count);
-    const auto in_space = axes.in_space();
+/// Spacings that the header gives for axes of space.
+std::vector<std::optional<double>> read_spacings(NrrdFields& fields, const Axes& axes) {
+    std::vector<std::optional<double>> spacing(axes.all.size());
+    if (fields.has("spacings")) spacing = fields.numbers("spacings", axes.all.size());
+    if (!fields.has("axismins") || !fields.has("axismaxs")) return spacing;
+    const auto ends = spacings_of_ends(fields, axes);
+    for (std::size_t a = 0; a < axes.all.size(); ++a)
+        if (!spacing[a]) spacing[a] = ends[a];
+    return spacing;
+}
+
+/// Directions that the header gives for axes of space, one for each or none at all.
+std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axes& axes) {
+    std::array<std::optional<vec3>, 3> of_space{};
+    if (!fields.has("spacedirections")) return of_space;
+    const auto all = fields.vectors("spacedirections", axes.all.size());
+    for (std::size_t a = 0; a < 3; ++a) of_space[a] = all[axes.in_space[a]];
+    if (std::ranges::any_of(of_space, &std::optional<vec3>::has_value)) {
+        if (!std::ranges::all_of(of_space, &std::optional<vec3>::has_value))
+            fields.report("spacedirections", "an axis of space has no direction");
+        if (!fields.has("space") && !fields.has("spacedimension"))
+            fields.report("spacedirections", "the header also needs 'space' or 'space dimension: 3'");
+    }
+    return of_space;
+}
+
+/// Where the samples lie: directions or else spacings along the axes of space, and the origin.
+void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
+    const auto directions = read_directions(fields, axes);
+    const auto spacings = read_spacings(fields, axes);
+    const bool has_directions = directions[0].has_value();
+    std::vector<std::string> space_unit, axis_unit;
+    if (fields.has("spaceunits")) space_unit = fields.quoted("spaceunits", 3);
+    if (fields.has("units")) axis_unit = fields.quoted("units", axes.all.size());
+    const bool by_axis = !has_directions && !axis_unit.empty();
+    Lengths in_space(header, space_unit);
+    Lengths along_axes(header, by_axis ? axis_unit : space_unit);
     for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t from = in_space[a];
+        const std::size_t from = axes.in_space[a];
         const int i = static_cast<int>(a);
-        header.direction[a] = vec3(0);
-        header.direction[a][i] = sign[i] * to_metres(fields, "units", unit[from], spacing[from]);
+        vec3 direction(0);
+        if (has_directions) {
+            for (int k = 0; k < 3; ++k)
+                direction[k] = sign[k] * in_space.metres(static_cast<std::size_t>(k),
+                                                         directions[a].value_or(vec3(1))[k]);
+            if (fields.has("spacings") && fields.numbers("spacings", axes.all.size())[from])
+                fields.report("spacings", "an axis of space also has a direction; keep one");
+        } else {
+            direction[i] = sign[i] * along_axes.metres(by_axis ? from : a, spacings[from].value_or(1.0));
+        }
+        header.direction[a] = direction;
+    }
+    if (!fields.has("spaceorigin")) return;
+    if (!header.is_in_space)
+        fields.report("spaceorigin", "the header also needs 'space' or 'space dimension: 3'");
+    if (const auto origin = fields.vectors("spaceorigin", 1).front()) {
+        vec3 first(0);
+        for (int k = 0; k < 3; ++k)
+            first[k] = sign[k] * in_space.metres(static_cast<std::size_t>(k), (*origin)[k]);
+        header.first = first;
     }
 }
 
@@ -231,25 +356,110 @@ void read_frame_of_values(NrrdFields& fields, vec3 sign, NrrdHeader& header) {
     if (header.components == 3 && !(std::abs(glm::determinant(frame)) > 0))
         fields.report("measurementframe", "its vectors do not span space; remove it or correct it");
     // Colours are no vectors in space.
-    const auto kinds = fields.words("kinds");
-    const bool colour = std::ranges::any_of(
-        kinds, [](std::string_view kind) { return kind.find("color") != std::string_view::npos; });
-    if (colour || header.components == 1) header.of_values = mat3(0.0);
+    if (header.colour != NrrdColour::none || header.components == 1) header.of_values = mat3(0.0);
+}
+
+// ---- the samples' files -----------------------------------------------------------------------------------
+
+/// Numbers of the files of a pattern: "slice%03d.raw 1 40 1".
+struct FilePattern {
+    std::string_view before, after;
+    int digits{};
+    bool with_zeros{};
+    long from{}, to{}, step{};
+};
+
+std::optional<FilePattern> parse_pattern(const std::vector<std::string_view>& words) {
+    if (words.size() < 4 || words.size() > 5) return {};
+    FilePattern pattern;
+    const auto name = words[0];
+    const auto percent = name.find('%');
+    const auto letter = name.find_first_not_of("0123456789", percent + 1);
+    if (percent == std::string_view::npos || letter == std::string_view::npos) return {};
+    if (name[letter] != 'd' && name[letter] != 'i' && name[letter] != 'u') return {};
+    pattern.before = name.substr(0, percent);
+    pattern.after = name.substr(letter + 1);
+    const auto digits = name.substr(percent + 1, letter - percent - 1);
+    pattern.with_zeros = digits.starts_with('0');
+    if (digits.size() > 3) return {};
+    pattern.digits = digits.empty() ? 0 : static_cast<int>(number_of(digits));
+    std::array<double, 3> numbers{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        numbers[i] = number_of(words[i + 1]);
+        if (!(std::abs(numbers[i]) <= 1e9) || numbers[i] != std::floor(numbers[i])) return {};
+    }
+    pattern.from = static_cast<long>(numbers[0]);
+    pattern.to = static_cast<long>(numbers[1]);
+    pattern.step = static_cast<long>(numbers[2]);
+    const long way = pattern.to - pattern.from;
+    if (pattern.step == 0 || (way > 0) != (pattern.step > 0 && way != 0)) return {};
+    if (pattern.after.find('%') != std::string_view::npos) return {};
+    return pattern;
+}
+
+std::string file_of(const FilePattern& pattern, long number) {
+    auto digits = text(std::abs(number));
+    const auto width = static_cast<std::size_t>(pattern.digits) - (number < 0 && pattern.digits > 0 ? 1 : 0);
+    if (digits.size() < width) digits.insert(0, width - digits.size(), pattern.with_zeros ? '0' : ' ');
+    return text(pattern.before, number < 0 ? "-" : "", digits, pattern.after);
+}
+
+void read_data_files(NrrdFields& fields, NrrdHeader& header) {
+    const auto words = fields.words("datafile");
+    if (fields.has("datafile") && words.empty()) fields.report("datafile", "it names no file");
+    if (words.empty()) return;
+    if (words[0] == "LIST") {
+        header.data_files = fields.listed_files();
+        if (header.data_files.empty()) fields.report("datafile", "no names of files follow LIST");
+    } else if (words[0].find('%') != std::string_view::npos && words.size() > 1) {
+        const auto pattern = parse_pattern(words);
+        if (!pattern) {
+            fields.report("datafile", "a pattern of files is like 'slice%03d.raw 1 40 1': from, to, step");
+            return;
+        }
+        const auto count = static_cast<std::size_t>((pattern->to - pattern->from) / pattern->step) + 1;
+        if (count > most_files) {
+            fields.report("datafile", text("more than ", most_files, " files"));
+            return;
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            header.data_files.push_back(
+                file_of(*pattern, pattern->from + static_cast<long>(i) * pattern->step));
+    } else {
+        header.data_files.emplace_back(fields.text_of("datafile"));
+    }
+    if (header.data_files.size() > most_files)
+        fields.report("datafile", text("more than ", most_files, " files"));
+    if (!header.data_files.empty() && header.stored % header.data_files.size() != 0)
+        fields.report("datafile", text(header.stored, " samples cannot lie in ", header.data_files.size(),
+                                       " equal files"));
 }
 
 void read_place_of_data(NrrdFields& fields, NrrdHeader& header) {
-    header.data_file = fields.text_of("datafile");
-    const bool list = header.data_file.starts_with("LIST") || header.data_file.find('%') != std::string::npos;
-    if (list) fields.report("datafile", "samples in several files cannot be read; join them into one");
-    if (fields.has("datafile") && header.data_file.empty()) fields.report("datafile", "it names no file");
+    read_data_files(fields, header);
     if (!fields.has("datafile") && !fields.end())
         fields.report("datafile", "the file ends with its header, without samples");
     header.data_at = fields.end().value_or(0);
-    if (fields.has("lineskip") && fields.text_of("lineskip") != "0")
-        fields.report("lineskip", "lines of text before the samples cannot be read; remove both");
-    header.skip = fields.integer("byteskip", -1, 1'000'000'000, 0);
-    if (header.packing == Packing::gzip && header.skip != 0)
-        fields.report("byteskip", "bytes can be skipped in raw data alone");
+    header.skipped_lines = static_cast<std::size_t>(fields.integer("lineskip", 0, 1'000'000'000, 0));
+    header.skipped_bytes = fields.integer("byteskip", -1, 1'000'000'000, 0);
+    if (header.encoding == NrrdEncoding::ascii && header.skipped_bytes < 0)
+        fields.report("byteskip", "numbers in text do not end the file at a known byte");
+}
+
+/// Tells which fields have no effect.
+void note_unused(const NrrdFields& fields, NrrdHeader& header) {
+    std::string unused;
+    for (const auto& [field, written] : {std::pair{"labels", "labels"},
+                                         {"thicknesses", "thicknesses"},
+                                         {"min", "min"},
+                                         {"max", "max"},
+                                         {"oldmin", "old min"},
+                                         {"oldmax", "old max"},
+                                         {"blocksize", "block size"}})
+        if (fields.has(field)) append_text(unused, text(unused.empty() ? "" : ", ", written));
+    const bool unit_of_axes = fields.has("units") && fields.has("spacedirections");
+    if (unit_of_axes) append_text(unused, unused.empty() ? "units" : ", units");
+    if (!unused.empty()) header.notes.push_back(text("these fields of the header have no effect: ", unused));
 }
 
 }  // namespace
@@ -259,17 +469,14 @@ Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string&
     if (!fields) return fields.error();
     NrrdHeader header;
     read_type(*fields, header);
-    const Axes axes = read_axes(*fields, limit);
+    const Axes axes = read_axes(*fields, limit, header);
     keep_axes(axes, header);
     const vec3 sign = read_space(*fields, header);
-    if (fields->has("spacedirections")) {
-        read_directions(*fields, axes, sign, header);
-    } else {
-        read_spacings(*fields, axes, sign, header);
-    }
+    read_place(*fields, axes, sign, header);
     check_lengths(*fields, header);
     read_frame_of_values(*fields, sign, header);
     read_place_of_data(*fields, header);
+    note_unused(*fields, header);
     header.name = printable(fields->text_of("content"), 200);
     header.units = printable(fields->text_of("sampleunits"), 60);
     header.save_name = printable(fields->text_of(key_of_save), 60);

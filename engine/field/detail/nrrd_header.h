@@ -4,30 +4,42 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "field/nrrd.h"
 
 namespace thaum::field {
 
+enum class NrrdEncoding : std::uint8_t { raw, gzip, ascii };
+
+/// How the components of a sample become what a volume keeps.
+enum class NrrdColour : std::uint8_t { none, red_green_blue, value_last, luminance_second };
+
 /// A header whose values agree with each other. Lengths are in m; the frame of space is right-handed.
 struct NrrdHeader {
     SampleType type{};
     bool big_endian{};
-    Packing packing{};
+    NrrdEncoding encoding{};
     std::array<int, 3> sizes{};              ///< samples along each axis of space, in the file's order
     std::array<std::ptrdiff_t, 3> stride{};  ///< steps along these axes, in samples
-    int components{1};
+    int components{1};                       ///< that are read of each sample: 1 or 3
     std::ptrdiff_t component_stride{1};
+    NrrdColour colour{};
+    int frames{1};  ///< moments of time
+    std::ptrdiff_t frame_stride{};
+    std::size_t stored{1};            ///< samples times components in the file
     std::array<vec3, 3> direction{};  ///< from one sample to the next along these axes (m)
     std::optional<vec3> first{};      ///< place of the first sample (m)
     mat3 of_values{1.0};              ///< from the frame of values to that of space; 0: values do not turn
     bool is_in_space{};               ///< the header has a frame of space
     bool is_of_patient{};             ///< the frame of space is left-posterior-superior
     std::string name, units, save_name;
-    std::string data_file;  ///< empty: the samples follow the header
-    std::size_t data_at{};  ///< position of the samples behind the header
-    long skip{};            ///< bytes to skip before the samples; -1: they end the file
+    std::vector<std::string> data_files;  ///< empty: the samples follow the header
+    std::size_t data_at{};                ///< position of the samples behind the header
+    std::size_t skipped_lines{};          ///< lines of each file before the samples
+    long skipped_bytes{};  ///< bytes before the samples and behind these lines; -1: the samples end the file
+    std::vector<std::string> notes;  ///< what a reader should tell, one line each
 };
 
 /// Parses the header at the start of a file. The error is one line with `name`, which is the path, and the

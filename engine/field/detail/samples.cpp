@@ -11,9 +11,8 @@
 namespace thaum::field {
 namespace {
 
-constexpr std::array type_names{std::string_view("int8"),  std::string_view("uint8"),
-                                std::string_view("int16"), std::string_view("uint16"),
-                                std::string_view("float"), std::string_view("double")};
+constexpr std::array<std::string_view, 10> type_names{"int8",   "uint8", "int16",  "uint16", "int32",
+                                                      "uint32", "int64", "uint64", "float",  "double"};
 
 /// Calls use(T{}) with the number type of a sample type.
 template <class Use>
@@ -23,6 +22,10 @@ void with_type(SampleType type, Use use) {
         case SampleType::uint8: return use(std::uint8_t{});
         case SampleType::int16: return use(std::int16_t{});
         case SampleType::uint16: return use(std::uint16_t{});
+        case SampleType::int32: return use(std::int32_t{});
+        case SampleType::uint32: return use(std::uint32_t{});
+        case SampleType::int64: return use(std::int64_t{});
+        case SampleType::uint64: return use(std::uint64_t{});
         case SampleType::float32: return use(float{});
         case SampleType::float64: return use(double{});
     }
@@ -43,9 +46,12 @@ T stored_value(float sample) {
     if constexpr (std::floating_point<T>) {
         return static_cast<T>(sample);
     } else {
+        // As a float, the largest integer of 32 or 64 bits is rounded up to one that the type does not hold.
         constexpr auto low = static_cast<float>(std::numeric_limits<T>::min());
         constexpr auto high = static_cast<float>(std::numeric_limits<T>::max());
-        return std::isnan(sample) ? T{} : static_cast<T>(std::clamp(std::round(sample), low, high));
+        if (std::isnan(sample)) return T{};
+        if (sample >= high) return std::numeric_limits<T>::max();
+        return static_cast<T>(std::max(std::round(sample), low));
     }
 }
 
@@ -65,13 +71,13 @@ StoredOrder plain_order(const std::array<int, 3>& count, int components) {
     return {.stride = {step, row, row * count[1]}};
 }
 
-void decode(std::span<const std::byte> stored, const StoredOrder& order, bool big_endian, Volume& volume) {
+void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volume) {
     const std::size_t size =
         static_cast<std::size_t>(volume.count[0]) * static_cast<std::size_t>(volume.count[1]) *
         static_cast<std::size_t>(volume.count[2]) * static_cast<std::size_t>(volume.components);
-    THAUM_ASSERT(stored.size() >= size * size_of(volume.stored_as), "fewer bytes than samples");
+    THAUM_ASSERT(stored.bytes.size() >= size * size_of(stored.type), "fewer bytes than samples");
     volume.samples.resize(size);
-    with_type(volume.stored_as, [&]<class T>(T) {
+    with_type(stored.type, [&]<class T>(T) {
         float* out = volume.samples.data();
         for (int k = 0; k < volume.count[2]; ++k) {
             for (int j = 0; j < volume.count[1]; ++j) {
@@ -79,8 +85,9 @@ void decode(std::span<const std::byte> stored, const StoredOrder& order, bool bi
                 for (int i = 0; i < volume.count[0]; ++i) {
                     for (int c = 0; c < volume.components; ++c) {
                         const std::ptrdiff_t at = row + i * order.stride[0] + c * order.component_stride;
-                        *out++ = read_sample<T>(stored.data() + at * static_cast<std::ptrdiff_t>(sizeof(T)),
-                                                big_endian);
+                        *out++ =
+                            read_sample<T>(stored.bytes.data() + at * static_cast<std::ptrdiff_t>(sizeof(T)),
+                                           stored.big_endian);
                     }
                 }
             }

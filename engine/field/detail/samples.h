@@ -14,7 +14,7 @@ namespace thaum::field {
 /// Number of bytes of a sample in a file.
 std::size_t size_of(SampleType type);
 
-/// Name of a type in our files: "int8", "uint8", "int16", "uint16", "float", "double".
+/// Name of a type in our files: "int8", "uint8", "int16" to "uint64", "float", "double".
 std::string_view name_of(SampleType type);
 std::span<const std::string_view> sample_type_names();  ///< in the order of SampleType
 
@@ -28,9 +28,15 @@ struct StoredOrder {
 /// The order of Volume::samples.
 StoredOrder plain_order(const std::array<int, 3>& count, int components);
 
-/// Fills volume.samples from stored bytes of the type volume.stored_as. The bytes must hold all samples that
-/// the order names.
-void decode(std::span<const std::byte> stored, const StoredOrder& order, bool big_endian, Volume& volume);
+/// Bytes of samples.
+struct StoredSamples {
+    std::span<const std::byte> bytes;
+    SampleType type{};
+    bool big_endian{};
+};
+
+/// Fills volume.samples from stored ones, which must be all that the order names.
+void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volume);
 
 /// Samples as little-endian bytes of the type volume.stored_as. Integers are rounded and limited to the range
 /// of the type; NaN becomes 0.

@@ -31,7 +31,7 @@ constexpr std::string_view help =
 A volume to feel and carve: in a window, or with --headless as a script. VOLUME: a
 .nrrd or .nhdr file, a .toml that describes a raw file, or one that is made: sphere
 or gyroid (bodies), vortices or beltrami (flows).
-  --count N, --seed N   samples along each axis (64) and seed of one that is made
+  --count N, --seed N   samples along each axis (64), seed;  --moment N  of a file with time
   --place X,Y,Z[,SCALE[,DEGREES]]  where it lies;  --beside VOLUME[,X,Y,Z...]  another
                    there, not carved; repeats;  --registered  there by the files' origins
   --mode M[,S]     a haptic mode and its strength (N); a wrong name lists them; 1:M
@@ -55,12 +55,13 @@ or gyroid (bodies), vortices or beltrami (flows).
 )";
 
 constexpr Option volume_options[] = {
-    {"--count", 1},          {"--seed", 1},       {"--mode", 1, true}, {"--filter", 1, true},
-    {"--transfer", 1, true}, {"--feel", 1, true}, {"--opacity", 1},    {"--beside", 1, true},
-    {"--place", 1},          {"--registered"},    {"--level", 1},      {"--hand", 1},
-    {"--carve", 1, true},    {"--device", 1},     {"--look", 1},       {"--session", 1},
-    output("--save"),        output("--trace"),   {"--shots", 1},      {"--every", 1},
-    {"--size", 1},           {"--step", 1},       {"--headless"},      {"--seconds", 1}};
+    {"--count", 1},        {"--seed", 1},           {"--moment", 1},     {"--mode", 1, true},
+    {"--filter", 1, true}, {"--transfer", 1, true}, {"--feel", 1, true}, {"--opacity", 1},
+    {"--beside", 1, true}, {"--place", 1},          {"--registered"},    {"--level", 1},
+    {"--hand", 1},         {"--carve", 1, true},    {"--device", 1},     {"--look", 1},
+    {"--session", 1},      output("--save"),        output("--trace"),   {"--shots", 1},
+    {"--every", 1},        {"--size", 1},           {"--step", 1},       {"--headless"},
+    {"--seconds", 1}};
 
 // ---- the volume -------------------------------------------------------------------------------------------
 
@@ -118,6 +119,12 @@ Expected<game::VolumeSession> read_session(const Arguments& arguments) {
     const auto seed =
         arguments.whole("--seed", 0, 1'000'000'000'000, static_cast<std::uint64_t>(session.first.seed));
     if (!seed) return seed.error();
+    const auto moment =
+        arguments.whole("--moment", 1, 1'000'000'000, static_cast<std::uint64_t>(session.first.moment));
+    if (!moment) return moment.error();
+    if (is_made(session.first.volume) && arguments.has("--moment"))
+        return fail(text("--moment is for files with time, not for '", session.first.volume, "'"));
+    session.first.moment = static_cast<std::int64_t>(*moment);
     session.first.count = static_cast<std::int64_t>(*count);
     session.first.seed = static_cast<std::int64_t>(*seed);
     if (arguments.has("--registered")) {
@@ -134,7 +141,9 @@ Expected<field::Volume> open_volume(const game::SessionVolume& one, std::vector<
     if (is_made(one.volume))
         return field::make_volume(one.volume, static_cast<int>(one.count),
                                   static_cast<std::uint64_t>(one.seed));
-    auto volume = field::read_volume(one.volume);
+    auto volume = field::read_volume(one.volume, {.frame = static_cast<int>(one.moment - 1)});
+    if (volume)
+        for (const auto& note : volume->notes) notes.push_back(in_one_line(text(one.volume, ": ", note)));
     if (const auto faulty = volume ? field::not_finite(*volume) : 0; faulty > 0)
         notes.push_back(in_one_line(text(one.volume, ": ", faulty, " of ", volume->samples.size(),
                                          " samples are no finite numbers; nothing is felt beside them")));
