@@ -79,7 +79,7 @@ Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
     return FileWriter(std::move(path), std::move(*target), std::move(part), fd);
 }
 
-Expected<FileWriter> FileWriter::create_new(std::filesystem::path path) {
+Expected<FileWriter> FileWriter::create_new(const std::filesystem::path& path) {
     // The empty file takes the name at once, so two programs never choose the same.
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0) return fault(path, "create", errno);

@@ -21,7 +21,7 @@ public:
     static Expected<FileWriter> create(std::filesystem::path path);
     /// Starts a file of a name that no file has, and takes the name at once: an empty file stands there until `close`.
     /// The error names the path.
-    static Expected<FileWriter> create_new(std::filesystem::path path);
+    static Expected<FileWriter> create_new(const std::filesystem::path& path);
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
     ~FileWriter();

@@ -174,7 +174,7 @@ Expected<void> append_numbers(const NrrdHeader& header, FileOfSamples file, Byte
 
 /// Path of a file of samples that a header names, beside the header. One that leads elsewhere is told.
 Path path_beside(const Path& header, const std::string& name, std::vector<std::string>& notes) {
-    const auto path = header.parent_path() / name;
+    auto path = header.parent_path() / name;
     const auto relative = Path(name).lexically_normal();
     if (Path(name).is_absolute() || *relative.begin() == "..")
         notes.push_back(in_one_line(text("the samples are read from ", path.lexically_normal().string())));

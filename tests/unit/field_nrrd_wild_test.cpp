@@ -143,10 +143,9 @@ TEST_F(VolumeFiles, SkipsInEveryEncoding) {
 TEST_F(VolumeFiles, SamplesInSeveralFiles) {
     const std::string head =
         "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: raw\n";
-    for (int k = 0; k < 4; ++k) {
-        put(text("s", k, ".raw"), shorts(24).substr(static_cast<std::size_t>(12 * k), 12));
-        put(text("t-", k == 3 ? "" : "0", k + 7, ".raw"),
-            shorts(24).substr(static_cast<std::size_t>(12 * (3 - k)), 12));
+    for (std::size_t k = 0; k < 4; ++k) {
+        put(text("s", k, ".raw"), shorts(24).substr(12 * k, 12));
+        put(text("t-", k == 3 ? "" : "0", k + 7, ".raw"), shorts(24).substr(12 * (3 - k), 12));
     }
     for (const char* files :
          {"LIST\ns0.raw\ns1.raw\ns2.raw\ns3.raw\n", "LIST 2\ns0.raw\r\n\ns1.raw\n s2.raw\ns3.raw",
