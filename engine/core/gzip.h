@@ -14,7 +14,7 @@ namespace thaum {
 /// claim.
 Expected<std::string> unpack_gzip(std::span<const std::byte> packed, std::size_t limit);
 
-/// What the beginning of gzip data holds.
+/// The first bytes of unpacked gzip data.
 struct UnpackedStart {
     std::string bytes;
     bool goes_on{};  ///< more was packed, or something else follows the gzip data

@@ -86,7 +86,7 @@ struct FileOfSamples {
     std::size_t samples{};             ///< how many are promised
 };
 
-/// What follows the lines that a header tells to skip.
+/// Returns the bytes behind the lines that a header tells to skip.
 std::span<const std::byte> behind_lines(std::span<const std::byte> data, std::size_t lines) {
     for (; lines > 0 && !data.empty(); --lines) {
         const auto end = std::ranges::find(data, std::byte{'\n'});
@@ -235,8 +235,9 @@ Expected<void> read_samples(const NrrdHeader& header, const Path& path, std::siz
 
 /// Makes one number of each colour: what an eye sees of its light, or the V or Y that the file has.
 void keep_luminance(NrrdColour colour, Volume& volume) {
+    // Shares of red, green and blue in the luminance are those of ITU-R BT.709.
     constexpr std::array<std::array<double, 3>, 4> shares{
-        {{1, 0, 0}, {0.2126, 0.7152, 0.0722}, {0, 0, 1}, {0, 1, 0}}};  // of red, green, blue: ITU-R BT.709
+        {{1, 0, 0}, {0.2126, 0.7152, 0.0722}, {0, 0, 1}, {0, 1, 0}}};
     const auto& share = shares[static_cast<std::size_t>(colour)];
     auto& samples = volume.samples;
     for (std::size_t i = 0; 3 * i < samples.size(); ++i) {
@@ -432,7 +433,8 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
     const auto arrangement = space ? space : turned(header->direction);
     if (!arrangement)
         return fail_file(path, "its axes are not at right angles; resample the volume to a straight box");
-    if (header->data_files.empty()) file = read_file(path, most_bytes);
+    // A short file was read whole already.
+    if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, most_bytes);
     if (!file) return Error{in_one_line(file.error().message)};
     Volume volume;
     volume.notes = std::move(header->notes);

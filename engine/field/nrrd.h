@@ -35,7 +35,7 @@
 
 namespace thaum::field {
 
-/// What to read of a file.
+/// Choices for reading a file.
 struct ReadChoice {
     std::size_t limit = most_samples;  ///< most samples times components, of all moments
     int frame = 0;                     ///< moment of time, from 0 on

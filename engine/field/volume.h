@@ -72,7 +72,7 @@ struct Volume {
     std::string save_name{};
     std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
     int frames{1};                               ///< moments of time in the file, of which one was read
-    std::vector<std::string> notes{};  ///< what the reader of the file tells its user, one line each
+    std::vector<std::string> notes{};  ///< messages of the file's reader for the user, one line each
 
     /// View of one component as a field in the volume's frame. Valid while `samples` is not resized.
     Grid grid(Kernel kernel = Kernel::catmull_rom, int component = 0) const;

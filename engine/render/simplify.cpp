@@ -95,7 +95,7 @@ MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
     return out;
 }
 
-/// Which vertices merge, and the corners of the triangles that are left.
+/// A mesh with merged vertices: the stand-in of each vertex, and the corners of the triangles that are left.
 struct Clusters {
     std::vector<std::uint32_t> stand_in, corners;
 };

@@ -213,7 +213,7 @@ const std::set<std::string, std::less<>> may_read_own = {
     "game/settings/feel_profile.cpp", "game/settings/own_gestures.cpp",
 };
 
-/// What opens a file.
+/// Beginnings of code that opens a file.
 constexpr std::array<std::string_view, 16> openers = {
     "::open(",     "::openat(",    "::creat(",   "fopen(",     "freopen(", "fdopen(",
     "popen(",      "mkstemp(",     "ifstream",   "ofstream",   "fstream",  "luaL_loadfil",

@@ -169,6 +169,15 @@ TEST_F(VolumeFiles, SamplesInSeveralFiles) {
                    "more than 100000 files");
 }
 
+TEST_F(VolumeFiles, AFileWhoseNameBeginsWithListIsNoList) {
+    put("LISTING.raw", shorts(24));
+    const auto v = read_nrrd(put("d.nhdr",
+                                 "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 4\nendian: little\n"
+                                 "data file: LISTING.raw\nencoding: raw\n"));
+    ASSERT_TRUE(v) << v.error().message;
+    EXPECT_EQ(v->samples[23], 23);
+}
+
 TEST_F(VolumeFiles, AFileOfSamplesElsewhereIsTold) {
     fs::create_directory(in_folder("below"));
     put("d.raw", shorts(24));

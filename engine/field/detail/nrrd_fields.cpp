@@ -180,7 +180,7 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
             result.end_ = end + 1;
             return result;
         }
-        if (result.text_of("datafile").starts_with("LIST")) {
+        if (result.lists_files()) {
             if (const auto name = trimmed(line); !name.empty()) result.listed_files_.emplace_back(name);
         } else if (number > 1 && !line.empty()) {
             if (auto added = result.add(line, number); !added) return added.error();
@@ -188,6 +188,11 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
         if (end == file.size()) return result;
         at = end + 1;
     }
+}
+
+bool NrrdFields::lists_files() const {
+    const auto of_file = words("datafile");
+    return !of_file.empty() && of_file[0] == "LIST";
 }
 
 std::string_view NrrdFields::text_of(std::string_view field) const {

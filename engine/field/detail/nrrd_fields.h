@@ -27,7 +27,9 @@ public:
     /// Position behind the header and its empty line. std::nullopt: the file ends with the header.
     std::optional<std::size_t> end() const { return end_; }
     bool has(std::string_view field) const { return fields_.contains(field); }
-    /// Names of files after "data file: LIST", which ends a header.
+    /// Whether the header ends with "data file: LIST" and names of files.
+    bool lists_files() const;
+    /// Names of files after "data file: LIST".
     const std::vector<std::string>& listed_files() const { return listed_files_; }
     /// Text of a field; empty if the field is missing.
     std::string_view text_of(std::string_view field) const;

@@ -52,7 +52,7 @@ void read_type(NrrdFields& fields, NrrdHeader& header) {
 
 // ---- axes -------------------------------------------------------------------------------------------------
 
-/// What a kind of axis means. Sizes of 0 mean any.
+/// A kind of axis that is read: its role, and the number of samples that such an axis has (0: any number).
 struct KindOfAxis {
     std::string_view name;
     Role role{};
@@ -251,11 +251,18 @@ vec3 read_space(NrrdFields& fields, NrrdHeader& header) {
     return signs[space];
 }
 
+/// Numbers of a field for all axes of the file; none is given if the header lacks the field.
+std::vector<std::optional<double>> numbers_if_there(NrrdFields& fields, std::string_view field,
+                                                    const Axes& axes) {
+    if (!fields.has(field)) return std::vector<std::optional<double>>(axes.all.size());
+    return fields.numbers(field, axes.all.size());
+}
+
 /// Spacings by the ends of the axes. An axis has a sample at each end if it is centred on nodes, otherwise, as the format
 /// says, the samples are the middles of cells between the ends.
 std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Axes& axes) {
-    const auto low = fields.numbers("axismins", axes.all.size()),
-               high = fields.numbers("axismaxs", axes.all.size());
+    const auto low = numbers_if_there(fields, "axismins", axes),
+               high = numbers_if_there(fields, "axismaxs", axes);
     const auto centres = fields.words(fields.has("centers") ? "centers" : "centerings");
     std::vector<std::optional<double>> spacing(axes.all.size());
     for (std::size_t a = 0; a < axes.all.size(); ++a) {
@@ -263,17 +270,6 @@ std::vector<std::optional<double>> spacings_of_ends(NrrdFields& fields, const Ax
         if (low[a] && high[a])
             spacing[a] = (*high[a] - *low[a]) / static_cast<double>(axes.all[a].size - (nodes ? 1 : 0));
     }
-    return spacing;
-}
-
-/// Spacings that the header gives for axes of space.
-std::vector<std::optional<double>> read_spacings(NrrdFields& fields, const Axes& axes) {
-    std::vector<std::optional<double>> spacing(axes.all.size());
-    if (fields.has("spacings")) spacing = fields.numbers("spacings", axes.all.size());
-    if (!fields.has("axismins") || !fields.has("axismaxs")) return spacing;
-    const auto ends = spacings_of_ends(fields, axes);
-    for (std::size_t a = 0; a < axes.all.size(); ++a)
-        if (!spacing[a]) spacing[a] = ends[a];
     return spacing;
 }
 
@@ -292,10 +288,11 @@ std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axe
     return of_space;
 }
 
-/// Where the samples lie: directions or else spacings along the axes of space, and the origin.
+/// Reads the place of the samples into the header: directions, or else spacings along the axes of space, and the origin.
 void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
     const auto directions = read_directions(fields, axes);
-    const auto spacings = read_spacings(fields, axes);
+    const auto spacings = numbers_if_there(fields, "spacings", axes);
+    const auto of_ends = spacings_of_ends(fields, axes);
     const bool has_directions = directions[0].has_value();
     std::vector<std::string> space_unit, axis_unit;
     if (fields.has("spaceunits")) space_unit = fields.quoted("spaceunits", 3);
@@ -311,10 +308,10 @@ void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& hea
             for (int k = 0; k < 3; ++k)
                 direction[k] = sign[k] * in_space.metres(static_cast<std::size_t>(k),
                                                          directions[a].value_or(vec3(1))[k]);
-            if (fields.has("spacings") && fields.numbers("spacings", axes.all.size())[from])
-                fields.report("spacings", "an axis of space also has a direction; keep one");
+            if (spacings[from]) fields.report("spacings", "an axis of space also has a direction; keep one");
         } else {
-            direction[i] = sign[i] * along_axes.metres(by_axis ? from : a, spacings[from].value_or(1.0));
+            direction[i] = sign[i] * along_axes.metres(by_axis ? from : a,
+                                                       spacings[from].value_or(of_ends[from].value_or(1.0)));
         }
         header.direction[a] = direction;
     }
@@ -392,7 +389,7 @@ std::optional<FilePattern> parse_pattern(const std::vector<std::string_view>& wo
     pattern.to = static_cast<long>(numbers[1]);
     pattern.step = static_cast<long>(numbers[2]);
     const long way = pattern.to - pattern.from;
-    if (pattern.step == 0 || (way > 0) != (pattern.step > 0 && way != 0)) return {};
+    if (pattern.step == 0 || way * pattern.step < 0) return {};
     if (pattern.after.find('%') != std::string_view::npos) return {};
     return pattern;
 }
@@ -408,7 +405,7 @@ void read_data_files(NrrdFields& fields, NrrdHeader& header) {
     const auto words = fields.words("datafile");
     if (fields.has("datafile") && words.empty()) fields.report("datafile", "it names no file");
     if (words.empty()) return;
-    if (words[0] == "LIST") {
+    if (fields.lists_files()) {
         header.data_files = fields.listed_files();
         if (header.data_files.empty()) fields.report("datafile", "no names of files follow LIST");
     } else if (words[0].find('%') != std::string_view::npos && words.size() > 1) {
@@ -417,14 +414,10 @@ void read_data_files(NrrdFields& fields, NrrdHeader& header) {
             fields.report("datafile", "a pattern of files is like 'slice%03d.raw 1 40 1': from, to, step");
             return;
         }
-        const auto count = static_cast<std::size_t>((pattern->to - pattern->from) / pattern->step) + 1;
-        if (count > most_files) {
-            fields.report("datafile", text("more than ", most_files, " files"));
-            return;
-        }
-        for (std::size_t i = 0; i < count; ++i)
-            header.data_files.push_back(
-                file_of(*pattern, pattern->from + static_cast<long>(i) * pattern->step));
+        const long last =
+            std::min((pattern->to - pattern->from) / pattern->step, static_cast<long>(most_files));
+        for (long i = 0; i <= last; ++i)
+            header.data_files.push_back(file_of(*pattern, pattern->from + i * pattern->step));
     } else {
         header.data_files.emplace_back(fields.text_of("datafile"));
     }

@@ -39,7 +39,7 @@ struct NrrdHeader {
     std::size_t data_at{};                ///< position of the samples behind the header
     std::size_t skipped_lines{};          ///< lines of each file before the samples
     long skipped_bytes{};  ///< bytes before the samples and behind these lines; -1: the samples end the file
-    std::vector<std::string> notes;  ///< what a reader should tell, one line each
+    std::vector<std::string> notes;  ///< messages for the user, one line each
 };
 
 /// Parses the header at the start of a file. The error is one line with `name`, which is the path, and the

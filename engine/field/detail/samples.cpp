@@ -46,7 +46,7 @@ T stored_value(float sample) {
     if constexpr (std::floating_point<T>) {
         return static_cast<T>(sample);
     } else {
-        // As a float, the largest integer of 32 or 64 bits is rounded up to one that the type does not hold.
+        // The largest integer of 32 or 64 bits, converted to a float, is rounded up to one that its type does not hold.
         constexpr auto low = static_cast<float>(std::numeric_limits<T>::min());
         constexpr auto high = static_cast<float>(std::numeric_limits<T>::max());
         if (std::isnan(sample)) return T{};

@@ -31,7 +31,7 @@ constexpr std::string_view help =
 A volume to feel and carve: in a window, or with --headless as a script. VOLUME: a
 .nrrd or .nhdr file, a .toml that describes a raw file, or one that is made: sphere
 or gyroid (bodies), vortices or beltrami (flows).
-  --count N, --seed N   samples along each axis (64), seed;  --moment N  of a file with time
+  --count N, --seed N   of one that is made: samples (64), seed;  --moment N  of a file
   --place X,Y,Z[,SCALE[,DEGREES]]  where it lies;  --beside VOLUME[,X,Y,Z...]  another
                    there, not carved; repeats;  --registered  there by the files' origins
   --mode M[,S]     a haptic mode and its strength (N); a wrong name lists them; 1:M
