@@ -5,8 +5,8 @@
 //     sessions   user,t,x,y[,z][,force]                    continuous motion of each user
 //     labels     user,gesture,t_start,t_end                gestures within the sessions
 //
-// The first line names the columns, in any order; others are ignored. Times are in seconds and must not run backwards
-// within a stroke or session. There are no quotes.
+// The form of tables is that of core/table.h; columns with other titles are ignored. Times are in seconds and must not run
+// backwards within a stroke or session.
 #pragma once
 #include <string_view>
 #include <vector>

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "core/file.h"
+#include "core/table.h"
 #include "core/text.h"
 #include "core/units.h"
 
@@ -19,8 +18,8 @@ constexpr double width_share = 0.25;   // of the narrower horizontal edge
 constexpr double height_share = 0.45;  // of the height: start and turning point of a press
 
 constexpr std::size_t trace_most = 512U << 20U;  // bytes of a file with a hand's path
-constexpr std::array<std::string_view, 6> trace_columns{"time_s",   "hand_x_m", "hand_y_m",
-                                                        "hand_z_m", "tool",     "history"};
+constexpr std::array<std::string_view, 6> trace_titles{"time_s",   "hand_x_m", "hand_y_m",
+                                                       "hand_z_m", "tool",     "history"};
 
 vec3 on_file(const std::vector<StirPath::Point>& points, double seconds) {
     if (points.empty()) return vec3(0);
@@ -30,40 +29,6 @@ vec3 on_file(const std::vector<StirPath::Point>& points, double seconds) {
     const auto& before = *(after - 1);
     return before.place +
            (seconds - before.time) / (after->time - before.time) * (after->place - before.place);
-}
-
-/// Cuts the next part off a text, up to a mark.
-std::string_view cut(std::string_view& words, char mark) {
-    const auto end = std::min(words.find(mark), words.size());
-    auto part = words.substr(0, end);
-    words.remove_prefix(std::min(end + 1, words.size()));
-    if (part.ends_with('\r')) part.remove_suffix(1);
-    return part;
-}
-
-/// Numbers of trace_columns in a line; std::nullopt if one is missing. `places` are those of the line's columns.
-std::optional<std::array<double, 6>> numbers_of(std::string_view line,
-                                                const std::vector<std::size_t>& places) {
-    std::array<double, 6> numbers{};
-    std::size_t found = 0;
-    for (const std::size_t place : places) {
-        const auto word = cut(line, ',');
-        if (place == trace_columns.size()) continue;
-        double& number = numbers.at(place);
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-        if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-        found += std::isfinite(number) ? 1U : 0U;
-    }
-    return found == trace_columns.size() ? std::optional(numbers) : std::nullopt;
-}
-
-/// The place in trace_columns of each column of a header; trace_columns.size(): it is none of them.
-std::vector<std::size_t> places_of_columns(std::string_view header) {
-    std::vector<std::size_t> places;
-    while (!header.empty())
-        places.push_back(static_cast<std::size_t>(std::ranges::find(trace_columns, cut(header, ',')) -
-                                                  trace_columns.begin()));
-    return places;
 }
 
 /// Adds a row of a trace. Its time is that of the step's end; the hand wants the place at the step's beginning. Returns
@@ -80,6 +45,22 @@ bool add_row(const std::array<double, 6>& row, HandPath& path) {
     return true;
 }
 
+Expected<HandPath> read_hand_trace(TableReader& table) {
+    HandPath path{HandWay::file, {.kind = Stirring::file}, {}};
+    std::array<std::size_t, trace_titles.size()> columns{};
+    std::ranges::transform(trace_titles, columns.begin(),
+                           [&](std::string_view title) { return table.column(title); });
+    while (table.next()) {
+        std::array<double, trace_titles.size()> row{};
+        std::ranges::transform(columns, row.begin(),
+                               [&](std::size_t column) { return table.number(column); });
+        if (!add_row(row, path)) table.report("no row of a trace");
+    }
+    if (path.file.points.empty()) table.report("no places in it");
+    if (!table.good()) return table.fault();
+    return path;
+}
+
 }  // namespace
 
 Expected<HandPath> hand_path(std::string_view word) {
@@ -90,8 +71,10 @@ Expected<HandPath> hand_path(std::string_view word) {
         return fail(text("'", word, "': must be rest, press, circle or a .csv file"));
     const auto csv = read_text_file(word, trace_most);
     if (!csv) return csv.error();
-    if (csv->starts_with("time_s,tip_")) return parse_hand_trace(*csv, word);
-    auto path = parse_stir_path(*csv, word);
+    TableReader table(*csv, word, stir_path_titles);
+    const bool is_trace = table.column("x_m", false) == TableReader::no_column;
+    if (is_trace && table.column("tip_x_m", false) != TableReader::no_column) return read_hand_trace(table);
+    auto path = read_stir_path(table);
     if (!path) return path.error();
     return HandPath{HandWay::file, std::move(*path), {}};
 }
@@ -109,17 +92,8 @@ vec3 wanted_place(const HandPath& path, vec3 workspace, double seconds) {
 }
 
 Expected<HandPath> parse_hand_trace(std::string_view csv, std::string_view name) {
-    HandPath path{HandWay::file, {.kind = Stirring::file}, {}};
-    const auto places = places_of_columns(cut(csv, '\n'));
-    for (std::size_t column = 0; column < trace_columns.size(); ++column)
-        if (std::ranges::find(places, column) == places.end())
-            return fail(text(name, ": a trace without ", trace_columns.at(column), " cannot lead the hand"));
-    for (std::size_t line = 2; !csv.empty(); ++line) {
-        const auto row = numbers_of(cut(csv, '\n'), places);
-        if (!row || !add_row(*row, path)) return fail(text(name, ":", line, ": no row of a trace"));
-    }
-    if (path.file.points.empty()) return fail(text(name, ": no places in it"));
-    return path;
+    TableReader table(csv, name);
+    return read_hand_trace(table);
 }
 
 HandUse use_at(const HandPath& path, double seconds) {

@@ -1,7 +1,6 @@
 #include "game/lab/stir_path.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -17,22 +16,6 @@ constexpr double radius_share = 0.6, depth_share = 0.4;
 constexpr double dip_s = 0.5, dip_from = 0.1;
 constexpr std::size_t path_file_most = 16U << 20U;
 constexpr double time_most = 1e6, place_most = 100;  // largest time (s) and coordinate (m) in a file
-constexpr std::string_view header = "time_s,x_m,y_m,z_m";
-
-/// Numbers of a line; std::nullopt unless there are four.
-std::optional<StirPath::Point> point_of(std::string_view line) {
-    std::array<double, 4> numbers{};
-    const char* at = line.data();
-    const char* const end = at + line.size();
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
-        const auto [next, error] = std::from_chars(at, end, numbers[i]);
-        if (error != std::errc{}) return std::nullopt;
-        at = next;
-    }
-    if (at != end) return std::nullopt;
-    return StirPath::Point{numbers[0], {numbers[1], numbers[2], numbers[3]}};
-}
 
 bool is_sound(const StirPath::Point& p) {
     return p.time >= 0 && p.time <= time_most && glm::length(p.place) <= place_most;
@@ -51,25 +34,25 @@ std::optional<vec3> on_points(const std::vector<StirPath::Point>& points, double
 
 }  // namespace
 
-Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name) {
+Expected<StirPath> read_stir_path(TableReader& table) {
+    const auto time = table.column("time_s"), x = table.column("x_m"), y = table.column("y_m"),
+               z = table.column("z_m");
     StirPath path{.kind = Stirring::file};
-    for (std::size_t line = 1; !csv.empty(); ++line) {
-        const auto end = std::min(csv.find('\n'), csv.size());
-        auto words = csv.substr(0, end);
-        csv.remove_prefix(std::min(end + 1, csv.size()));
-        if (words.ends_with('\r')) words.remove_suffix(1);
-        if (words.empty() || (line == 1 && words == header)) continue;
-        const auto point = point_of(words);
-        if (!point) return fail(text(name, ":", line, ": must be ", header));
-        if (!is_sound(*point))
-            return fail(text(name, ":", line, ": times are 0 to ", time_most, " s, places within ",
-                             place_most, " m"));
-        if (!path.points.empty() && !(point->time > path.points.back().time))
-            return fail(text(name, ":", line, ": times must rise"));
-        path.points.push_back(*point);
+    while (table.next()) {
+        const StirPath::Point point{table.number(time), {table.number(x), table.number(y), table.number(z)}};
+        if (!is_sound(point))
+            table.report(text("times are 0 to ", time_most, " s, places within ", place_most, " m"));
+        if (!path.points.empty() && !(point.time > path.points.back().time)) table.report("times must rise");
+        path.points.push_back(point);
     }
-    if (path.points.empty()) return fail(text(name, ": no places in it"));
+    if (path.points.empty()) table.report("no places in it");
+    if (!table.good()) return table.fault();
     return path;
+}
+
+Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name) {
+    TableReader table(csv, name, stir_path_titles);
+    return read_stir_path(table);
 }
 
 Expected<StirPath> stir_path(std::string_view word) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/table.h"
 #include "game/brew/brew.h"
 
 namespace thaum::game {
@@ -27,8 +28,12 @@ struct StirPath {
 /// time_s,x_m,y_m,z_m. The error names the fault, and for a file its line: no such file, no numbers, or times
 /// that do not increase.
 Expected<StirPath> stir_path(std::string_view word);
+/// Titles of a path's columns, which a file may leave out.
+inline constexpr std::string_view stir_path_titles = "time_s,x_m,y_m,z_m";
 /// Parses the text of such a file. `name` is the file's, for the error.
 Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name);
+/// Reads the rows of such a table.
+Expected<StirPath> read_stir_path(TableReader& table);
 
 /// End of the ladle (m, brew); std::nullopt: out of the brew, as before and after a file's times. The circle
 /// and the figure of eight take 2.5 s a turn. They run at 0.6 of the basin's radius and 0.4 of its depth,

@@ -1,5 +1,6 @@
 #include "game/match/tables.h"
 
+#include "core/table.h"
 #include "core/text.h"
 #include "game/casting/casting.h"
 #include "game/components/hand_state.h"
@@ -51,13 +52,13 @@ std::string player_name(std::uint32_t player) { return player < players ? text(p
 
 void append(const Row& row, std::string& out) {
     append_text(out, text(row.tick, ",", in_seconds(row.tick), ",", in_seconds(row.played), ","));
-    append_csv(out, row.kind);
+    append_cell(out, row.kind);
     append_text(out, text(",", player_name(row.who), ",", player_name(row.whom), ","));
-    append_csv(out, row.with);
+    append_cell(out, row.with);
     append_text(out, row.unit.empty() ? std::string(",,") : text(",", row.amount, ",", row.unit));
     append_text(out, row.place != nullptr ? text(",", row.place->x, ",", row.place->y, ",", row.place->z, ",")
                                           : std::string(",,,,"));
-    append_csv(out, row.note);
+    append_cell(out, row.note);
     out += '\n';
 }
 
@@ -149,7 +150,7 @@ void append_player(const Simulation& match, std::uint32_t player, std::string& o
     out += world.has<Dead>(wizard) ? ",1" : ",0";
     append_numbers(out, {world.get<Health>(wizard).points});
     out += ',';
-    append_csv(out, wand_of(match, player));
+    append_cell(out, wand_of(match, player));
     for (const auto& wand : match.data().wands) append_numbers(out, {belt.energy[wand.stats.energy_slot]});
 }
 
@@ -157,16 +158,6 @@ void append_player(const Simulation& match, std::uint32_t player, std::string& o
 
 std::string with_of(const Event& event, const Simulation& match) {
     return with_what(info_of(event.kind).with, event, match);
-}
-
-void append_csv(std::string& row, std::string_view field) {
-    if (field.find_first_of(",\"\r\n") == std::string_view::npos) return append_text(row, field);
-    row += '"';
-    for (const char c : field) {
-        if (c == '"') row += '"';
-        row += c;
-    }
-    row += '"';
 }
 
 std::string EventTable::header() {

@@ -16,9 +16,6 @@
 
 namespace thaum::game {
 
-/// Appends the field, in quotes if CSV requires them.
-void append_csv(std::string& row, std::string_view field);
-
 /// The events of a replay. Columns:
 ///
 ///     tick     number of ticks played, pauses included (the log's clock)

@@ -2,12 +2,12 @@
 // --forces`). It does not use the simulation's own passivity observer. Benchmark and test use it.
 #pragma once
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <string_view>
-#include <vector>
 
 #include "core/error.h"
 #include "core/maths.h"
+#include "core/table.h"
 #include "core/text.h"
 
 namespace thaum::bench {
@@ -24,17 +24,6 @@ struct PassiveEnergy {
 
 namespace detail {
 
-/// Splits a line at its commas. Fields of the table are never quoted.
-inline std::vector<std::string_view> fields_of(std::string_view line) {
-    std::vector<std::string_view> fields;
-    for (;;) {
-        const auto comma = line.find(',');
-        fields.push_back(line.substr(0, comma));
-        if (comma == std::string_view::npos) return fields;
-        line.remove_prefix(comma + 1);
-    }
-}
-
 /// State of one hand in one tick.
 struct HandRow {
     vec3 at{};       ///< position of the device (m)
@@ -48,31 +37,20 @@ struct HandRow {
 /// Columns of a player in the table.
 class HandColumns {
 public:
-    static Expected<HandColumns> find(const std::vector<std::string_view>& header, int player) {
-        static constexpr std::array<std::string_view, count + 1> names{
-            "x_m",  "y_m",     "z_m",  "px_n", "py_n", "pz_n", "k_n_per_m", "ax_m", "ay_m",
-            "az_m", "touches", "sx_m", "sy_m", "sz_m", "arm",  "created_j", "cause"};
-        HandColumns columns;
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto name = text("p", player, "_", names[i]);
-            const auto found = std::find(header.begin(), header.end(), name);
-            if (found == header.end()) return fail(text("there is no column ", name));
-            columns.places_[i] = static_cast<std::size_t>(found - header.begin());
-        }
-        return columns;
+    HandColumns(TableReader& table, int player) {
+        static constexpr std::array<std::string_view, count> names{
+            "x_m",  "y_m",  "z_m",     "px_n", "py_n", "pz_n", "k_n_per_m", "ax_m",
+            "ay_m", "az_m", "touches", "sx_m", "sy_m", "sz_m", "arm",       "created_j"};
+        std::ranges::transform(names, places_.begin(), [&](std::string_view name) {
+            return table.column(text("p", player, "_", name));
+        });
+        cause_ = table.column(text("p", player, "_cause"));
     }
 
-    Expected<HandRow> read(const std::vector<std::string_view>& row) const {
-        if (places_[count] >= row.size()) return fail("a row is too short");
+    HandRow read(TableReader& table) const {
         std::array<double, count> v{};
-        for (std::size_t i = 0; i < count; ++i) {
-            if (places_[i] >= row.size()) return fail("a row is too short");
-            const auto field = row[places_[i]];
-            const auto end = std::from_chars(field.data(), field.data() + field.size(), v[i]);
-            if (end.ec != std::errc{} || end.ptr != field.data() + field.size())
-                return fail(text("'", field, "' is no number"));
-        }
-        const auto cause = row[places_[count]];
+        std::ranges::transform(places_, v.begin(), [&](std::size_t place) { return table.number(place); });
+        const auto cause = table.cell(cause_);
         return HandRow{.at = {v[0], v[1], v[2]},
                        .passive = {v[3], v[4], v[5]},
                        .anchor = {v[7], v[8], v[9]},
@@ -86,7 +64,8 @@ public:
 
 private:
     static constexpr std::size_t count = 16;  // number of the columns that are numbers
-    std::array<std::size_t, count + 1> places_{};
+    std::array<std::size_t, count> places_{};
+    std::size_t cause_{};
 };
 
 /// Sum for one hand. A force F acts while the hand moves by dx and the world's end of the spring moves by da.
@@ -141,30 +120,17 @@ private:
 
 /// Energies of both hands from a table with its header. `created` is the worse of the two.
 inline Expected<PassiveEnergy> passive_energy(std::string_view csv) {
-    const auto next_line = [&csv] {
-        const auto end = csv.find('\n');
-        const auto line = csv.substr(0, end);
-        csv.remove_prefix(end == std::string_view::npos ? csv.size() : end + 1);
-        return line;
-    };
-    const auto header = detail::fields_of(next_line());
-    std::vector<detail::HandColumns> columns;
-    for (int player = 1; player <= 2; ++player) {
-        auto found = detail::HandColumns::find(header, player);
-        if (!found) return found.error();
-        columns.push_back(*found);
-    }
+    TableReader table(csv, "forces");
+    const std::array<detail::HandColumns, 2> columns{detail::HandColumns(table, 1),
+                                                     detail::HandColumns(table, 2)};
     std::array<detail::HandSum, 2> sums;
     PassiveEnergy energy;
-    while (!csv.empty()) {
-        const auto fields = detail::fields_of(next_line());
-        for (std::size_t hand = 0; hand < sums.size(); ++hand) {
-            const auto row = columns[hand].read(fields);
-            if (!row) return fail(text("row ", energy.rows + 1, ": ", row.error().message));
-            sums[hand].add(*row, energy);
-        }
+    while (table.next()) {
+        for (std::size_t hand = 0; hand < sums.size(); ++hand)
+            sums.at(hand).add(columns.at(hand).read(table), energy);
         ++energy.rows;
     }
+    if (!table.good()) return table.fault();
     return energy;
 }
 

@@ -270,12 +270,5 @@ TEST(GameTables, TheHeaderInWordsNamesSettingsAndProfileData) {
     std::filesystem::remove(file);
 }
 
-TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
-    std::string row;
-    for (const auto* field : {"plain", "a,b", "say \"hi\"", "two\nlines", ""})
-        append_csv(row, field), row += ',';
-    EXPECT_EQ(row, "plain,\"a,b\",\"say \"\"hi\"\"\",\"two\nlines\",,");
-}
-
 }  // namespace
 }  // namespace thaum::game::test

@@ -42,6 +42,15 @@ TEST(GestureCsv, TextOfStrokesReadsBackToTheSame) {
     }
 }
 
+TEST(GestureCsv, NamesMayHoldWhatSeparatesCells) {
+    const std::vector<Stroke> strokes{{"Doe, Jane", "\"o\"", " 1", ess()}};
+    const auto set = read_strokes(to_csv(strokes), "f");
+    ASSERT_TRUE(set) << set.error().message;
+    EXPECT_EQ(set->strokes[0].user, strokes[0].user);
+    EXPECT_EQ(set->strokes[0].gesture, strokes[0].gesture);
+    EXPECT_EQ(set->strokes[0].sample, strokes[0].sample);
+}
+
 std::string fault_of(std::string_view csv) {
     const auto set = read_strokes(csv, "file.csv");
     return set ? "none" : set.error().message;
@@ -49,10 +58,11 @@ std::string fault_of(std::string_view csv) {
 
 TEST(GestureCsv, FaultsNameFileAndLine) {
     const std::string title = "user,gesture,sample,t,x,y\n";
-    EXPECT_EQ(fault_of(""), "file.csv:0: the file is empty");
+    EXPECT_EQ(fault_of(""), "file.csv:1: the file is empty");
     EXPECT_EQ(fault_of(title), "file.csv:1: no stroke");
-    EXPECT_EQ(fault_of("user,gesture,sample,t,x\n"), "file.csv:1: no column 'y' in the first line");
-    EXPECT_EQ(fault_of(title + "1,o,0,0,1\n"), "file.csv:2: 5 cells instead of 6 as in the first line");
+    EXPECT_EQ(fault_of("user,gesture,sample,t,x\n"),
+              "file.csv:1: no column 'y'; there are: user, gesture, sample, t, x");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1\n"), "file.csv:2: the number of cells is 5, that of titles 6");
     EXPECT_EQ(fault_of(title + "1,o,0,0,1,nan\n"), "file.csv:2: 'nan' is not a finite number");
     EXPECT_EQ(fault_of(title + "1,o,0,0,1,1e999\n"), "file.csv:2: '1e999' is not a finite number");
     EXPECT_EQ(fault_of(title + "1,o,0,0,1,two\n"), "file.csv:2: 'two' is not a finite number");

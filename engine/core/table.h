@@ -1,0 +1,71 @@
+// core/table.h: reads and writes tables of text (CSV, RFC 4180), and reads what spreadsheets make of them.
+//
+// The first line names the columns, in any order. Commas stand between cells; in a file without a comma in that line,
+// semicolons or tabs, and then a number may have a comma for its point. These make no difference: a byte order mark, lines
+// that end in CRLF, blanks round a cell, quotes round a cell, a first line "sep=;", rows and titles without content at the
+// end, and a plus before a number. A cell in quotes may hold separators and ends of lines; two quotes in it stand for one.
+#pragma once
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+
+namespace thaum {
+
+/// Reads a table row by row and keeps the first fault, with its line. After a fault there are no more rows.
+class TableReader {
+public:
+    /// Stands for an optional column that the table does not have.
+    static constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+    /// Reads the titles. `csv` must outlive the reader, `name` stands in errors. If `usual_titles` is given (separated by
+    /// commas), a table may begin with numbers instead of titles, and then has these.
+    TableReader(std::string_view csv, std::string_view name, std::string_view usual_titles = {});
+
+    /// Column of a title. If the table has none: no_column, which is a fault if it is required.
+    std::size_t column(std::string_view title, bool required = true);
+
+    /// Goes to the next row that has content. Returns false at the end and after a fault.
+    bool next();
+    /// A cell of the row, without its quotes; valid until the next row.
+    std::string_view cell(std::size_t column) const { return cells_[column]; }
+    /// Number in a cell of the row. What is no finite number is a fault; in no_column there is 0.
+    double number(std::size_t column);
+
+    /// Notes a fault at the present row.
+    void report(std::string_view what);
+    bool good() const { return !fault_.has_value(); }
+    Error fault() const { return fail(*fault_); }
+
+private:
+    void read_titles(std::string_view usual_titles);
+    void read_cells();
+    std::string_view read_plain();
+    std::string_view read_quoted();
+    bool take(char c);
+    void skip_blanks();
+    std::size_t end_of_line() const;
+    bool has_content() const;
+    std::optional<double> number_in(std::string_view word) const;
+
+    std::string_view rest_;
+    std::string name_;
+    std::size_t line_ = 1;        ///< line in which the present row begins, from 1
+    std::size_t lines_read_ = 0;  ///< lines up to the end of the present row
+    char separator_ = ',';
+    char line_end_ = '\n';
+    bool first_row_pending_ = false;  ///< true: the first line was no titles and is the first row
+    std::vector<std::string> titles_{};
+    std::vector<std::string_view> cells_{};
+    std::deque<std::string> unquoted_{};  ///< cells of the row in which two quotes stand for one
+    std::optional<std::string> fault_{};
+};
+
+/// Appends a cell to a row, in quotes if it needs them.
+void append_cell(std::string& row, std::string_view cell);
+
+}  // namespace thaum
