@@ -6,12 +6,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <filesystem>
-#include <new>
 #include <system_error>
 
 #include "core/memory.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -26,14 +25,8 @@ namespace {
 int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
     try {
         return dispatch(std::move(words));
-    } catch (const std::system_error& refused) {
-        return refuse({text("the system refused a resource that the program needs: ", refused.what())});
-    } catch (const std::bad_alloc&) {
-        return refuse({"out of memory"});
-    } catch (const std::exception& fault) {
-        return refuse({text("a fault of the program: ", fault.what())});
     } catch (...) {
-        return refuse({"a fault of the program that says nothing of itself"});
+        return refuse({words_of_exception()});
     }
 }
 
@@ -54,6 +47,7 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
     // Without this signal a file beyond the shell's size limit is a failed write, as on a full disk, and does
     // not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
+    tell_unhandled_exceptions();
     keep_freed_memory();
     const int code = with_output_checked(dispatch_guarded(dispatch, {argv + 1, argv + argc}));
     if (!input::arms_hang()) return code;
