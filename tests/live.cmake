@@ -42,6 +42,9 @@ function(thaum_driver_test name)
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
+add_executable(key_probe drivers/key_probe.cpp)
+target_link_libraries(key_probe PRIVATE thaum_flags thaum_render)
+thaum_driver_test(key_labels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/key_labels.sh $<TARGET_FILE:key_probe>)
 thaum_driver_test(resize ${CMAKE_CURRENT_SOURCE_DIR}/drivers/resize.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:live_log_probe>)
 set(part_of_range "")

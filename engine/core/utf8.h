@@ -8,4 +8,10 @@ namespace thaum {
 /// Decodes UTF-8 to code points. Each invalid byte becomes U+FFFD.
 std::u32string decode_utf8(std::string_view text);
 
+/// Encodes one code point; what is none becomes U+FFFD.
+std::string encode_utf8(char32_t code_point);
+
+/// The capital of a Latin (to U+017F), Greek or Cyrillic letter, whatever the locale; other code points stay.
+char32_t upper_case(char32_t code_point);
+
 }  // namespace thaum

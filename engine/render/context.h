@@ -128,4 +128,12 @@ std::string_view key_name(int code);
 /// Code of a key name, in upper or lower case. Returns std::nullopt if no key has this name.
 std::optional<int> key_code(std::string_view name);
 
+/// Name of a key by the user's keyboard layout: "Z" for the key of "W" on a French keyboard, "Comma" for that of "M"; the
+/// name of key_name for a key without a character. Digits keep their names, because they stand on the keys of most
+/// layouts that give them only with Shift. Without a window, all keys are those of a US keyboard. Any thread may call
+/// it.
+std::string key_label(int code);
+/// The same with signs in place of their names: "," for "Comma".
+std::string key_sign(int code);
+
 }  // namespace thaum::render

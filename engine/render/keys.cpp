@@ -2,8 +2,12 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
+#include "core/utf8.h"
 #include "render/context.h"
+#include "render/detail/key_labels.h"
 
 namespace thaum::render {
 namespace {
@@ -123,6 +127,16 @@ constexpr Key keys[] = {
     {GLFW_KEY_KP_EQUAL, "KP_Equal"},
 };
 
+/// Signs of ASCII with the names that their keys have on a US keyboard.
+struct Sign {
+    char32_t character;
+    std::string_view name;
+};
+constexpr Sign signs[] = {{U'\'', "Apostrophe"}, {U',', "Comma"},       {U'-', "Minus"},
+                          {U'.', "Period"},      {U'/', "Slash"},       {U';', "Semicolon"},
+                          {U'=', "Equal"},       {U'[', "LeftBracket"}, {U']', "RightBracket"},
+                          {U'\\', "Backslash"},  {U'`', "Grave"}};
+
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool same_name(std::string_view a, std::string_view b) {
@@ -130,7 +144,63 @@ bool same_name(std::string_view a, std::string_view b) {
                       [](char x, char y) { return lower(x) == lower(y); });
 }
 
+/// Characters of the layout that differ from a US keyboard's, by the key's code.
+struct LayoutLabels {
+    std::mutex mutex;  // guards by_key
+    std::map<int, std::string> by_key;
+};
+
+LayoutLabels& layout_labels() {
+    static LayoutLabels labels;
+    return labels;
+}
+
+bool has_letter(int code) {
+    return code > GLFW_KEY_SPACE && code <= GLFW_KEY_WORLD_2 && !(code >= GLFW_KEY_0 && code <= GLFW_KEY_9);
+}
+
+/// Label for what GLFW says of a key's character; empty: no other one than the key's name.
+std::string label_of(std::string_view character) {
+    const auto code_points = decode_utf8(character);
+    if (code_points.size() != 1) return {};
+    const char32_t c = code_points[0];
+    if (c <= U' ' || c == U'\u00A0') return {};
+    // Punctuation of ASCII is easier to tell by its name: "Comma".
+    const auto sign =
+        std::find_if(std::begin(signs), std::end(signs), [&](const Sign& s) { return s.character == c; });
+    if (sign != std::end(signs)) return std::string(sign->name);
+    return encode_utf8(upper_case(c));
+}
+
 }  // namespace
+
+void read_key_labels() {
+    std::map<int, std::string> by_key;
+    for (const Key& key : keys) {
+        if (!has_letter(key.code)) continue;
+        const char* const character = glfwGetKeyName(key.code, 0);
+        if (character == nullptr) continue;
+        if (auto label = label_of(character); !label.empty() && label != key.name)
+            by_key.emplace(key.code, std::move(label));
+    }
+    auto& labels = layout_labels();
+    const std::lock_guard lock(labels.mutex);
+    labels.by_key = std::move(by_key);
+}
+
+std::string key_label(int code) {
+    auto& labels = layout_labels();
+    const std::lock_guard lock(labels.mutex);
+    const auto found = labels.by_key.find(code);
+    return found != labels.by_key.end() ? found->second : std::string(key_name(code));
+}
+
+std::string key_sign(int code) {
+    const auto label = key_label(code);
+    const auto* const sign =
+        std::find_if(std::begin(signs), std::end(signs), [&](const Sign& s) { return s.name == label; });
+    return sign == std::end(signs) ? label : encode_utf8(sign->character);
+}
 
 std::string_view key_name(int code) {
     const auto* found =

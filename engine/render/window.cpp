@@ -10,6 +10,7 @@
 #include "core/assert.h"
 #include "core/text.h"
 #include "render/context.h"
+#include "render/detail/key_labels.h"
 #include "render/detail/pad_places.h"
 #include "render/display.h"
 
@@ -120,12 +121,15 @@ void on_minimise(GLFWwindow* w, int minimised) { state_of(w).minimised = minimis
 void on_focus(GLFWwindow* w, int focused) {
     state_of(w).focused = focused != 0;
     state_of(w).jumps = true;
+    if (focused != 0) read_key_labels();
     tell(events_of(w).focus, focused != 0);
 }
 
 void on_close(GLFWwindow* w) { state_of(w).closing = true; }
 
 void on_key(GLFWwindow* w, int key, int scancode, int action, int) {
+    // Keys switch layouts, too.
+    if (action == GLFW_PRESS) read_key_labels();
     if (action != GLFW_REPEAT) tell(events_of(w).key, key, scancode, action == GLFW_PRESS);
 }
 
@@ -206,6 +210,7 @@ Expected<Window> Window::create(const WindowSpec& spec) {
     glfwMakeContextCurrent(nullptr);
     if (version < 33) return no_opengl(text("the driver has ", version / 10, ".", version % 10));
     install_callbacks(*state);
+    read_key_labels();
     Size size;
     glfwGetFramebufferSize(state->handle, &size.width, &size.height);
     state->size = size;

@@ -88,8 +88,12 @@ std::optional<ReplayDeed> replay_deed_of(int key) {
 }
 
 std::string replay_keys() {
+    const auto sign = [](std::string_view key) {
+        return render::key_sign(render::key_code(key).value_or(-1));
+    };
     return text("Space: pause   Left, Right: ", replay_jump / ticks_per_second,
-                " s   Up, Down: speed   Home, End   Page Up, Down: kill   , . : step   V: eyes   Esc: leave");
+                " s   Up, Down: speed   Home, End   Page Up, Down: kill   ", sign("Comma"), " ",
+                sign("Period"), " : step   ", sign("V"), ": eyes   Esc: leave");
 }
 
 ReplayView after(ReplayView view, ReplayDeed deed, Tick length, std::span<const Kill> kills) {

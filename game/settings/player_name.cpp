@@ -8,16 +8,6 @@
 #include "game/data/shown_words.h"
 
 namespace thaum::app {
-namespace {
-
-/// UTF-8 of a character that fits a name, all of which are below U+0800.
-std::string utf8_of(char32_t c) {
-    if (c < 0x80) return {static_cast<char>(c)};
-    return {static_cast<char>(0xC0U | c >> 6U), static_cast<char>(0x80U | (c & 0x3FU))};
-}
-
-}  // namespace
-
 bool fits_name(char32_t character) { return game::can_be_shown(character); }
 
 Expected<std::string> player_name(std::string_view utf8) {
@@ -34,7 +24,7 @@ Expected<std::string> player_name(std::string_view utf8) {
 std::string with_character(std::string name, char32_t character) {
     const bool leading_space = character == ' ' && name.empty();
     if (leading_space || !fits_name(character) || decode_utf8(name).size() >= longest_name) return name;
-    return name + utf8_of(character);
+    return name + encode_utf8(character);
 }
 
 std::string without_last(std::string name) {

@@ -3,16 +3,21 @@
 
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <set>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "core/assert.h"
 #include "core/hash.h"
 #include "core/one_line.h"
 #include "core/random.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/units.h"
+#include "core/utf8.h"
 
 namespace thaum {
 namespace {
@@ -219,6 +224,30 @@ TEST(Printable, CutsBetweenCharacters) {
     EXPECT_EQ(printable(std::string(100, 'x'), 10), "xxxxxxxxxx...");
     EXPECT_EQ(printable("aaaaaaaaa\x1b", 10), "aaaaaaaaa...");
     EXPECT_EQ(printable("ab\xe8\xa7\xa6", 4), "ab...");
+}
+
+TEST(CoreUtf8, EveryCodePointReadsBack) {
+    for (char32_t c = 0; c < 0x110000; c += c < 0x3000 ? 1 : 257) {
+        const bool surrogate = c >= 0xD800 && c < 0xE000;
+        EXPECT_EQ(decode_utf8(encode_utf8(c)), std::u32string(1, surrogate ? U'\uFFFD' : c));
+    }
+    EXPECT_EQ(encode_utf8(0x110000), encode_utf8(0xFFFD));
+}
+
+TEST(CoreUtf8, CapitalsAreThoseOfTheSystemsTable) {
+    const std::u32string small = U"azàéöøþÿāıĳĸňżßάέόώαςσϋжяёґѓћӂӏӧ1.ツ";
+    std::u32string capitals;
+    for (const char32_t c : small) capitals += upper_case(c);
+    EXPECT_EQ(capitals, U"AZÀÉÖØÞŸĀIĲĸŇŻßΆΈΌΏΑΣΣΫЖЯЁҐЃЋӁӏӦ1.ツ");
+}
+
+TEST(CoreExceptionDeathTest, AnExceptionOfAThreadIsOneLine) {
+    EXPECT_EXIT(
+        {
+            tell_unhandled_exceptions();
+            std::thread([] { throw std::runtime_error("two\nlines"); }).join();
+        },
+        ::testing::KilledBySignal(SIGABRT), "^thaum: a fault of the program: two lines\n$");
 }
 
 }  // namespace

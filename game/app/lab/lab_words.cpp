@@ -21,24 +21,15 @@ const fvec4 lab_gold = render::colour(0xE8C070, 1.0F);
 constexpr float row = 19;  // height of a line (1/720 of the picture's height)
 constexpr float key_width = 108, left_width = 350, right_width = 280, edge = 10;
 
-/// Sign that is printed on a key.
-std::string sign_of(std::string_view key) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{{{"Minus", "-"},
-                                                                                  {"Equal", "="},
-                                                                                  {"Comma", ","},
-                                                                                  {"Period", "."},
-                                                                                  {"LeftBracket", "["},
-                                                                                  {"RightBracket", "]"}}};
-    const auto found = std::ranges::find_if(signs, [&](const auto& s) { return s.first == key; });
-    return std::string(found == signs.end() ? key : found->second);
-}
+/// What the user's keyboard has on a key.
+std::string sign_of(std::string_view key) { return render::key_sign(render::key_code(key).value_or(-1)); }
 
 struct Line {
     std::string key, label, value;
 };
 
 std::vector<Line> keys_of(const game::LabState& lab, const game::LabHands& hands) {
-    if (!hands.list) return {{"H", "list of keys", ""}};
+    if (!hands.list) return {{sign_of("H"), "list of keys", ""}};
     std::vector<Line> lines;
     for (const auto& control : game::lab_controls()) {
         const auto key = control.less.empty() ? sign_of(control.more)

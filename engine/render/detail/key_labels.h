@@ -1,0 +1,10 @@
+// render/detail/key_labels.h: what the user's keyboard layout has on the keys.
+#pragma once
+
+namespace thaum::render {
+
+/// Reads the labels of key_label from the window system. The layout may change while the window is open. Called on the
+/// main thread while a window is open.
+void read_key_labels();
+
+}  // namespace thaum::render
