@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "core/one_line.h"
 #include "core/text.h"
@@ -25,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int messages_of_silence = 8;
 constexpr std::chrono::milliseconds between_silences{50};
 constexpr std::size_t most_of_host_shown = 60;  ///< bytes of a host's name in messages
+constexpr std::size_t most_addresses = 8;       ///< of a host that messages go to
 
 struct FreeAddresses {
     void operator()(addrinfo* list) const { ::freeaddrinfo(list); }
@@ -45,6 +47,13 @@ Expected<Addresses> look_up(const NetAddress& address) {
     return Addresses(found);
 }
 
+/// One address of the jacket's host, with a socket of ours.
+struct Peer {
+    int socket = -1;
+    sockaddr_storage address{};
+    socklen_t size{};
+};
+
 class OscJacket final : public TactileOutput {
 public:
     OscJacket(NetAddress address, std::size_t motors)
@@ -60,50 +69,58 @@ public:
 
 private:
     bool send(const std::string& message);
-    void send_ping();
     void send_silence();
     void end();
 
     const NetAddress address_;
     const std::size_t motors_;
     const std::string silent_;  ///< the message with all motors off
-    int socket_ = -1;
-    sockaddr_storage peer_{};
-    socklen_t peer_size_{};
+    /// All addresses of the host. UDP does not tell which of them the jacket listens at (localhost is ::1 and 127.0.0.1), and
+    /// it may begin to listen later, so each message goes to all.
+    std::vector<Peer> peers_{};
     std::string last_{};     ///< the last message that went out
     double again_at_s_ = 0;  ///< when the last message goes out again
     int silences_left_ = 0;  ///< messages of silence still to send
     Clock::time_point next_silence_{};
 };
 
+/// Sends a message. Returns false if it did not go out: no network, or the system's queue is full. A later one will.
+bool send_to(const Peer& peer, const std::string& message) {
+    return ::sendto(peer.socket, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                    reinterpret_cast<const sockaddr*>(&peer.address),
+                    peer.size) == static_cast<ssize_t>(message.size());
+}
+
+/// Tells the jacket where we are. Without a port of our own it is left out: the frames need no answer.
+void send_ping(const Peer& peer) {
+    sockaddr_storage own{};  // any address and port
+    own.ss_family = peer.address.ss_family;
+    socklen_t size = peer.size;
+    auto* const address = reinterpret_cast<sockaddr*>(&own);
+    if (::bind(peer.socket, address, size) != 0 || ::getsockname(peer.socket, address, &size) != 0) return;
+    const auto port = own.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&own)->sin6_port
+                                                : reinterpret_cast<const sockaddr_in*>(&own)->sin_port;
+    send_to(peer, detail::osc_ping(ntohs(port)));
+}
+
 Expected<void> OscJacket::open() {
     end();
     const auto found = look_up(address_);
     if (!found) return found.error();
-    for (const auto* one = found->get(); one != nullptr && socket_ < 0; one = one->ai_next) {
+    for (const auto* one = found->get(); one != nullptr && peers_.size() < most_addresses;
+         one = one->ai_next) {
         // Without a connection of the socket, the system does not report a dead jacket as an error of a later send.
-        socket_ = ::socket(one->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-        if (socket_ < 0) continue;
-        std::memcpy(&peer_, one->ai_addr, one->ai_addrlen);
-        peer_size_ = one->ai_addrlen;
+        Peer peer{.socket = ::socket(one->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0),
+                  .size = one->ai_addrlen};
+        if (peer.socket < 0) continue;
+        std::memcpy(&peer.address, one->ai_addr, one->ai_addrlen);
+        peers_.push_back(peer);
     }
-    if (socket_ < 0) return fail(text("no socket: ", std::strerror(errno)));
-    send_ping();
+    if (peers_.empty()) return fail(text("no socket: ", std::strerror(errno)));
+    for (const Peer& peer : peers_) send_ping(peer);
     // Motors that an earlier program left on stop.
     silence();
     return {};
-}
-
-/// Tells the jacket where we are. Without a port of our own it is left out: the frames need no answer.
-void OscJacket::send_ping() {
-    sockaddr_storage own{};  // any address and port
-    own.ss_family = peer_.ss_family;
-    socklen_t size = peer_size_;
-    auto* const address = reinterpret_cast<sockaddr*>(&own);
-    if (::bind(socket_, address, size) != 0 || ::getsockname(socket_, address, &size) != 0) return;
-    const auto port = own.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&own)->sin6_port
-                                                : reinterpret_cast<const sockaddr_in*>(&own)->sin_port;
-    send(detail::osc_ping(ntohs(port)));
 }
 
 void OscJacket::write(const tactile::TactileFrame& frame, double now_s) {
@@ -138,18 +155,19 @@ void OscJacket::send_silence() {
     next_silence_ = Clock::now() + between_silences;
 }
 
-/// Returns false if the message did not go out: no network, or the system's queue is full. A later one will.
+/// Returns false if the message went to no address.
 bool OscJacket::send(const std::string& message) {
-    return ::sendto(socket_, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
-                    reinterpret_cast<const sockaddr*>(&peer_),
-                    peer_size_) == static_cast<ssize_t>(message.size());
+    bool sent = false;
+    for (const Peer& peer : peers_) sent = send_to(peer, message) || sent;
+    return sent;
 }
 
 void OscJacket::end() {
-    if (socket_ < 0) return;
+    if (peers_.empty()) return;
     // There is no later chance, and one of the three may be lost.
     for (int i = 0; i < 3; ++i) send(silent_);
-    ::close(std::exchange(socket_, -1));
+    for (const Peer& peer : peers_) ::close(peer.socket);
+    peers_.clear();
     last_.clear();
     silences_left_ = 0;
 }

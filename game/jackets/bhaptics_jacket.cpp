@@ -167,6 +167,8 @@ int PlayerLink::take_event(lws_callback_reasons reason, const char* data, std::s
         case LWS_CALLBACK_CLIENT_WRITEABLE: return write();
         case LWS_CALLBACK_CLIENT_RECEIVE_PONG: pinged_ = false; return 0;
         case LWS_CALLBACK_CLIENT_RECEIVE: return take_piece(data, size);
+        // The settings name the Player; nobody else may send us to another machine.
+        case LWS_CALLBACK_CLIENT_HTTP_REDIRECT: return -1;
         case LWS_CALLBACK_CLIENT_CONNECTION_ERROR:
         case LWS_CALLBACK_CLIENT_CLOSED:
             failed_ = true;

@@ -14,6 +14,7 @@
 #include "game/live/live_tactile.h"
 #include "unit/fake_bhaptics.h"
 #include "unit/jacket_rig.h"
+#include "unit/two_addresses.h"
 
 namespace thaum::app {
 namespace {
@@ -117,6 +118,22 @@ TEST(BhapticsJacketThreads, AProxyForWebPagesIsNotAsked) {
         ::setenv("http_proxy", kept.c_str(), 1);
     else
         ::unsetenv("http_proxy");
+}
+
+TEST(BhapticsJacketThreads, EachAddressOfAHostIsTried) {
+    FakeBhaptics player(Manner::replies);
+    const auto opened = bhaptics_jacket({"two-addresses", player.port()})->open();
+    EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+}
+
+TEST(BhapticsJacketThreads, NoRedirectionIsFollowed) {
+    FakeBhaptics other(Manner::replies), player(Manner::redirects);
+    player.redirect_to(other.port());
+    const auto opened = jacket_for(player)->open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().message, "no bHaptics Player is there; start it");
+    EXPECT_EQ(player.connections(), 1U);
+    EXPECT_EQ(other.connections(), 0U);
 }
 
 TEST(BhapticsJacketThreads, AFrameGoesOutAgainAfterHalfOfItsTime) {

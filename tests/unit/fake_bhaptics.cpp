@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "core/text.h"
+
 namespace thaum::app::rig {
 namespace {
 
@@ -148,6 +150,10 @@ bool FakeBhaptics::answer(int peer) {
     }
     if (manner_ == Manner::answers_404)
         return write(peer, "HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n") && false;
+    if (manner_ == Manner::redirects)
+        return write(peer, text("HTTP/1.1 302 Found\r\nLocation: http://127.0.0.1:", other_port_.load(),
+                                "/v2/feedbacks\r\nContent-Length: 0\r\n\r\n")) &&
+               false;
     if (manner_ == Manner::answers_noise) return write(peer, noise(100'000)) && false;
     return write(peer,
                  "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"

@@ -28,6 +28,7 @@ enum class Manner : std::uint8_t {
     sends_pieces,     ///< replies cut into many fragments, with pings between
     never_reads,      ///< answers, and reads nothing more
     hangs_up,         ///< closes the connection after the first request
+    redirects,        ///< sends the client to another port, that of redirect_to
 };
 
 class FakeBhaptics {
@@ -39,6 +40,7 @@ public:
 
     std::uint16_t port() const { return port_; }
     void behave(Manner manner) { manner_ = manner; }
+    void redirect_to(std::uint16_t port) { other_port_ = port; }
     /// Requests so far.
     std::vector<std::string> texts() const;
     /// First line of the last connection's HTTP request.
@@ -71,6 +73,7 @@ private:
     int listener_ = -1;
     std::uint16_t port_ = 0;
     std::atomic<Manner> manner_;
+    std::atomic<std::uint16_t> other_port_{};
     std::atomic<bool> stop_{};
     std::atomic<std::uint64_t> sent_{};
     mutable std::mutex mutex_;  ///< guards the three below

@@ -11,6 +11,7 @@
 
 #include "input/detail/osc_message.h"
 #include "input/tactile_player.h"
+#include "unit/two_addresses.h"
 #include "unit/udp_receiver.h"
 
 namespace thaum::input {
@@ -77,6 +78,16 @@ TEST(OscJacket, SendsAFrameWhenItChangedAndAfterHalfOfItsTime) {
     const auto marker = detail::osc_message(jacket_frame(16, {{3, 1.0F}}), 16);
     EXPECT_EQ(receiver.count_until(marker), 2);
     EXPECT_EQ(jacket->name(), "jacket at 127.0.0.1:" + std::to_string(receiver.port()));
+}
+
+TEST(OscJacket, AHostGetsTheMessagesAtEachOfItsAddresses) {
+    UdpReceiver receiver;
+    const auto jacket = osc_jacket({"two-addresses", receiver.port()}, 16);
+    ASSERT_TRUE(jacket->open());
+    EXPECT_EQ(receiver.next(), detail::osc_ping(receiver.sender_port()));
+    EXPECT_EQ(receiver.next(), silent());
+    jacket->write(some_frame(), 1);
+    EXPECT_EQ(receiver.next(), trace("osc_x16.hex"));
 }
 
 TEST(OscJacket, SilenceGoesOutSeveralTimesAndEndsWhenAFrameComes) {

@@ -18,6 +18,7 @@ namespace thaum::input::rig {
 
 class UdpReceiver {
 public:
+    /// Listens at 127.0.0.1, not at ::1.
     explicit UdpReceiver(std::uint16_t port = 0) : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
         sockaddr_in here{};
         here.sin_family = AF_INET;
