@@ -80,7 +80,8 @@ commands() {
 # keys FOLDER: reads names of sources and prints lines "KEY TAB SOURCE".
 keys() {
     local common
-    common=$({ clang-tidy --version && cat "$root/.clang-tidy"; } | sha256sum | cut -c1-16)
+    # The version alone: the rest names this machine's processor.
+    common=$({ clang-tidy --version | grep version && cat "$root/.clang-tidy"; } | sha256sum | cut -c1-16)
     commands "$1" >"$cache/commands"
     dependencies >"$cache/dependencies"
     # One hash per file, then per source a hash of its hashes.
