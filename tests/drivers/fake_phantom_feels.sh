@@ -23,16 +23,18 @@ feel() {
 }
 
 # compare PLAYER: checks that the arm exerted the forces of the table in the same order. A tick without a new
-# force repeats the last one. Where a busy machine kept the arm's thread from running, the program says in how many
-# ticks the force was held back because the pose was stale; only there may as many forces be smaller than the table's,
-# and for the 50 ticks after it in which a force returns.
+# force repeats the last one. Where a busy machine kept the arm's thread from running, the program says how many ticks
+# it missed, and in how many the force was held back because the pose was stale; only for so many ticks may forces be
+# smaller than the table's, and for the 50 ticks after them in which a force returns.
 compare() {
-    local stale
+    local stale missed
     stale=$(sed -n 's/.*stale \([0-9]*\).*/\1/p' "$folder/$1.said")
+    missed=$(sed -n 's/.* ticks, \([0-9]*\) missed.*/\1/p' "$folder/$1.said")
+    [[ $missed ]] || failed "does not say what was missed"
     awk -F, -v name="p$1_fx_n" '
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
         { print $column, $(column + 1), $(column + 2) }' "$folder/forces.csv" |
-        awk -v OFMT=%.17g -v stale="${stale:-0}" '
+        awk -v OFMT=%.17g -v late="$((${stale:-0} + missed))" '
             NR == FNR { wanted[n++] = $1 " " $2 " " $3; next }
             { arm[m++] = $1 " " $2 " " $3 }
             function near(a, b,   x, y) {
@@ -47,7 +49,7 @@ compare() {
             }
             # Goes past forces that were held back, and ticks without a new one among them. Returns whether it could.
             function pass_held_back(   k, without) {
-                for (k = 1; k <= stale + 50; k++)
+                for (k = 1; k <= late + 50; k++)
                     for (without = 0; repeated + without <= 20; without++)
                         if (agree(w + k, a + k + without)) {
                             w += k; a += k + without - 1; held += k; runs++; repeated += without
@@ -61,12 +63,12 @@ compare() {
                 first = w
                 for (; w < n && a < m; a++) {
                     if (near(wanted[w], arm[a])) { w++; continue }
-                    if (stale > 0 && pass_held_back()) continue
+                    if (late > 0 && pass_held_back()) continue
                     if (a > 0 && near(arm[a], arm[a - 1])) { repeated++; continue }
                     print "force", w, "is", wanted[w], "the arm exerts", arm[a]; exit 1
                 }
                 print n - first, "forces, from", first, "on, at the arm as in the table;", repeated + 0, "repeated;", held + 0, "held back"
-                if (n == first || w < n || repeated > 20 || held > stale + 50 * runs) exit 1
+                if (n == first || w < n || repeated > 20 || held > late + 50 * runs) exit 1
             }' - "$folder/$1.exerted"
 }
 
