@@ -138,6 +138,28 @@ import -window root "${SHOTS:-$folder}/volume_lab_question.png"
 xdotool mousemove 650 370 sleep 0.3 mousedown 1 sleep 0.3 mouseup 1
 wait "$lab" || fail "the exit code after the question"
 
+# The slider of a file with time is pulled to its end, and the last of three balls, which grow, is read.
+{
+    printf '%s\n' NRRD0005 'type: uchar' 'dimension: 4' 'sizes: 8 8 8 3' 'kinds: domain domain domain time' 'encoding: ascii' ''
+    awk 'BEGIN { for (t = 1; t <= 3; t++) for (i = 0; i < 512; i++) {
+        x = i % 8 - 3.5; y = int(i / 8) % 8 - 3.5; z = int(i / 64) - 3.5
+        print x * x + y * y + z * z < 5 * t ? 200 : 0 } }'
+} >"$folder/time.nrrd"
+"$thaum" lab "$folder/time.nrrd" --size 1280x720 --seconds 6000 >"$folder/said_of_time" 2>&1 &
+timed_lab=$!
+eventually "no window with time" drawn
+xdotool mousemove 40 210
+eventually "the panel does not rest" settled
+xdotool mousedown 1 sleep 0.3 mousemove 130 210 sleep 0.3
+changes mousemove 210 210
+changes mouseup 1
+rm -f "$folder/lab.toml"
+click 60 634
+eventually "the session with a moment was not saved" test -s "$folder/lab.toml"
+grep -q '^moment = 3$' "$folder/lab.toml" || fail "the slider does not choose the moment"
+presses Escape
+wait "$timed_lab" || fail "the exit code with time"
+
 # What a hand did in the window, its tool too, is played again from the trace and leads to the same trace.
 ticks=$(($(rows) - 1))
 "$thaum" lab sphere --count 32 --headless --hand "$folder/trace.csv" --trace "$folder/again.csv" \

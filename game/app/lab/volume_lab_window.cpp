@@ -236,10 +236,11 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
         session.panels.question.before = UnsavedQuestion::Before::opening;
         return {};
     }
-    const auto volume = std::exchange(session.panels.open, std::nullopt);
+    const auto wanted = *std::exchange(session.panels.open, std::nullopt);
     auto next = session_of(session.plan);
-    const bool same = *volume == session.plan.first.volume;
-    next.first.volume = *volume;
+    const bool same = wanted.name == session.plan.first.volume;
+    next.first.volume = wanted.name;
+    next.first.moment = wanted.moment;
     if (!same) {
         next.modes.clear();
         next.feel.clear();
@@ -255,6 +256,7 @@ Expected<void> open_chosen(Session& session, std::optional<VolumePicture>& pictu
     session.plan.lab = std::move(plan->lab);
     session.plan.view = plan->view;
     session.plan.first = next.first;
+    session.plan.notes = std::move(plan->notes);
     put_hand_before(session);
     show_what_is_set(session.plan.lab, session.panels);
     session.panels.one_level = levels_agree(session.plan.view, session.panels);

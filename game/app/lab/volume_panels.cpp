@@ -80,18 +80,44 @@ void ask_for_change(const VolumeLabPlan& plan, VolumePanelState& state) {
     state.change = game::VolumeLabSettings{state.modes, state.feel, plan.view.opacity, state.places};
 }
 
+/// A label with the key that does the same, as the user's keyboard has it: "undo (Z)".
+std::string with_key(std::string_view label, std::string_view name) {
+    return text(label, " (", render::key_label(render::key_code(name).value_or(-1)), ")");
+}
+
 // ---- volume and device ------------------------------------------------------------------------------------
+
+/// A slider for the moment of a file with time. The file is read again once the slider is let go.
+void show_moment(const VolumeLabPlan& plan, VolumePanelState& state) {
+    const int frames = plan.lab.source.frames;
+    if (frames == 1) return;
+    int moment = state.moment.value_or(static_cast<int>(plan.first.moment));
+    const auto words = text("%d of ", frames);
+    if (ImGui::SliderInt("moment", &moment, 1, frames, words.c_str(), ImGuiSliderFlags_AlwaysClamp))
+        state.moment = moment;
+    if (ImGui::IsItemDeactivatedAfterEdit()) state.open = NextVolume{plan.first.volume, moment};
+    if (!ImGui::IsItemActive()) state.moment.reset();
+}
+
+/// What the files of the volumes say, and what was left out of them.
+void show_notes(const VolumeLabPlan& plan) {
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(255, 200, 120, 255));
+    for (const auto& note : plan.notes) ImGui::TextWrapped("%s", note.c_str());
+    ImGui::PopStyleColor();
+}
 
 void show_volume(const VolumeLabPlan& plan, VolumePanelState& state) {
     if (ImGui::BeginCombo("volume", plan.first.volume.c_str())) {
         for (const auto name : field::volume_names())
             if (ImGui::Selectable(std::string(name).c_str(), plan.first.volume == name))
-                state.open = std::string(name);
+                state.open = NextVolume{std::string(name)};
         ImGui::EndCombo();
     }
     ImGui::InputText("file", state.path.data(), state.path.size());
     ImGui::SameLine();
-    if (ImGui::SmallButton("open") && state.path[0] != 0) state.open = state.path.data();
+    if (ImGui::SmallButton("open") && state.path[0] != 0) state.open = NextVolume{state.path.data()};
+    show_moment(plan, state);
+    show_notes(plan);
     if (!ImGui::BeginCombo("device", state.device.c_str())) return;
     for (const auto& name : plan.lab.data.devices) {
         if (ImGui::Selectable(name.c_str(), state.device == name)) state.next_device = name;
@@ -359,9 +385,9 @@ void show_tools(const VolumeLab& lab, VolumePanelState& state) {
             if (ImGui::Selectable(tools[i].name.c_str(), i == state.tool)) state.tool = i;
         ImGui::EndCombo();
     }
-    if (ImGui::Button("undo (Z)")) state.history = -1;
+    if (ImGui::Button(with_key("undo", "Z").c_str())) state.history = -1;
     ImGui::SameLine();
-    if (ImGui::Button("redo (Y)")) state.history = 1;
+    if (ImGui::Button(with_key("redo", "Y").c_str())) state.history = 1;
     ImGui::SameLine();
     if (ImGui::Button("save body")) state.saves = true;
 }
@@ -375,20 +401,24 @@ void show_force(const game::VolumeLabFigures& figures, const VolumePanelState& s
 }
 
 void show_help() {
-    ImGui::TextWrapped(
-        "The mouse moves the hand; wheel, PageUp and PageDown move it away or nearer. H holds the hand where "
-        "it is: change settings meanwhile, bring the mouse back to the ball and press H again. Left button "
-        "or "
-        "Space: tool. Right button: turn the view, middle button: move it. Ctrl and wheel: nearer. Draw in a "
-        "curve to set a strength. The bright ball is the hand on the surface, the small grey one the tip of "
-        "the arm; the further apart, the stronger the force.");
+    const auto hold = render::key_label(render::key_code("H").value_or(-1));
+    const auto words = text(
+        "The mouse moves the hand; wheel, PageUp and PageDown move it away or nearer. ", hold,
+        " holds the hand where it is: change settings meanwhile, bring the mouse back to the ball and press ",
+        hold,
+        " again. Left button or Space: tool. Right button: turn the view, middle button: move it. Ctrl and "
+        "wheel: "
+        "nearer. Draw in a curve to set a strength. The bright ball is the hand on the surface, the small "
+        "grey one "
+        "the tip of the arm; the further apart, the stronger the force.");
+    ImGui::TextWrapped("%s", words.c_str());
 }
 
 /// The end of the panel, which stays in its place: what an action did, and what is always at hand.
 void show_foot(VolumePanelState& state) {
     if (ImGui::Button("save session")) state.saves_session = true;
     ImGui::SameLine();
-    ImGui::Checkbox("hold the hand (H)", &state.hand_held);
+    ImGui::Checkbox(with_key("hold the hand", "H").c_str(), &state.hand_held);
     ImGui::TextWrapped("%s", state.note.c_str());
 }
 

@@ -19,6 +19,12 @@ struct UnsavedQuestion {
     std::optional<Answer> answer{};  ///< given in the last picture
 };
 
+/// A volume to open.
+struct NextVolume {
+    std::string name{};       ///< as on the command line
+    std::int64_t moment = 1;  ///< of a file with time
+};
+
 /// What a person has set in the panels, and what they ask for.
 struct VolumePanelState {
     std::vector<game::LabMode> modes{};               ///< chosen modes
@@ -29,7 +35,8 @@ struct VolumePanelState {
     std::size_t tool{};                               ///< index into VolumeLab::data.tools
     std::string device{};                             ///< model of the arm that is shown
     std::optional<std::string> next_device{};         ///< model that was chosen in place of it
-    std::optional<std::string> open{};                ///< volume to open
+    std::optional<NextVolume> open{};                 ///< volume to open
+    std::optional<int> moment{};                      ///< where the slider of a file with time is pulled to
     bool saves = false, saves_session = false;
     bool hand_held = false;  ///< the hand stays where it is, whatever the mouse does
     UnsavedQuestion question{};
