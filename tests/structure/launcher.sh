@@ -210,6 +210,9 @@ ready_machine
 echo "flags : avx2 fma bmi1 bmi2 f16c movbe abm" >"$place/cpuinfo"
 run
 expect "builds for AVX2 where there is one" not_called "THAUM_PORTABLE"
+echo "flags : sse2 avx" >"$place/cpuinfo"
+run
+expect "and anew on an older processor" called "THAUM_PORTABLE:BOOL=ON"
 unset THAUM_CPUINFO
 
 ready_machine
