@@ -226,7 +226,7 @@ expect "passes --help on" says "started: --help"
 # ---- moved, copied, another user's, read-only --------------------------------------------------------------------
 
 ready_machine
-run
+run bench
 mv "$tree" "$place/moved tree"
 tree=$place/moved\ tree
 rm "$place/calls"
