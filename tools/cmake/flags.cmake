@@ -75,10 +75,13 @@ endif()
 # A program that reads files from strangers and has rights to devices should not become theirs by an overrun. Sanitizers
 # have better checks of their own, and their traces and tools/suite name files by whole paths.
 if(THAUM_HARDENED AND NOT THAUM_SANITIZE)
-    target_compile_options(thaum_flags INTERFACE -fstack-protector-strong)
-    # Debian's GCC may have its own value, and glibc warns where nothing is optimised.
+    # Where numbers alone are computed, neither stack nor copies are watched: it costs the fluid 4 to 9 %, mostly by
+    # _FORTIFY_SOURCE, which changes what is inlined. Debian's GCC may have its own value of that, and glibc warns where
+    # nothing is optimised.
+    set(watched "$<NOT:$<BOOL:$<TARGET_PROPERTY:THAUM_HOT>>>")
     set(optimised "$<AND:$<CONFIG:Release>,$<NOT:$<BOOL:$<TARGET_PROPERTY:THAUM_UNOPTIMISED>>>>")
-    target_compile_options(thaum_flags INTERFACE "$<${optimised}:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
+    target_compile_options(thaum_flags INTERFACE $<${watched}:-fstack-protector-strong>
+        "$<$<AND:${watched},${optimised}>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
     # Addresses of called functions are found at the start, and then cannot be changed.
     target_link_options(thaum_flags INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)
     # Assertions, failed tests and debuggers name files from the root of the tree.
