@@ -3,21 +3,23 @@
 # in batches, as the build makes them but without precompiled headers, and then compiles each source on its own with them:
 # a source must include all that it uses, also when the batches are cut anew.
 #
-# This is slow, so what passed is remembered under a key: in build/tidy, and in tools/tidied.txt, which is committed, so
-# that a fresh checkout reads only what changed since. The key is a hash of everything that the batch or source depends on:
-# the settings, the command that compiles it, and the text of its sources and of every header of ours that they include, each
-# without the place of the checkout.
+# This is slow, so what passed is remembered under a key: in build/tidy (or THAUM_BUILD/tidy), and in tools/tidied.txt,
+# which is committed, so that a fresh checkout reads only what changed since. The key is a hash of everything that the batch
+# or source depends on: the settings, the command that compiles it, and the text of its sources and of every header of ours
+# that they include, each without the place of the checkout.
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
-cache=$root/build/tidy
+build=${THAUM_BUILD:-$root/build}
+cache=$build/tidy
 list=$root/tools/tidied.txt
 mkdir -p "$cache"
 
 # configured NAME OPTION...: makes the build folder tidy-NAME, for its compile database, and prints the folder's name.
 configured() {
-    local folder=$root/build/tidy-$1
-    if [[ ! -f $folder/build.ninja ]]; then
+    local folder=$build/tidy-$1
+    if [[ ! -f $folder/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+        rm -rf "$folder"  # it may have come with a tree that was moved or copied
         cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O1 \
             -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ -DTHAUM_PORTABLE=ON -DBUILD_TESTING=ON "${@:2}" \
             >"$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
@@ -86,9 +88,9 @@ keys() {
     dependencies >"$cache/dependencies"
     # One hash per file, then per source a hash of its hashes.
     cut -f2 "$cache/dependencies" | sort -u >"$cache/files"
-    grep -v "^$root/build/" "$cache/files" | xargs -r -d '\n' sha256sum >"$cache/hashes"
+    grep -v "^$build/" "$cache/files" | xargs -r -d '\n' sha256sum >"$cache/hashes"
     # A batch names its sources by their places.
-    { grep "^$root/build/" "$cache/files" || true; } | while IFS= read -r source; do
+    { grep "^$build/" "$cache/files" || true; } | while IFS= read -r source; do
         printf '%s  %s\n' "$(sed "s|$root||g" "$source" | sha256sum | cut -c1-64)" "$source"
     done >>"$cache/hashes"
     # All that a source depends on as a small file of its own, so that one call hashes them all.

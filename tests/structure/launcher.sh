@@ -6,7 +6,7 @@ set -euo pipefail
 
 source=$1
 place=$(mktemp -d)
-trap 'rm -rf "$place"' EXIT
+trap 'chmod -R u+w "$place" && rm -rf "$place"' EXIT
 tree=$place/tree
 fake=$place/fake
 failures=0
@@ -18,40 +18,93 @@ tool() {
     chmod +x "$fake/$1"
 }
 
-# A fresh machine. apt-get only notes the packages; cmake and ninja make a program that prints its arguments.
+# A fresh machine with a tree that has one source and one asset. apt-get only notes the packages. cmake and ninja make a
+# program that prints its arguments, the source of the tree for which cmake was called, and the asset that it finds.
 fresh_machine() {
+    chmod -R u+w "$place"
     rm -rf "${place:?}"/*
-    mkdir -p "$fake" "$tree/tools"
-    cp "$source/thaum" "$tree/"
-    cp "$source/tools/packages.txt" "$tree/tools/"
+    mkdir -p "$fake" "$place/home"
     : >"$place/installed"
-    export PLACE=$place
+    export PLACE=$place HOME=$place/home
+    unset XDG_CACHE_HOME THAUM_ASSETS
+    as_user=()
+    fresh_tree "$place/tree"
     tool dpkg-query <<<'for p in "${@:4}"; do grep -qx "$p" "$PLACE/installed" && echo -n "$p:installed "; done; exit 1'
     tool apt-get <<'APT'
-echo "apt-get $*" >>"$PLACE/calls"
+echo "apt-get $* with umask $(umask)" >>"$PLACE/calls"
 [[ " $* " == *" install "* ]] && printf '%s\n' "$@" >>"$PLACE/installed"
 exit 0
 APT
     tool sudo <<<'[[ $1 == -n ]] && shift; [[ $1 == true ]] || exec "$@"'
+    # As the real one, it keeps the entries of a cache that it can take, and refuses that of another place.
     tool cmake <<'CMAKE'
 echo "cmake $*" >>"$PLACE/calls"
-mkdir -p "$PLACE/tree/build/release/game"
-touch "$PLACE/tree/build/release/build.ninja"
-printf '%s\n' "${@#-D}" >"$PLACE/tree/build/release/CMakeCache.txt"
+env -0 >>"$PLACE/env"
+entries=(CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++)
+fresh=false
+while (($# > 0)); do
+    case $1 in
+    -S) source=$2 ;;
+    -B) dir=$2 ;;
+    -D*) entries+=("${1#-D}") ;;
+    --fresh) fresh=true ;;
+    esac
+    shift
+done
+[[ $source$dir != *[\"\;\#$'\n']* ]] || { echo "CMake Error: a bad path"; exit 1; }
+mkdir -p "$dir/game"
+cache=$dir/CMakeCache.txt
+$fresh || ! grep -s ^CMAKE_HOME_DIRECTORY: "$cache" | grep -vqxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source" ||
+    { echo "CMake Error: another source"; exit 1; }
+touch "$dir/build.ninja" "$cache"
+$fresh || mapfile -t -O "${#entries[@]}" entries < <(grep -v '^CMAKE_' "$cache")
+printf '%s\n' "${entries[@]}" "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "CMAKE_CACHEFILE_DIR:INTERNAL=$dir" >"$cache"
 CMAKE
     tool ninja <<'NINJA'
 [[ $* != *build.ninja && $* != *" -n "* ]] || exit 0
-program=$PLACE/tree/build/release/game/thaum
-[[ -f $program ]] && exit
+source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$2/CMakeCache.txt")
+program=$2/game/thaum
+[[ -f $program && -f $2/.ninja_log && ! $source/engine/code -nt $program ]] && exit
 echo "ninja $*" >>"$PLACE/calls"
-printf '#!/bin/bash\necho "started: $*"\n' >"$program"
+touch "$2/.ninja_log"
+cat >"$program" <<PROGRAM
+#!/bin/bash
+echo "started: \$*"
+echo "code: $(cat "$source/engine/code")" >>"\$PLACE/facts"
+echo "asset: \$(cat "\${THAUM_ASSETS:-\${0%/*}/../../../assets}/word")" >>"\$PLACE/facts"
+PROGRAM
 chmod +x "$program"
 NINJA
+}
+
+# fresh_tree FOLDER: makes a tree there, which becomes the tree that `run` starts.
+fresh_tree() {
+    tree=$1
+    mkdir -p "$tree/tools" "$tree/engine" "$tree/assets"
+    cp "$source/thaum" "$tree/"
+    cp "$source/tools/packages.txt" "$tree/tools/"
+    echo first >"$tree/engine/code"
+    echo usual >"$tree/assets/word"
+}
+
+# A machine on which no package is missing.
+ready_machine() {
+    fresh_machine
+    cut -d ' ' -f 2 "$source/tools/packages.txt" >"$place/installed"
+}
+
+# other_user: starts the launcher as a user who owns nothing here; without root's rights, as this user, who must then not be
+# able to write where it matters.
+other_user() {
+    chmod -R a+rX "$place"
+    chmod a+rwX "$place" "$place"/{calls,facts,env,installed} 2>/dev/null || true
+    ((EUID != 0)) || as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 }
 
 # run ARGUMENTS: starts the copy without a terminal. Sets `output` and `code`.
 run() {
     code=0
+    rm -f "$place/facts"
     output=$(PATH=$fake:$PATH timeout 600 "${as_user[@]}" "$tree/thaum" "$@" </dev/null 2>&1) || code=$?
 }
 
@@ -67,9 +120,13 @@ expect() {
 }
 says() { [[ $output == *"$1"* ]]; }
 says_not() { [[ $output != *"$1"* ]]; }
+not() { ! "$@"; }
 code_is() { ((code == $1)); }
 called() { grep -q -e "$1" "$place/calls" 2>/dev/null; }
 not_called() { ! called "$1"; }
+runs() { says "started: $1" && grep -qx "code: $2" "$place/facts" && grep -qx "asset: $3" "$place/facts"; }
+# The folder that the launcher makes for the tree in the user's cache folder.
+cache_place() { echo "${XDG_CACHE_HOME:-$HOME/.cache}"/thaum/*; }
 
 fresh_machine
 run play --demo "two words"
@@ -86,7 +143,7 @@ expect "starts a second time" says "started: again"
 expect "does nothing else then" not_called .
 expect "and says nothing else" test "$output" = "started: again"
 
-rm "$tree"/build/.packages-*
+rm -r "$tree/build"
 echo gone >"$place/installed"
 tool apt-get <<<'echo "E: no network"; exit 100'
 run
@@ -96,43 +153,33 @@ expect "names the next command" says "apt-get install --no-install-recommends cl
 
 fresh_machine
 tool sudo <<<'exit 1'
+other_user
 chmod -R a+rwX "$place"
-((EUID != 0)) || as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
 run
 expect "stops without rights" code_is 2
 expect "prints the command to run" says "run as root, then start again: apt-get install"
 expect "calls no apt-get" not_called apt-get
-chmod -R a-w "$tree"
-rmdir "$tree/build" 2>/dev/null || rm -rf "$tree/build"
-run
-expect "stops where it cannot write" code_is 2
-expect "and says where" says "cannot write to $tree"
-as_user=()
-chmod -R u+w "$tree"
-
-fresh_machine
+ready_machine
 run
 expect "builds only what players need" called "ninja -C $tree/build/release -j$(nproc) thaum$"
 tools=0
 mapfile -t commands < <(sed -n 's/^ *{"\([a-z]*\)", *".*/\1/p' "$source/game/app/dispatch.cpp" |
     grep -vxE 'play|range|doctor|bench')
 for command in "${commands[@]}"; do
-    rm "$tree/build/release/game/thaum"
+    rm "$tree/build/release/game/thaum" "$place/calls"
     run "$command"
-    ! called "-j$(nproc) thaum-tools" && continue
-    tools=$((tools + 1))
-    rm "$place/calls"
+    ! called "-j$(nproc) thaum-tools" || tools=$((tools + 1))
 done
 expect "and the tools for each command that needs them" test "$tools" == "${#commands[@]}" -a "$tools" != 0
 
-fresh_machine
+ready_machine
 tool ninja <<<'echo "[1/2] x"; echo "FAILED: a.o"; echo "a.cpp:1: error: no"; exit 1'
 run
 expect "stops when the build fails" code_is 2
 expect "shows the words of the compiler" says "a.cpp:1: error: no"
 expect "and not its progress" says_not "[1/2]"
 
-fresh_machine
+ready_machine
 run
 rm "$tree/build/release/game/thaum"
 printf '%s\n' "configure 1" "30000 1.o" "10000 2.o" "10000 3.o" >"$tree/tools/build_times.txt"
@@ -142,8 +189,8 @@ tool ninja <<'NINJA'
 [[ $* != *" -n "* || $* == *" -f plan.ninja "* ]] || { echo "[1/2] Re-running CMake..."; exit 0; }
 for step in 1 2 3; do echo "[$step/3] Building CXX object $step.o"; done
 [[ " $* " != *" -n "* ]] || exit 0
-printf '#!/bin/bash\necho "started: $*"\n' >"$PLACE/tree/build/release/game/thaum"
-chmod +x "$PLACE/tree/build/release/game/thaum"
+printf '#!/bin/bash\necho "started: $*"\n' >"$2/game/thaum"
+chmod +x "$2/game/thaum"
 NINJA
 output=$(PATH=$fake:$PATH script -qec "$tree/thaum" /dev/null </dev/null 2>&1) && code=0 || code=$?
 expect "says that a long build takes minutes" says "building release (about "
@@ -151,7 +198,7 @@ expect "shows a bar on a terminal" says "building [##################           
 expect "which is full at the end" says "building [##############################] 100 %"
 expect "and then starts" says "started:"
 
-fresh_machine
+ready_machine
 echo "flags : sse2 avx" >"$place/cpuinfo"
 export THAUM_CPUINFO=$place/cpuinfo
 run
@@ -159,18 +206,211 @@ expect "builds the portable way on an old processor" called "THAUM_PORTABLE:BOOL
 expect "says which instructions it lacks" says "names no avx2"
 expect "starts all the same" says "started:"
 echo "flags : avx2 fma bmi1 bmi2 f16c movbe abm" >"$place/cpuinfo"
-fresh_machine
+ready_machine
 echo "flags : avx2 fma bmi1 bmi2 f16c movbe abm" >"$place/cpuinfo"
 run
 expect "builds for AVX2 where there is one" not_called "THAUM_PORTABLE"
+echo "flags : sse2 avx" >"$place/cpuinfo"
+run
+expect "and anew on an older processor" called "THAUM_PORTABLE:BOOL=ON"
 unset THAUM_CPUINFO
 
-fresh_machine
+ready_machine
 run test --nonsense
 expect "refuses an unknown option" code_is 2
 run test --help
 expect "has help" says "./thaum test [--quick | --long] [FILTER]"
 run --help
 expect "passes --help on" says "started: --help"
+
+# ---- moved, copied, another user's, read-only --------------------------------------------------------------------
+
+ready_machine
+run bench
+mv "$tree" "$place/moved tree"
+tree=$place/moved\ tree
+rm "$place/calls"
+run
+expect "starts in a folder that was moved" runs "" first usual
+expect "and makes nothing again" not_called .
+printf '%s\n' THAUM_OWN:BOOL=ON >>"$tree/build/release/CMakeCache.txt"
+echo second >"$tree/engine/code"
+run
+expect "builds in a moved folder what changed" runs "" second usual
+expect "keeps the entries of the build" grep -q THAUM_OWN "$tree/build/release/CMakeCache.txt"
+
+ready_machine
+run
+cp -a "$tree" "$place/copy"
+tree=$place/copy
+rm "$place/calls"
+echo copied >"$tree/assets/word"
+run
+expect "starts a copy with the copy's assets" runs "" first copied
+expect "and makes nothing again" not_called .
+echo second >"$tree/engine/code"
+run
+expect "builds the copy's code" runs "" second copied
+tree=$place/tree
+rm "$place/calls"
+run
+expect "and leaves the first tree as it is" runs "" first usual
+expect "and built" not_called .
+
+ready_machine
+run
+other_user
+chmod -R a-w "$tree"
+rm "$place/calls"
+run
+expect "starts what another user built" runs "" first usual
+expect "and nothing is said or made" test "$output" = "started: " -a ! -e "$place/calls"
+chmod u+w "$tree/engine/code"
+echo second >"$tree/engine/code"
+chmod a-w "$tree/engine/code"
+run
+expect "says where it cannot build" says "and cannot build in $HOME/.cache/thaum/tree-"
+expect "and stops, if the cache folder cannot be written either" code_is 2
+mkdir -p "$HOME/.cache"
+chmod a+rwx "$HOME/.cache"
+run
+expect "builds what changed in the user's cache folder" runs "" second usual
+expect "and says so" says "building in $(cache_place), because cannot write to $tree"
+rm -f "$place/calls"
+run
+expect "and starts that again" runs "" second usual
+expect "without building" test "$output" = "started: " -a ! -e "$place/calls"
+export XDG_CACHE_HOME=
+unset HOME
+run
+expect "stops where there is no place for a cache" code_is 2
+expect "and says what to do" says "set XDG_CACHE_HOME to a folder to build in"
+export XDG_CACHE_HOME=$place/other
+mkdir -m 777 "$XDG_CACHE_HOME"
+run
+expect "builds where XDG_CACHE_HOME says" test -x "$(cache_place)/build/release/game/thaum"
+
+# A build older than the packages is built again by who may, and is good enough for others if no package is missing.
+ready_machine
+run
+touch -d '10 years ago' "$tree/build/release/.built-thaum"
+find "$tree" -path "$tree/build" -prune -o -exec touch -d '20 years ago' {} +
+touch -d '20 years ago' "$tree/build/release/CMakeCache.txt"
+other_user
+chmod -R a-w "$tree"
+run
+expect "starts what another user built with older packages" runs "" first usual
+expect "as it is" test "$output" = "started: "
+
+for other in other 'with space'; do
+    ready_machine
+    fresh_tree "$place/$other/tree"
+    tree=$place/tree
+    chmod -R a-w "$place/tree" "$place/$other/tree"
+    other_user
+    mkdir "$HOME/.cache"
+    chmod a+rwx "$HOME/.cache"
+    export XDG_CACHE_HOME=relative  # does not count
+    run
+    expect "builds a read-only tree that was never built" runs "" first usual
+    tree=$place/$other/tree
+    run
+    places=("$HOME"/.cache/thaum/*)
+    expect "and another one of that name elsewhere" test "${#places[@]}" = 2
+done
+
+# A first start without rights leaves a build folder, and a second one as root fills it.
+if ((EUID == 0)); then
+    ready_machine
+    run
+    echo second >"$tree/engine/code"
+    other_user
+    chmod a+rwx "$HOME" "$tree/build"
+    run
+    expect "builds elsewhere if only a part of the build folder can be written" runs "" second usual
+fi
+
+# Root writes everywhere but where nobody can.
+if ((EUID == 0)) && unshare -m true 2>/dev/null; then
+    ready_machine
+    # shellcheck disable=SC2016
+    as_user=(unshare -m bash -c 'mount --bind "$0" "$0" && mount -o remount,bind,ro "$0" && exec "$@"' "$tree")
+    run
+    expect "builds a tree on a read-only file system" runs "" first usual
+fi
+
+# ---- surroundings -------------------------------------------------------------------------------------------------
+
+fresh_machine
+cat >"$place/start_file" <<'START'
+cmake() { echo "a function of the caller's"; }
+readlink() { echo nowhere; }
+START
+umask 077
+flags=-ffast-math
+as_user=(env CXXFLAGS="$flags" CFLAGS="$flags" CPPFLAGS="$flags" LDFLAGS="$flags" CC=tcc CXX=tcc CPATH=/x CPLUS_INCLUDE_PATH=/x
+    MAKEFLAGS=-j99 NINJA_STATUS=x CMAKE_PREFIX_PATH=/x CMAKE_TOOLCHAIN_FILE=/x PKG_CONFIG_PATH=/x CCC_OVERRIDE_OPTIONS=+-m32
+    CDPATH=/usr:/ GREP_OPTIONS=-v POSIXLY_CORRECT=1 BASH_ENV="$place/start_file" SHELLOPTS=noclobber:noglob BASHOPTS=nullglob
+    TMPDIR="$place/gone" LANG=xx_XX LC_ALL=xx_XX GLOBIGNORE='*' 'BASH_FUNC_flock%%=() { exit 7; }')
+run
+umask 022
+expect "starts in odd surroundings" runs "" first usual
+expect "says what it does not use" says "must not depend on it: CC CXX CFLAGS CXXFLAGS CPPFLAGS LDFLAGS MAKEFLAGS NINJA_STATUS CPATH"
+expect "and what else" says "CMAKE_PREFIX_PATH CMAKE_TOOLCHAIN_FILE PKG_CONFIG_PATH TMPDIR"
+expect "builds without them" not grep -qzE '^(C|CXX|CPP|LD|MAKE)FLAGS=|^CC=|^CXX=|PATH=/x|/gone|_FILE=/x|m32' "$place/env"
+expect "installs packages for all users" called "install .* with umask 0022"
+run
+expect "says nothing of it where nothing is built" says_not "must not depend"
+
+for name in 'a b' "it's" $'\u00fc' $'two\nlines' $'an end\n' -dash 'say "so"' 'a;b' 'a#b' 'a$b' 'a*b' 'a[b' 'a\b'; do
+    ready_machine
+    fresh_tree "$place/$name"
+    run
+    expect "starts in a folder called $(printf %q "$name")" runs "" first usual
+done
+
+ready_machine
+mkdir "$place/elsewhere"
+ln -s ../tree/thaum "$place/elsewhere/link"
+for start in ./link 'bash link' 'sh link' "bash $place/tree/thaum" 'bash --posix link'; do
+    rm -rf "$tree/build"
+    # shellcheck disable=SC2086  # two words
+    output=$(cd "$place/elsewhere" && PATH=$fake:$PATH timeout 600 $start --demo "two words" 2>&1 </dev/null) || true
+    expect "starts by $start" says "started: --demo two words"
+done
+
+# ---- two at once -----------------------------------------------------------------------------------------------------
+
+# Each tool reports one that works at the same time. The first apt-get waits until the second start waits for it.
+fresh_machine
+for name in apt-get cmake ninja; do
+    mv "$fake/$name" "$fake/real-$name"
+    tool "$name" <<'TURN'
+mkdir "$PLACE/busy" || echo "two at once" >>"$PLACE/calls"
+for ((i = 0; i < 1200 && !$(cat "$PLACE"/start-* | grep -c waiting); ++i)); do sleep 0.1; done
+echo "(waiting is over)" >>"$PLACE/start-1"
+"${0%/*}/real-${0##*/}" "$@"
+result=$?
+rmdir "$PLACE/busy"
+exit $result
+TURN
+done
+PATH=$fake:$PATH "$tree/thaum" one >"$place/start-1" 2>&1 </dev/null &
+PATH=$fake:$PATH "$tree/thaum" two >"$place/start-2" 2>&1 </dev/null &
+wait
+output=$(cat "$place"/start-*) code=
+expect "two starts at once both start" test "$(grep -c '^started: ' <<<"$output")" = 2
+expect "they take turns" not_called "two at once"
+expect "and build once" test "$(grep -c '^ninja' "$place/calls")" = 1
+expect "and install once" test "$(grep -c '^apt-get.* install ' "$place/calls")" = 1
+
+ready_machine
+mv "$fake/cmake" "$fake/real-cmake"
+tool cmake <<<'kill -9 $PPID'
+run
+expect "a start is killed" code_is 137
+mv "$fake/real-cmake" "$fake/cmake"
+run
+expect "and the next one builds" runs "" first usual
 
 ((failures == 0))

@@ -1,11 +1,11 @@
 # thaum_engine(core SOURCES ... LINK ...): one engine folder as one static library, thaum_core here and
 # Thaum::core for its users. Includes are written from engine/ ("core/error.h") and, for the game, from the top
-# ("game/match/simulation.h").
+# ("game/match/simulation.h"). HOT: it is not watched for overruns, see flags.cmake.
 function(thaum_engine name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+    cmake_parse_arguments(ARG "HOT" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(thaum_${name} STATIC ${ARG_SOURCES})
     add_library(Thaum::${name} ALIAS thaum_${name})
-    set_target_properties(thaum_${name} PROPERTIES EXPORT_NAME ${name})
+    set_target_properties(thaum_${name} PROPERTIES EXPORT_NAME ${name} THAUM_HOT ${ARG_HOT})
     target_include_directories(thaum_${name} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine> $<INSTALL_INTERFACE:${THAUM_HEADERS}>)
     target_link_libraries(thaum_${name}
@@ -47,6 +47,11 @@ function(thaum_headers_of set)
         if(unoptimised)
             string(APPEND headers _unoptimised)
         endif()
+        # Nor does it take one that was compiled with other flags against overruns.
+        get_target_property(hot ${target} THAUM_HOT)
+        if(hot AND THAUM_HARDENED)
+            string(APPEND headers _hot)
+        endif()
         if(NOT TARGET ${headers})
             add_library(${headers} OBJECT ${PROJECT_SOURCE_DIR}/tools/cmake/precompiled/empty.cpp)
             target_include_directories(${headers} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/engine)
@@ -57,6 +62,7 @@ function(thaum_headers_of set)
             if(unoptimised)
                 thaum_unoptimised(${headers})
             endif()
+            set_target_properties(${headers} PROPERTIES THAUM_HOT ${hot})
             target_precompile_headers(${headers} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/precompiled/${set}.h)
         endif()
         target_precompile_headers(${target} REUSE_FROM ${headers})
