@@ -26,8 +26,13 @@ target_link_libraries(press_keys PRIVATE thaum_flags)
 # A virtual pad, if umockdev is installed.
 pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
 if(umockdev_FOUND)
+    add_library(fake_pad STATIC drivers/fake_pad.cpp)
+    target_include_directories(fake_pad PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(fake_pad PUBLIC PkgConfig::umockdev PRIVATE thaum_flags)
     add_executable(pad_harness drivers/pad_harness.cpp)
-    target_link_libraries(pad_harness PRIVATE thaum_flags PkgConfig::umockdev)
+    target_link_libraries(pad_harness PRIVATE thaum_flags fake_pad)
+    add_executable(pad_models drivers/pad_models.cpp)
+    target_link_libraries(pad_models PRIVATE thaum_flags fake_pad thaum_pads PkgConfig::sdl2)
     add_executable(rumble_probe drivers/rumble_probe.cpp)
     target_link_libraries(rumble_probe PRIVATE thaum_flags thaum_live)
 endif()
@@ -126,5 +131,10 @@ if(umockdev_FOUND)
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
     thaum_driver_test(rumble ${CMAKE_CURRENT_SOURCE_DIR}/drivers/rumble.sh
         $<TARGET_FILE:rumble_probe> $<TARGET_FILE:pad_harness>)
+    # Without a screen, so beside all other tests.
+    add_test(NAME drivers.pad_models COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_models.sh
+        $<TARGET_FILE:pad_models>)
+    set_tests_properties(drivers.pad_models PROPERTIES
+        SKIP_RETURN_CODE 77 TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()
