@@ -6,7 +6,7 @@ thaum_test(test_hud
 thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp
         unit/body_trial_test.cpp unit/feel_profile_test.cpp unit/gesture_wall_test.cpp unit/live_menu_test.cpp unit/live_pause_test.cpp unit/live_recording_test.cpp unit/live_seats_test.cpp
-        unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/own_gestures_test.cpp unit/practice_test.cpp
+        unit/live_session_test.cpp unit/live_sound_test.cpp unit/live_start_screen_test.cpp unit/live_tactile_test.cpp unit/live_threads_test.cpp unit/own_pads_test.cpp unit/pad_setup_test.cpp unit/menu_pages_test.cpp unit/menu_test.cpp unit/own_gestures_test.cpp unit/practice_test.cpp
         unit/recorded_names_test.cpp unit/replay_threads_test.cpp unit/replay_view_test.cpp
         unit/faulty_settings_test.cpp unit/settings_test.cpp unit/apprentice_course_test.cpp unit/screen_player.cpp unit/screen_player_test.cpp
         unit/screen_reader.cpp
@@ -26,8 +26,13 @@ target_link_libraries(press_keys PRIVATE thaum_flags)
 # A virtual pad, if umockdev is installed.
 pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
 if(umockdev_FOUND)
+    add_library(fake_pad STATIC drivers/fake_pad.cpp)
+    target_include_directories(fake_pad PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(fake_pad PUBLIC PkgConfig::umockdev PRIVATE thaum_flags)
     add_executable(pad_harness drivers/pad_harness.cpp)
-    target_link_libraries(pad_harness PRIVATE thaum_flags PkgConfig::umockdev)
+    target_link_libraries(pad_harness PRIVATE thaum_flags fake_pad)
+    add_executable(pad_models drivers/pad_models.cpp)
+    target_link_libraries(pad_models PRIVATE thaum_flags fake_pad thaum_pads PkgConfig::sdl2)
     add_executable(rumble_probe drivers/rumble_probe.cpp)
     target_link_libraries(rumble_probe PRIVATE thaum_flags thaum_live)
 endif()
@@ -127,7 +132,14 @@ if(umockdev_FOUND)
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(two_pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_pads.sh
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
-    thaum_driver_test(rumble ${CMAKE_CURRENT_SOURCE_DIR}/drivers/rumble.sh
+    thaum_driver_test(pads ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pads.sh
+        $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe> $<TARGET_FILE:press_keys>)
+    # Without a screen, so beside all other tests.
+    add_test(NAME drivers.rumble COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/rumble.sh
         $<TARGET_FILE:rumble_probe> $<TARGET_FILE:pad_harness>)
+    add_test(NAME drivers.pad_models COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_models.sh
+        $<TARGET_FILE:pad_models>)
+    set_tests_properties(drivers.rumble drivers.pad_models PROPERTIES
+        SKIP_RETURN_CODE 77 TIMEOUT ${longest_test} ENVIRONMENT "${sanitizer_environment}")
     set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()

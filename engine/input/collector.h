@@ -8,16 +8,10 @@
 
 #include "input/bindings.h"
 #include "input/frame.h"
+#include "input/pad_state.h"
 #include "input/stick.h"
 
 namespace thaum::input {
-
-/// State of a gamepad; all zero if it is absent.
-struct PadState {
-    /// Sticks -1..1, right and up positive; triggers 0..1; indices as in PadAxis.
-    std::array<double, pad_axes> axes{};
-    std::uint32_t buttons{};  ///< bit i is PadButton i
-};
 
 /// Input of one player's hands. `take` belongs to one thread, all other functions to another.
 class HandsCollector {

@@ -5,13 +5,11 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/one_line.h"
 #include "core/text.h"
@@ -21,20 +19,23 @@
 // and one that was changed and is stopped before that tick leaves the motors on for ever. So a running effect is never
 // changed. There are two: one runs, the other takes the new values, starts, and then the first stops. That stop begins
 // the other at once. Then no stop, and no death of the program, can leave a motor on.
+//
+// SDL's own rumble is not used, because it does neither. It changes the one effect that runs, and gives it a length of
+// 65.5 s in Linux, which SDL cuts short only while somebody polls it. A program that is stopped or hangs would leave
+// the motors on for a minute, and one that is killed between the change and its start for ever. With effects that end
+// by themselves, the thread of the motors needs no lock that the thread which polls SDL has, either: SDL locks all
+// joysticks while it updates them.
 
 namespace thaum::input {
 namespace {
 
-constexpr const char* device_folder = "/dev/input";
-constexpr std::string_view event_prefix = "event";
-constexpr std::size_t longest_name = 256;
 constexpr std::size_t most_shown = 60;  ///< bytes of a pad's name in messages
 
 /// An open device file; closed with its owner.
 class DeviceFile {
 public:
     DeviceFile() = default;
-    DeviceFile(const std::filesystem::path& path, int flags)
+    DeviceFile(const std::string& path, int flags)
         : fd_(::open(path.c_str(), flags | O_NONBLOCK | O_CLOEXEC)) {}
     DeviceFile(DeviceFile&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
     DeviceFile& operator=(DeviceFile&& other) noexcept {
@@ -52,44 +53,6 @@ private:
     int fd_ = -1;
 };
 
-bool is_event_device(const std::filesystem::path& path) {
-    const auto name = path.filename().string();
-    return name.size() > event_prefix.size() && name.starts_with(event_prefix) &&
-           std::all_of(name.begin() + event_prefix.size(), name.end(),
-                       [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// Paths of all event devices, in the order in which GLFW numbers them: "event10" is before "event2".
-std::vector<std::filesystem::path> event_devices() {
-    std::vector<std::filesystem::path> paths;
-    std::error_code error;
-    for (std::filesystem::directory_iterator it(device_folder, error), end; !error && it != end;
-         it.increment(error)) {
-        if (is_event_device(it->path())) paths.push_back(it->path());
-    }
-    std::sort(paths.begin(), paths.end(),
-              [](const auto& a, const auto& b) { return a.native() < b.native(); });
-    return paths;
-}
-
-/// Tests whether a device file is of the pad's model and has its name.
-bool is_of_model(const std::filesystem::path& path, const PadId& pad) {
-    const DeviceFile file(path, O_RDONLY);
-    input_id id{};
-    if (!file.is_open() || ::ioctl(file.fd(), EVIOCGID, &id) < 0) return false;
-    std::array<char, longest_name> name{};
-    if (::ioctl(file.fd(), EVIOCGNAME(longest_name - 1), name.data()) < 0) return false;
-    return pad.name == name.data() && detail::pad_guid(id, name.data()) == pad.guid;
-}
-
-Expected<std::filesystem::path> find_pad(const PadId& pad) {
-    std::size_t before = 0;
-    for (auto& path : event_devices()) {
-        if (is_of_model(path, pad) && before++ == pad.equal_one) return std::move(path);
-    }
-    return fail("it was not found in /dev/input; plug it in again");
-}
-
 bool runs_rumble(const DeviceFile& file) {
     std::array<std::uint8_t, FF_CNT / 8> bits{};
     int effects = 0;
@@ -100,7 +63,7 @@ bool runs_rumble(const DeviceFile& file) {
 
 class Rumble final : public TactileOutput {
 public:
-    explicit Rumble(const PadId& pad) : pad_(pad) {}
+    Rumble(std::string path, std::string name) : path_(std::move(path)), name_(std::move(name)) {}
     ~Rumble() override { end(); }
 
     Expected<void> open() override;
@@ -108,7 +71,7 @@ public:
     void silence() override;
     bool is_connected() override;
     void close() override { end(); }
-    std::string name() const override { return text("pad '", printable(pad_.name, most_shown), "'"); }
+    std::string name() const override { return text("pad '", printable(name_, most_shown), "'"); }
 
 private:
     void upload(ff_effect& effect);
@@ -116,7 +79,7 @@ private:
     bool is_running(const ff_effect& wanted) const;
     void end();
 
-    const PadId pad_;
+    const std::string path_, name_;
     DeviceFile file_{};
     bool failed_ = false;                 ///< a call has failed since the opening
     std::array<ff_effect, 2> effects_{};  ///< id below 0: not uploaded
@@ -126,12 +89,10 @@ private:
 };
 
 Expected<void> Rumble::open() {
-    auto path = find_pad(pad_);
-    if (!path) return path.error();
-    DeviceFile file(*path, O_RDWR);
+    DeviceFile file(path_, O_RDWR);
     if (!file.is_open())
-        return fail(text("no rumble: ", path->native(), ": ", std::strerror(errno),
-                         "; allow this user to write to it"));
+        return fail(
+            text("no rumble: ", path_, ": ", std::strerror(errno), "; allow this user to write to it"));
     if (!runs_rumble(file)) return fail("no rumble: it has no motors, or its driver does not run them");
     file_ = std::move(file);
     failed_ = running_ = false;
@@ -199,6 +160,8 @@ void Rumble::end() {
 
 }  // namespace
 
-std::unique_ptr<TactileOutput> rumble_output(const PadId& pad) { return std::make_unique<Rumble>(pad); }
+std::unique_ptr<TactileOutput> rumble_output(const PadState& pad) {
+    return std::make_unique<Rumble>(pad.path, pad.name);
+}
 
 }  // namespace thaum::input

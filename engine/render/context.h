@@ -1,6 +1,6 @@
 // render/context.h: the targets of drawing. Two kinds of OpenGL 3.3 core context share one interface:
 //
-//     Window     on the desktop (GLFW), with keys, mouse and pads
+//     Window     on the desktop (GLFW), with keys and mouse
 //     Offscreen  in memory (EGL), for tests and films; needs no display
 //
 //     make_current()     gives OpenGL to the calling thread (no other thread may hold it)
@@ -11,7 +11,6 @@
 // The main thread creates, polls and destroys a Window. The render thread draws, and must release the context
 // before the Window is destroyed. A Renderer must be destroyed before its context.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -51,18 +50,6 @@ struct WindowEvents {
     std::function<void(Size)> resize;
 };
 
-/// A gamepad in the layout of an Xbox pad.
-struct PadState {
-    bool present = false;
-    std::string name{};
-    std::array<float, 6> axes{};  ///< left x, left y, right x, right y (right and down +1), triggers 0 to 1
-    std::uint32_t buttons{};      ///< bit n: A B X Y LB RB Back Start Guide L R Up Right Down Left
-    // For programs that look for the same pad by other means, since GLFW hides its path:
-    std::string guid{};         ///< identification of the model: 32 hexadecimal digits
-    std::string system_name{};  ///< name that the system's driver gives the pad
-    std::size_t equal_one{};  ///< number of the pad among the plugged ones with the same guid and system name
-};
-
 class Window {
 public:
     /// Opens the window; only one may exist at a time. Errors: no display, no OpenGL 3.3.
@@ -80,9 +67,6 @@ public:
     void capture_cursor(bool capture);
     void set_fullscreen(bool fullscreen);
     void set_title(const std::string& title);
-    /// State of up to four pads. A pad keeps its index, also when it is unplugged and comes back
-    /// (detail/pad_places.h).
-    std::array<PadState, 4> pads();
 
     // Called on any thread.
     Size size() const;

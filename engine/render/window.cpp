@@ -11,7 +11,6 @@
 #include "core/text.h"
 #include "render/context.h"
 #include "render/detail/key_labels.h"
-#include "render/detail/pad_places.h"
 #include "render/display.h"
 
 namespace thaum::render {
@@ -30,7 +29,6 @@ struct Window::State {
     /// true: the next position of the cursor in this poll is a jump and no motion of the mouse
     bool jumps = false;
     double last_x = 0, last_y = 0;
-    PadPlaces pads{};
     int windowed_x = 0, windowed_y = 0;
     Size windowed_size;
 
@@ -260,56 +258,6 @@ void Window::set_fullscreen(bool fullscreen) {
 }
 
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->handle, title.c_str()); }
-
-namespace {
-
-/// A text of GLFW, which may be null.
-std::string in_words(const char* words) { return words == nullptr ? "" : words; }
-
-std::vector<PluggedPad> plugged_pads() {
-    std::vector<PluggedPad> plugged;
-    for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
-        if (glfwJoystickIsGamepad(joystick) == 0) continue;
-        plugged.push_back({joystick, in_words(glfwGetJoystickGUID(joystick))});
-    }
-    return plugged;
-}
-
-/// Number of joysticks with a lower number, and the same model and name. GLFW gives the lowest free number.
-std::size_t equal_ones_before(int id, const PadState& pad) {
-    std::size_t count = 0;
-    for (int other = GLFW_JOYSTICK_1; other < id; ++other) {
-        if (glfwJoystickPresent(other) != 0 && in_words(glfwGetJoystickGUID(other)) == pad.guid &&
-            in_words(glfwGetJoystickName(other)) == pad.system_name)
-            ++count;
-    }
-    return count;
-}
-
-PadState read_pad(int id) {
-    PadState pad;
-    GLFWgamepadstate raw{};
-    if (id < 0 || glfwGetGamepadState(id, &raw) == 0) return pad;
-    pad.present = true;
-    pad.name = in_words(glfwGetGamepadName(id));
-    pad.guid = in_words(glfwGetJoystickGUID(id));
-    pad.system_name = in_words(glfwGetJoystickName(id));
-    pad.equal_one = equal_ones_before(id, pad);
-    for (std::size_t i = 0; i < 6; ++i) pad.axes[i] = i < 4 ? raw.axes[i] : (raw.axes[i] + 1) / 2;
-    for (std::uint32_t i = 0; i <= GLFW_GAMEPAD_BUTTON_LAST; ++i) {
-        if (raw.buttons[i] == GLFW_PRESS) pad.buttons |= 1U << i;
-    }
-    return pad;
-}
-
-}  // namespace
-
-std::array<PadState, 4> Window::pads() {
-    place_pads(state_->pads, plugged_pads());
-    std::array<PadState, 4> out;
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = read_pad(state_->pads[i].id);
-    return out;
-}
 
 Size Window::size() const { return state_->size; }
 bool Window::minimised() const { return state_->minimised; }

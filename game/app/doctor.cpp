@@ -21,8 +21,11 @@
 #include "game/command_line/arguments.h"
 #include "game/jackets/jacket.h"
 #include "game/live/live_shared.h"
+#include "game/live/pad_setup.h"
 #include "game/settings/settings.h"
 #include "haptics/safety.h"
+#include "input/locked_sticks.h"
+#include "input/pads.h"
 #include "physics/bullet_maths.h"
 #include "render/context.h"
 #include "render/display.h"
@@ -197,20 +200,6 @@ Finding display() {
             "start it in a desktop session"};
 }
 
-/// Device names and event nodes in /proc/bus/input/devices whose handlers include a joystick.
-std::vector<std::pair<std::string, std::string>> pads() {
-    std::vector<std::pair<std::string, std::string>> found;
-    std::ifstream in("/proc/bus/input/devices");
-    std::string name;
-    for (std::string line; std::getline(in, line);) {
-        if (line.starts_with("N: Name=")) name = line.substr(8);
-        if (!line.starts_with("H: Handlers=") || line.find("js") == std::string::npos) continue;
-        const auto at = line.find("event");
-        if (at != std::string::npos) found.emplace_back(name, line.substr(at, line.find(' ', at) - at));
-    }
-    return found;
-}
-
 /// Sounds and loudspeakers. Without them the game is silent, so they are never missing.
 Finding sound(const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
@@ -271,18 +260,29 @@ void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& as
                             text("\"hid:", words_of(id), "\" is ", printable(name, most_of_name_shown)), ""});
 }
 
+/// Pads, joysticks that SDL does not know, and those that may not be read.
 void add_pads(std::vector<Finding>& findings) {
-    const auto all = pads();
-    if (all.empty()) findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
-    for (const auto& [name, node] : all) {
-        const bool readable = ::access(text("/dev/input/", node).c_str(), R_OK) == 0;
-        findings.push_back({"pad", readable ? State::good : State::missing,
-                            text(name, readable ? " can be read" : " cannot be read (", readable ? "" : node,
-                                 readable ? "" : ")"),
-                            readable ? ""
-                                     : "add to /etc/udev/rules.d/60-thaum.rules: SUBSYSTEM==\"input\", "
-                                       "ENV{ID_INPUT_JOYSTICK}==\"1\", TAG+=\"uaccess\""});
-    }
+    const auto named = [](const std::string& name, const std::string& path) {
+        return text(printable(name, most_of_name_shown), " (", path, ")");
+    };
+    const auto before = findings.size();
+    input::PadReader reader;
+    const auto pads = reader.poll();
+    if (!reader.fault().empty())
+        findings.push_back({"pad", State::missing, reader.fault(), "reinstall libsdl2-2.0-0"});
+    for (const auto& pad : pads)
+        if (pad.present)
+            findings.push_back({"pad", State::good, text(named(pad.name, pad.path), " plays"), ""});
+    for (const auto& stick : reader.sticks())
+        findings.push_back({"pad", State::note,
+                            text(named(stick.name, stick.path), " is a joystick that is not known"),
+                            "start thaum and choose 'Set up' on the page Controls, or put a line for it into "
+                            "SDL_GAMECONTROLLERCONFIG"});
+    for (const auto& stick : input::locked_sticks())
+        findings.push_back({"pad", State::missing, text(named(stick.name, stick.path), " may not be read"),
+                            std::string(how_to_unlock)});
+    if (findings.size() == before)
+        findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
 }
 
 /// Delays of `count` wake-ups at 1 kHz (us), sorted.

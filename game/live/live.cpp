@@ -12,6 +12,7 @@
 #include "game/live/end_watch.h"
 #include "game/live/live_replay.h"
 #include "game/live/live_window.h"
+#include "game/settings/own_pads.h"
 
 namespace thaum::app {
 
@@ -101,7 +102,7 @@ Expected<void> play_matches(Live& live) {
     }
     for (std::uint64_t number = 1; !live.shared.stop; ++number) {
         if (live.plan.start_screen && !again && !run_start_screen(session, live.shared, live.window)) break;
-        session.take_seats(live.window.window.pads());
+        session.take_seats(live.window.pads.poll());
         const int countdown = countdown_of(live);
         auto recording = open_recording(live, seed, number);
         // A log that the user named must be opened. If the default folder fails, the match is played without
@@ -161,6 +162,14 @@ void tell_arm(const LiveArm& arm, bool name_it) {
                    arm.keeper->losses(), " times; ", faults.differing, " forces differ from the match's"));
 }
 
+/// Mappings of pads that players have made. A fault is told, and then there are none.
+std::vector<std::string> own_mappings(const std::filesystem::path& settings_file) {
+    auto mappings = load_own_pads(own_pads_file(settings_file));
+    if (mappings) return std::move(*mappings);
+    tell_user(text("pads that were set up are not known: ", mappings.error().message));
+    return {};
+}
+
 void fill_report(LiveShared& shared, LiveReport& report) {
     report = shared.report;
     report.late_us_median = shared.late.at(0.5);
@@ -180,6 +189,8 @@ std::string told(const input::TickReport& arm) {
 }
 
 int run_live(const LivePlan& plan) {
+    // Begins first, since its look for pads runs beside all that follows.
+    input::PadReader pads(own_mappings(plan.settings_file));
     // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
     // hangs.
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
@@ -197,7 +208,7 @@ int run_live(const LivePlan& plan) {
     if (!drawing) return refuse(drawing.error());
     // Sounds are made while the other thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
-    Live live{plan, shared, session, {*window, plan.settings.fullscreen}};
+    Live live{plan, shared, session, {*window, pads, plan.settings.fullscreen}};
     const auto played = play_matches(live);
     shared.stop = true;
     drawing->join();

@@ -10,28 +10,19 @@ namespace thaum::app {
 using input::Action;
 using input::DeviceKind;
 
-namespace {
-
-/// Pad state for the collector, whose stick axes are positive upwards; the window's are positive downwards.
-input::PadState pad_state(const render::PadState& from) {
-    input::PadState to;
-    for (std::size_t i = 0; i < to.axes.size(); ++i) to.axes[i] = static_cast<double>(from.axes[i]);
-    to.axes[static_cast<std::size_t>(input::PadAxis::left_y)] *= -1;
-    to.axes[static_cast<std::size_t>(input::PadAxis::right_y)] *= -1;
-    to.buttons = from.buttons;
-    return to;
-}
-
-}  // namespace
-
-void PlayerHands::begin_match(const Settings& settings, const Pads& pads) {
+HandNews PlayerHands::begin_match(const Settings& settings, const Pads& pads) {
+    HandNews news;
     seated_ = settings;
     for (std::uint32_t p = 0; p < game::players; ++p) {
         const auto place = static_cast<std::size_t>(seats_[p].seat.pad);
         const bool seen = place < pads.size() && pads[place].present;
-        holds_[p] = {.seen = seen, .let_go_first = true, .half = holds_[p].half};
+        const bool half = holds_[p].half;
+        const bool lost = has_pad(seats_[p]) && !seen && !half;
+        holds_[p] = {.seen = seen, .lost = lost, .let_go_first = true, .half = half};
+        if (lost) news.lost = p;
     }
     rebind(settings);
+    return news;
 }
 
 void PlayerHands::leave_seats() {
@@ -70,7 +61,7 @@ HandNews PlayerHands::look(const Pads& pads, const Settings& settings, bool menu
 }
 
 /// Notes that the pad has gone or come back. Returns whether a button has just brought its player back.
-bool PlayerHands::came_back(std::uint32_t player, const render::PadState& pad, const Settings& settings,
+bool PlayerHands::came_back(std::uint32_t player, const input::PadState& pad, const Settings& settings,
                             HandNews& news) {
     auto& hold = holds_[player];
     const bool seen_before = std::exchange(hold.seen, pad.present);
@@ -99,13 +90,13 @@ std::optional<std::size_t> PlayerHands::other_pad_for(std::uint32_t player, cons
 }
 
 /// Passes the pad's state to its player's hands, once the buttons that were held have been released.
-void PlayerHands::feed(std::uint32_t player, const render::PadState& pad, bool menu_open) {
+void PlayerHands::feed(std::uint32_t player, const input::PadState& pad, bool menu_open) {
     auto& hold = holds_[player];
     if (!pad.present || hold.lost || hold.half) return;
     if (menu_open) hold.let_go_first = true;
     if (hold.let_go_first && (pad.buttons != 0 || menu_open)) return;
     hold.let_go_first = false;
-    seats_[player].hands->pad(pad_state(pad));
+    seats_[player].hands->pad(pad);
 }
 
 /// Gives the player's hands the bindings of the new device, and reports when no player is without one.

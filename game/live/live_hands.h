@@ -11,7 +11,7 @@ inline constexpr std::string_view how_to_rejoin = "plug it in and press a button
 
 /// Players whose devices have just gone or come back.
 struct HandNews {
-    std::optional<std::uint32_t> lost{};  ///< player whose pad was unplugged: the match must pause
+    std::optional<std::uint32_t> lost{};  ///< player whose pad is not plugged in: the match must pause
     /// player who came back last, now that no player is without a device: the match must go on
     std::optional<std::uint32_t> all_back{};
     /// pads that have just brought a player back; the button has no other effect
@@ -24,8 +24,9 @@ public:
     explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
 
     /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
-    /// they act in the match. A player with half of the keyboard keeps it in a rematch.
-    void begin_match(const Settings& settings, const Pads& pads);
+    /// they act in the match. A player with half of the keyboard keeps it in a rematch. A player whose pad is not
+    /// plugged in has lost it.
+    HandNews begin_match(const Settings& settings, const Pads& pads);
     /// Empties the seats and forgets which devices their players used.
     void leave_seats();
 
@@ -62,16 +63,16 @@ private:
     /// State of the pad that one player uses.
     struct PadHold {
         bool seen = false;          ///< the pad was plugged in at the last look
-        bool lost = false;          ///< the pad was unplugged, and its player has no other device
+        bool lost = false;          ///< the pad is not plugged in, and its player has no other device
         bool let_go_first = false;  ///< true: buttons held now are ignored until all have been released
         bool half = false;          ///< the player continues with half of the keyboard
     };
 
     void rejoin(std::uint32_t player, const Settings& settings, HandNews& news);
-    bool came_back(std::uint32_t player, const render::PadState& pad, const Settings& settings,
+    bool came_back(std::uint32_t player, const input::PadState& pad, const Settings& settings,
                    HandNews& news);
     std::optional<std::size_t> other_pad_for(std::uint32_t player, const Pads& pads) const;
-    void feed(std::uint32_t player, const render::PadState& pad, bool menu_open);
+    void feed(std::uint32_t player, const input::PadState& pad, bool menu_open);
 
     TakenSeats& seats_;
     std::array<PadHold, game::players> holds_{};

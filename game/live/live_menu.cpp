@@ -195,13 +195,13 @@ bool LiveMenu::has_seat(int place) const {
 
 /// Whether the pad has joined by a press that still lasts. Further presses are part of the same one, so that somebody
 /// who presses everything at once joins, and does not start the match before the other player has a seat.
-bool LiveMenu::joined_just_now(const Device& device, const render::PadState& before) {
+bool LiveMenu::joined_just_now(const Device& device, const input::PadState& before) {
     bool& joining = joining_.at(static_cast<std::size_t>(device.pad));
     if (joining && pressed_controls({}, before).empty()) joining = false;
     return joining;
 }
 
-void LiveMenu::pad(int place, const render::PadState& before, const render::PadState& now,
+void LiveMenu::pad(int place, const input::PadState& before, const input::PadState& now,
                    std::int64_t now_ns) {
     if (!now.present) {
         if (held_.pad == place) release();
@@ -221,7 +221,7 @@ void LiveMenu::pad(int place, const render::PadState& before, const render::PadS
     if (!waits_for_control()) point_by_pad(device, before, now, now_ns);
 }
 
-void LiveMenu::point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
+void LiveMenu::point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
                             std::int64_t now_ns) {
     const auto way = menu_direction_of(now);
     if (way == menu_direction_of(before) || (on_start_page() && joined_just_now(device, before))) return;
@@ -248,6 +248,11 @@ void LiveMenu::name_pads(const Pads& pads) {
         context_.pads[i] = name;
         if (!pads[i].present) step({.kind = Kind::gone, .device = {DeviceKind::pad, static_cast<int>(i)}});
     }
+}
+
+void LiveMenu::end_pad_setup(std::string note) {
+    if (sets_up_pad()) state_.pages.pop_back();
+    state_.note = std::move(note);
 }
 
 void LiveMenu::set_gestures(const game::GestureSet* gestures) {

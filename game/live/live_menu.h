@@ -46,7 +46,7 @@ public:
     void cursor(fvec2 position, render::Size window);
     void wheel(double steps);
     /// The pad with number `place` was in state `before` at the last look.
-    void pad(int place, const render::PadState& before, const render::PadState& now, std::int64_t now_ns);
+    void pad(int place, const input::PadState& before, const input::PadState& now, std::int64_t now_ns);
     /// Whether the pad has a seat on the start screen.
     bool has_seat(int place) const;
     /// Repeats a direction that is held, if the repetition is due.
@@ -63,7 +63,19 @@ public:
     /// Whether settings have changed since the last call.
     bool take_settings_change() { return std::exchange(settings_changed_, false); }
 
+    /// Whether the page of a joystick's set-up is shown.
+    bool sets_up_pad() const { return is_open() && state_.pages.back().page == Page::pad_setup; }
+
     // News for the menu.
+    /// Joysticks that are no pads, and a line for each joystick that does not play.
+    void tell_sticks(std::vector<std::string> names, std::vector<std::string> faults) {
+        context_.sticks = std::move(names);
+        context_.pad_faults = std::move(faults);
+    }
+    /// Control that the set-up of a joystick asks for.
+    void ask_for_control(std::string question) { context_.pad_question = std::move(question); }
+    /// Leaves the page of a joystick's set-up.
+    void end_pad_setup(std::string note);
     /// Updates the pads' names. A pad that was unplugged gives up its seat.
     void name_pads(const Pads& pads);
     /// State of the loudspeakers, for the page of the sounds.
@@ -108,10 +120,10 @@ private:
     void keep_changes(const Settings& before);
     void give_control(const Device& device, const input::Control& control);
     void name_key(int key, std::int64_t now_ns);
-    void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
+    void point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
                       std::int64_t now_ns);
     bool on_start_page() const { return !state_.pages.empty() && state_.pages.back().page == Page::start; }
-    bool joined_just_now(const Device& device, const render::PadState& before);
+    bool joined_just_now(const Device& device, const input::PadState& before);
     std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;
 
     MenuState state_;

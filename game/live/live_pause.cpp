@@ -7,7 +7,7 @@ namespace thaum::app {
 
 namespace {
 
-/// "Pad 1 of Ember was unplugged", or the like for two pads; empty if no pad is lost.
+/// "Pad 1 of Ember is not plugged in", or the like for two pads; empty if no pad is lost.
 std::string lost_pads(const PauseFacts& facts) {
     std::string pads;
     std::size_t count = 0;
@@ -17,7 +17,7 @@ std::string lost_pads(const PauseFacts& facts) {
                      game::name_of(facts.names, p));
     }
     if (count == 0) return {};
-    return text(pads, count == 1 ? " was unplugged" : " were unplugged");
+    return text(pads, count == 1 ? " is not plugged in" : " are not plugged in");
 }
 
 }  // namespace

@@ -5,12 +5,10 @@
 #include "game/live/live.h"
 #include "game/menu/menu.h"
 #include "input/collector.h"
-#include "render/context.h"
 
 namespace thaum::app {
 
-/// States of the window's pads.
-using Pads = std::array<render::PadState, 4>;
+using input::Pads;
 
 using Seats = std::array<Seat, game::players>;
 

@@ -11,6 +11,7 @@
 #include "game/match/record.h"
 #include "game/settings/control_names.h"
 #include "game/settings/own_gestures.h"
+#include "game/settings/own_pads.h"
 #include "game/settings/recorded_names.h"
 
 namespace thaum::app {
@@ -38,7 +39,8 @@ LiveSession::LiveSession(LiveShared& shared, const LivePlan& plan)
       plan_(plan),
       next_(plan.assets, plan.data),
       menu_(make_menu(plan)),
-      hands_(shared.seats) {
+      hands_(shared.seats),
+      setup_(own_pads_file(plan.settings_file)) {
     shared.requests.dummy = plan.practice.value_or(game::DummyKind::still);
     if (plan.replay != nullptr) {
         shared.replay.speed = plan.replay->speed;
@@ -194,7 +196,7 @@ void LiveSession::begin_match(const Pads& pads) {
     round_end_ = {};
     paused_by_focus_ = false;
     pads_ = pads;
-    hands_.begin_match(menu_.settings(), pads);
+    report(hands_.begin_match(menu_.settings(), pads));
     share_motors();
 }
 
@@ -378,7 +380,9 @@ void LiveSession::play_trial(std::int64_t now_ns) {
 
 void LiveSession::carry_out_request() {
     auto& requests = shared_.requests;
-    switch (menu_.take_request()) {
+    const auto request = menu_.take_request();
+    if (setup_.carry_out(request, menu_)) return;
+    switch (request) {
         case MenuRequest::restart: return restart();
         case MenuRequest::leave:
         case MenuRequest::quit: return leave_match();
@@ -397,7 +401,9 @@ void LiveSession::carry_out_request() {
         case MenuRequest::none:
         case MenuRequest::start:
         case MenuRequest::range:
-        case MenuRequest::apprentice: return;  // they belong to the start screen
+        case MenuRequest::set_up_pad:
+        case MenuRequest::skip_control:
+        case MenuRequest::apprentice: return;  // they belong to the start screen, or are done
     }
     requests.go_on = first_person(shared_.seats).value_or(0);
 }
@@ -517,6 +523,7 @@ bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {
     play_trial(now_ns);
     follow_arena();
     const auto request = menu_.take_request();
+    if (setup_.carry_out(request, menu_)) return false;
     if (request == MenuRequest::start && succeeds(load_chosen())) return true;
     if (request == MenuRequest::range && succeeds(next_.open_range())) return true;
     if (request == MenuRequest::apprentice && succeeds(next_.open_apprentice())) return true;

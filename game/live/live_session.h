@@ -6,6 +6,7 @@
 //     FocusLoss    the window's focus, whose loss pauses
 //     RoundEnd     the time since the round's end
 //     NextMatch    data of the next match
+//     PadSetup     joysticks that do not play
 //     ReplayViewer keys and mouse of a shown replay
 //
 // Events and times (ns, monotonic clock) are arguments (live_window.cpp passes those of the window), so that a
@@ -16,6 +17,7 @@
 #include "game/live/live_menu.h"
 #include "game/live/live_shared.h"
 #include "game/live/next_match.h"
+#include "game/live/pad_setup.h"
 
 namespace thaum::app {
 
@@ -55,6 +57,15 @@ public:
     void step_match(const std::optional<Pads>& pads, std::int64_t now_ns);
     /// Whether the menu has asked to begin the ended match again. Forgets it.
     bool take_restart() { return std::exchange(restarts_, false); }
+
+    /// Tells which joysticks do not play, while a menu is open. Returns a mapping that makes a pad of one.
+    std::optional<std::string> look_at_sticks(IdleSticks sticks) {
+        return setup_.follow(std::move(sticks), menu_);
+    }
+    /// Such a mapping was taken, or not.
+    void end_pad_setup(const std::string& mapping, const Expected<void>& taken) {
+        setup_.end(mapping, taken, menu_);
+    }
 
     /// Publishes shared.screen if something on it has changed.
     void publish_screen();
@@ -108,6 +119,7 @@ private:
     NextMatch next_;
     LiveMenu menu_;
     PlayerHands hands_;
+    PadSetup setup_;
     std::optional<ReplayViewer> viewer_{};  ///< std::nullopt: no replay is shown
     FocusLoss focus_{};
     RoundEnd round_end_{};

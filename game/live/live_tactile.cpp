@@ -24,19 +24,12 @@ void LiveTactile::apply(const Settings& settings) {
     }
 }
 
-void LiveTactile::use_pad(std::uint32_t player, const render::PadState* pad) {
+void LiveTactile::use_pad(std::uint32_t player, const input::PadState* pad) {
     auto& seat = seats_.at(player);
-    if (pad == nullptr || !pad->present || pad->guid.empty()) {
-        if (!seat.pad) return;
-        seat.pad.reset();
-        return seat.motors.use(nullptr);
-    }
-    // Compared piece by piece, because this happens 250 times a second.
-    const bool same = seat.pad && seat.pad->equal_one == pad->equal_one && seat.pad->guid == pad->guid &&
-                      seat.pad->name == pad->system_name;
-    if (same) return;
-    seat.pad = {.guid = pad->guid, .name = pad->system_name, .equal_one = pad->equal_one};
-    seat.motors.use(make_(*seat.pad));
+    const bool none = pad == nullptr || !pad->present;
+    if (seat.pad == (none ? std::string_view() : pad->path)) return;
+    seat.pad = none ? std::string() : pad->path;
+    seat.motors.use(seat.pad.empty() ? nullptr : make_(*pad));
 }
 
 void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {

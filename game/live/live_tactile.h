@@ -19,13 +19,12 @@
 #include "game/settings/settings.h"
 #include "input/rumble.h"
 #include "input/tactile_player.h"
-#include "render/context.h"
 
 namespace thaum::app {
 
 class LiveTactile {
 public:
-    using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadId&)>;
+    using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadState&)>;
     using MakeJacket =
         std::function<std::unique_ptr<input::TactileOutput>(const Jacket&, std::uint32_t player)>;
     /// Tests pass makers of fakes.
@@ -38,9 +37,9 @@ public:
     // The main thread. All may be called during a match.
     /// Takes the strength of motors, and connects other jackets than before.
     void apply(const Settings& settings);
-    /// Gives a player the motors of a pad; nothing happens if the player has them. Null, a pad that is
-    /// not plugged in, or one without a guid: none.
-    void use_pad(std::uint32_t player, const render::PadState* pad);
+    /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not plugged
+    /// in or has no device file: none.
+    void use_pad(std::uint32_t player, const input::PadState* pad);
     /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
     void tell_status();
     /// State of a player's jacket in one sentence; empty: the player has none.
@@ -87,7 +86,7 @@ private:
         input::TactileReport report() const;
     };
     struct Seat {
-        std::optional<input::PadId> pad{};
+        std::string pad{};  ///< device file of the pad; empty: none
         Socket motors{};
         std::atomic<float> gain{};
         std::array<std::atomic<double>, tactile::purpose_count> faders{};

@@ -49,6 +49,18 @@ void tell_outputs(LiveShared& shared) {
     shared.tactile.tell_status();
 }
 
+/// Looks at the joysticks that do not play, for the menu.
+void look_at_sticks(LiveSession& session, LiveWindow& window) {
+    constexpr std::int64_t period_ns = 2'000'000'000;
+    if (!session.menu().is_open()) return;
+    if (const auto now = monotonic_ns(); now >= window.look_for_locked_ns) {
+        window.look_for_locked_ns = now + period_ns;
+        window.locked = input::locked_sticks();
+    }
+    const auto mapping = session.look_at_sticks({window.pads.sticks(), window.locked, window.pads.fault()});
+    if (mapping) session.end_pad_setup(*mapping, window.pads.add(*mapping));
+}
+
 }  // namespace
 
 bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window) {
@@ -57,7 +69,8 @@ bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& wind
     while (!shared.stop) {
         session.publish_screen();
         window.window.poll(events, session.patience_s());
-        const bool starts = session.step_start_screen(window.window.pads(), monotonic_ns());
+        const bool starts = session.step_start_screen(window.pads.poll(), monotonic_ns());
+        look_at_sticks(session, window);
         follow_fullscreen(session, window);
         tell_outputs(shared);
         if (starts) return true;
@@ -68,7 +81,7 @@ bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& wind
 
 void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
     auto& view = window.window;
-    session.begin_match(view.pads());
+    session.begin_match(window.pads.poll());
     const auto events = events_of(session, view);
     Staller staller{session.plan().stall};
     std::int64_t next_probe_ns = 0;
@@ -78,7 +91,9 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
         view.poll(events, session.patience_s());
         if (session.plan().probe) probe(session, next_probe_ns);
         if (closes(view)) shared.stop = true;
-        session.step_match(session.needs_pads() ? std::optional(view.pads()) : std::nullopt, monotonic_ns());
+        session.step_match(session.needs_pads() ? std::optional(window.pads.poll()) : std::nullopt,
+                           monotonic_ns());
+        look_at_sticks(session, window);
         follow_fullscreen(session, window);
         tell_outputs(shared);
         view.capture_cursor(session.captures_cursor());

@@ -1,15 +1,19 @@
 // game/live/live_window.h: the loops of a live session's main thread. They pass the events of the window, the
-// states of its pads and the time to the session.
+// states of the pads and the time to the session.
 #pragma once
 #include "game/live/live_session.h"
+#include "input/pads.h"
 
 namespace thaum::app {
 
 /// Window of a session, with the mode that was set last.
 struct LiveWindow {
     render::Window& window;
+    input::PadReader& pads;
     bool fullscreen = false;
-    bool tells_pause = false;  ///< the title says that the match is paused
+    bool tells_pause = false;                  ///< the title says that the match is paused
+    std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read
+    std::int64_t look_for_locked_ns = 0;       ///< when to look for them again
 };
 
 /// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).

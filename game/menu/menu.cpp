@@ -196,7 +196,8 @@ void reset_page(MenuState& s) {
             break;
         case Page::start:
         case Page::pause:
-        case Page::sheets: return;
+        case Page::sheets:
+        case Page::pad_setup: return;
     }
     s.note = text(what, " reset to defaults");
 }
@@ -294,6 +295,12 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
             s.sheet = row.index;
             open(s, Page::bindings);
             break;
+        case RowKind::set_up_pad:
+            s.stick = row.index;
+            s.request = MenuRequest::set_up_pad;
+            open(s, Page::pad_setup);
+            break;
+        case RowKind::skip_control: s.request = MenuRequest::skip_control; break;
         case RowKind::action: s.waiting = Slot{s.sheet, row.index}; break;
         case RowKind::defaults: reset_page(s); break;
         case RowKind::undo: undo(s); break;

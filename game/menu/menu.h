@@ -23,8 +23,9 @@ struct Device {
 enum class Page : std::uint8_t {
     start,
     pause,
-    sheets,    ///< list of the sheets of bindings
-    bindings,  ///< bindings of one sheet
+    sheets,     ///< list of the sheets of bindings
+    bindings,   ///< bindings of one sheet
+    pad_setup,  ///< asks for the controls of a joystick that is no pad yet
     settings,
     sound,     ///< settings of the sounds
     player,    ///< settings of one player
@@ -81,6 +82,10 @@ struct MenuContext {
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
+    std::vector<std::string>
+        sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
+    std::vector<std::string> pad_faults{};  ///< a line for each joystick that does not play
+    std::string pad_question{};             ///< control that the set-up of a joystick asks for
     /// words of the start screen on a faulty settings file; empty: there is no fault
     std::string settings_fault{};
 };
@@ -98,6 +103,8 @@ enum class MenuRequest : std::uint8_t {
     draw_gesture,
     stop_drawing,
     forget_gesture,
+    set_up_pad,
+    skip_control,
     restart,
     leave,
     quit
@@ -129,11 +136,12 @@ struct MenuState {
     game::RangeChanges range{};                   ///< changes of the range's rules
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     std::size_t sheet = 0;                        ///< sheet on the bindings page
-    std::size_t player = 0;                       ///< player whose settings or faders a page shows
-    std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
-    std::size_t profile = 0;                      ///< index of the chosen profile in MenuContext
-    std::optional<std::string> typing;            ///< words that are being typed; std::nullopt: none
-    Typing typed{};                               ///< what they are
+    std::size_t stick = 0;              ///< index into MenuContext::sticks, on the page of its set-up
+    std::size_t player = 0;             ///< player whose settings or faders a page shows
+    std::optional<Slot> waiting;        ///< slot that waits for a new control; std::nullopt: none
+    std::size_t profile = 0;            ///< index of the chosen profile in MenuContext
+    std::optional<std::string> typing;  ///< words that are being typed; std::nullopt: none
+    Typing typed{};                     ///< what they are
     Settings settings;
     std::optional<Settings> undo;          ///< settings before the last change of bindings
     std::string head, line;                ///< title and reason of the pause: who paused, and why

@@ -77,36 +77,31 @@ std::optional<Kind> name_event_of(int key) {
 
 namespace {
 
-double axis_of(const render::PadState& pad, PadAxis axis) {
-    return static_cast<double>(pad.axes[static_cast<std::size_t>(axis)]);
-}
+double axis_of(const input::PadState& pad, PadAxis axis) { return pad.axes[static_cast<std::size_t>(axis)]; }
 
 }  // namespace
 
-std::optional<Kind> menu_direction_of(const render::PadState& pad) {
+std::optional<Kind> menu_direction_of(const input::PadState& pad) {
     const auto down = [&](PadButton b) { return (pad.buttons >> static_cast<unsigned>(b) & 1U) != 0; };
     const double x = axis_of(pad, PadAxis::left_x), y = axis_of(pad, PadAxis::left_y);
     const bool upright = std::abs(y) > std::abs(x);
-    if (down(PadButton::up) || (upright && y < -menu_stick_press)) return Kind::up;
-    if (down(PadButton::down) || (upright && y > menu_stick_press)) return Kind::down;
+    if (down(PadButton::up) || (upright && y > menu_stick_press)) return Kind::up;
+    if (down(PadButton::down) || (upright && y < -menu_stick_press)) return Kind::down;
     if (down(PadButton::left) || (!upright && x < -menu_stick_press)) return Kind::left;
     if (down(PadButton::right) || (!upright && x > menu_stick_press)) return Kind::right;
     return {};
 }
 
-std::vector<Control> pressed_controls(const render::PadState& before, const render::PadState& now) {
+std::vector<Control> pressed_controls(const input::PadState& before, const input::PadState& now) {
     std::vector<Control> controls;
     for (unsigned b = 0; b <= static_cast<unsigned>(PadButton::left); ++b) {
         if ((now.buttons & ~before.buttons & 1U << b) != 0)
             controls.push_back({Control::Source::pad_button, static_cast<int>(b), 0});
     }
     for (std::size_t a = 0; a < input::pad_axes; ++a) {
-        const double from = static_cast<double>(before.axes[a]), to = static_cast<double>(now.axes[a]);
+        const double from = before.axes[a], to = now.axes[a];
         if (std::abs(from) >= menu_stick_press || std::abs(to) < menu_stick_press) continue;
-        // Stick axes of the window are positive downwards.
-        const bool upright =
-            a == static_cast<std::size_t>(PadAxis::left_y) || a == static_cast<std::size_t>(PadAxis::right_y);
-        controls.push_back({Control::Source::pad_axis, static_cast<int>(a), (to > 0) != upright ? 1 : -1});
+        controls.push_back({Control::Source::pad_axis, static_cast<int>(a), to > 0 ? 1 : -1});
     }
     return controls;
 }

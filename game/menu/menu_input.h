@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "game/menu/menu.h"
-#include "render/context.h"
+#include "input/pad_state.h"
 
 namespace thaum::app {
 
@@ -19,10 +19,10 @@ std::optional<MenuEvent> menu_event_of(int key);
 std::optional<MenuEvent::Kind> name_event_of(int key);
 
 /// Direction that a pad's cross or left stick points to; std::nullopt: none.
-std::optional<MenuEvent::Kind> menu_direction_of(const render::PadState& pad);
+std::optional<MenuEvent::Kind> menu_direction_of(const input::PadState& pad);
 
 /// All controls of the pad that were pressed since `before`.
-std::vector<input::Control> pressed_controls(const render::PadState& before, const render::PadState& now);
+std::vector<input::Control> pressed_controls(const input::PadState& before, const input::PadState& now);
 
 /// Event of a pad's control; std::nullopt for controls that point in a direction (menu_direction_of).
 std::optional<MenuEvent::Kind> menu_event_of(const input::Control& control, bool start_page);

@@ -18,12 +18,14 @@ std::string name_of(const Device& device, const MenuContext& context) {
 
 namespace {
 
-std::string title_of(const MenuState& s) {
+std::string title_of(const MenuState& s, const MenuContext& context) {
     switch (s.pages.back().page) {
         case Page::start: return "Thaum";
         case Page::pause: return s.head;
         case Page::sheets: return "Controls";
         case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
+        case Page::pad_setup:
+            return text("Set up ", s.stick < context.sticks.size() ? context.sticks[s.stick] : "a pad");
         case Page::settings: return "Settings";
         case Page::sound: return "Sound";
         case Page::player: return "Each player's own settings";
@@ -47,6 +49,7 @@ std::string line_of(const MenuState& s, const MenuContext& context, const Row& r
         case Page::start: return start_line(s, row);
         case Page::pause: return s.line;
         case Page::sound: return context.sound;
+        case Page::pad_setup: return context.pad_question;
         case Page::mixer: return text("what ", player_words(s.settings, s.player), " feels");
         case Page::cauldron:
             return text("what the hand of ", player_words(s.settings, s.player), " feels while it stirs");
@@ -98,6 +101,16 @@ std::string words_of_delay(const MenuState& s, const MenuContext& context, const
     return text("Applies from the next match, or after \"", label_of_restart(context), "\"");
 }
 
+/// A fault that a page shows while there is nothing else to report; empty: none.
+std::string fault_shown(Page page, const MenuContext& context) {
+    if (page == Page::start && !context.settings_fault.empty()) return context.settings_fault;
+    const bool tells = page == Page::start || page == Page::pause || page == Page::sheets;
+    if (!tells || context.pad_faults.empty()) return {};
+    const auto more = context.pad_faults.size() - 1;
+    return more == 0 ? context.pad_faults.front()
+                     : text(context.pad_faults.front(), " (", more, " more in the terminal)");
+}
+
 std::string head_of_seat(const MenuState& s, std::size_t player) {
     auto who = player_words(s.settings, player);
     return s.seats[player] ? text(who, ": joined") : who;
@@ -122,7 +135,7 @@ std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& cont
 game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     game::MenuPicture picture;
     if (s.pages.empty()) return picture;
-    picture.title = title_of(s);
+    picture.title = title_of(s, context);
     if (s.pages.back().page == Page::start) picture.seats = seats_of(s, context);
     auto rows = rows_of(s, context);
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
@@ -132,7 +145,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
     if (s.note.empty()) picture.note = words_of_delay(s, context, rows[picture.cursor]);
-    if (s.note.empty() && s.pages.back().page == Page::start) picture.note = context.settings_fault;
+    if (picture.note.empty()) picture.note = fault_shown(s.pages.back().page, context);
     return picture;
 }
 

@@ -242,7 +242,7 @@ void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) 
 
 // Controls --------------------------------------------------------------------------------------------------
 
-void add_sheet_rows(Rows& rows) {
+void add_sheet_rows(const MenuContext& context, Rows& rows) {
     for (std::size_t i = 0; i < sheets; ++i) {
         const auto label = label_of_sheet(i);
         rows.push_back({RowKind::sheet,
@@ -251,7 +251,20 @@ void add_sheet_rows(Rows& rows) {
                          .help = i == session_sheet ? "Shows and changes the keys that belong to no player."
                                                     : "Shows and changes what this device's controls do."}});
     }
+    for (std::size_t i = 0; i < context.sticks.size(); ++i)
+        rows.push_back(
+            {RowKind::set_up_pad,
+             i,
+             {.label = text("Set up ", context.sticks[i]),
+              .help = "Asks for one control after the other, so that this joystick plays as a pad."}});
     add_back_row(rows);
+}
+
+void add_setup_rows(Rows& rows) {
+    rows.push_back({RowKind::skip_control,
+                    0,
+                    {.label = "Skip this control", .help = "Leaves out a control that the joystick lacks."}});
+    rows.push_back({RowKind::back, 0, {.label = "Cancel", .help = "Ends the set-up. Nothing is kept."}});
 }
 
 std::string labels_of(const std::vector<Control>& controls) {
@@ -484,7 +497,8 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
     switch (s.pages.back().page) {
         case Page::start: add_start_rows(s, context, rows); break;
         case Page::pause: add_pause_rows(s, context, rows); break;
-        case Page::sheets: add_sheet_rows(rows); break;
+        case Page::sheets: add_sheet_rows(context, rows); break;
+        case Page::pad_setup: add_setup_rows(rows); break;
         case Page::bindings: add_binding_rows(s, context, rows); break;
         case Page::settings: add_setting_rows(s, rows); break;
         case Page::sound: add_sound_rows(s, rows); break;

@@ -25,6 +25,8 @@ enum class RowKind : std::uint8_t {
     restart,
     leave,
     sheet,
+    set_up_pad,
+    skip_control,
     action,
     toggle,
     defaults,
@@ -51,7 +53,7 @@ enum class RowKind : std::uint8_t {
 
 struct Row {
     RowKind kind{};
-    std::size_t index = 0;  ///< index of the setting, action, sheet, fader or tactile::Purpose
+    std::size_t index = 0;  ///< index of the setting, action, sheet, joystick, fader or tactile::Purpose
     game::MenuRow look;
     bool next_match = false;  ///< true: a change takes effect with the next match
 };

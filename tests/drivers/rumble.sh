@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# tests/drivers/rumble.sh RUMBLE_PROBE PAD_HARNESS: the motors of two pads by umockdev, under Xvfb. Frames for one side
-# run one motor, which stops after the time to live. The pad is pulled out and put back. The second pad has no motors.
-# Exits with 77 if a tool is missing.
+# tests/drivers/rumble.sh RUMBLE_PROBE PAD_HARNESS: the motors of two pads by umockdev. Frames for one side run one motor,
+# which stops after the time to live. The pad is pulled out and put back. The second pad has no motors. Exits with 77 if a
+# tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 probe=$1 harness=$2
-need Xvfb umockdev-wrapper
-open_screen 640x360
+need umockdev-wrapper
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0:verify_asan_link_order=0
 at_failure() { cat "$folder/said" "$folder/felt"; }
 
 mkfifo "$folder/pad" "$folder/orders"
@@ -78,7 +80,7 @@ feel 1 0 0 1
 eventually "the motors did not stop after that" stopped
 
 # 4. A pad without motors costs one line.
-eventually "no word on the second pad" says "player 2: pad 'Microsoft X-Box One pad': no rumble: .*"
+eventually "no word on the second pad" says "player 2: pad '.*': no rumble: .*"
 [ "$(grep -c 'no rumble' "$folder/said")" = 1 ] || failed "several lines on the second pad"
 ! grep -q '^2\.' "$folder/felt" || failed "the second pad was called"
 

@@ -1,8 +1,8 @@
-// Lets the motors of pads run, as a match does, from a window of its own:
+// Lets the motors of pads run, as a match does:
 //
 //     rumble_probe FILE
 //
-// The window's first two pads belong to the two players. FILE is a FIFO with lines "PLAYER LEFT RIGHT FRAMES": player 1
+// The first two pads belong to the two players. FILE is a FIFO with lines "PLAYER LEFT RIGHT FRAMES": player 1
 // or 2 gets so many frames of 8 ms, each with a time to live of 48 ms. A line replaces the one before. The program ends
 // with the FIFO. It prints "player 1 feels" and "player 1 feels nothing" when that changes, and the counts at its end.
 #include <array>
@@ -14,6 +14,7 @@
 
 #include "core/clock.h"
 #include "game/live/live_tactile.h"
+#include "input/pads.h"
 
 namespace {
 
@@ -54,12 +55,9 @@ struct Orders {
 
 class Probe {
 public:
-    explicit Probe(render::Window& window) : window_(window) {}
-
     /// Eight milliseconds of a match.
     void step(Orders& orders) {
-        window_.poll({});
-        const auto pads = window_.pads();
+        const auto& pads = reader_.poll();
         for (std::uint32_t p = 0; p < felt_.size(); ++p) {
             tactile_.use_pad(p, &pads.at(p));
             if (const bool feels = tactile_.feels(p); feels != std::exchange(felt_.at(p), feels))
@@ -84,7 +82,7 @@ private:
         std::fflush(stdout);
     }
 
-    render::Window& window_;
+    input::PadReader reader_{};
     app::LiveTactile tactile_{};
     std::array<bool, 2> felt_{};
 };
@@ -94,14 +92,9 @@ private:
 int main(int argc, char** argv) {
     constexpr std::int64_t frame_ns = 8'000'000;
     if (argc != 2) return 2;
-    auto window = render::Window::create({});
-    if (!window) {
-        std::fprintf(stderr, "%s\n", window.error().message.c_str());
-        return 1;
-    }
     Orders orders;
     const std::jthread reader([&] { orders.read(argv[1]); });
-    Probe probe(*window);
+    Probe probe;
     for (auto due = monotonic_ns(); !orders.ended; due = std::max(due + frame_ns, monotonic_ns())) {
         probe.step(orders);
         sleep_until_ns(due + frame_ns);

@@ -73,7 +73,7 @@ mkdir "$place/by_pkg_config"
 "$place/bowl" "$place/by_pkg_config.nrrd" >"$place/by_pkg_config.txt"
 expect_same "$place/in_tree/bowl.nrrd" "$place/by_pkg_config.nrrd" "pkg-config: the bowl"
 # shellcheck disable=SC2046
-"$compiler" -O2 "$source/tests/install/probe.cpp" $(pkg-config --cflags --libs thaum-render thaum-audio) -o "$place/falling"
+"$compiler" -O2 "$source/tests/install/probe.cpp" $(pkg-config --cflags --libs thaum-render thaum-audio thaum-pads) -o "$place/falling"
 "$place/falling" >"$place/falling.txt"
 expect_same "$place/in_tree.probe" "$place/falling.txt" "pkg-config: the physics and the sound"
 

@@ -1,4 +1,5 @@
-// Drops a ball on a box in the installed physics and prints the state's hash, then mixes a sound and prints its size.
+// Drops a ball on a box in the installed physics and prints the state's hash, then mixes a sound, prints its size, and looks
+// for pads.
 // install_probe FILE also writes a picture by the installed renderer's code. It does not compile without the flags that the package carries.
 #include <algorithm>
 #include <array>
@@ -7,6 +8,7 @@
 #include "audio/mixer.h"
 #include "core/hash.h"
 #include "core/text.h"
+#include "input/pads.h"
 #include "physics/bullet_maths.h"
 #include "physics/physics.h"
 #include "render/image.h"
@@ -44,6 +46,9 @@ int main(int count, char** arguments) {
     std::cout << text("ball at height ", physics.state(2).position.y, " m\nmathematics ",
                       hex(physics::maths_probe()), "\nhash ", hex(hash_value(physics.state(2))),
                       "\nloudest sample ", loudest_sample(), "\n");
+    input::PadReader pads;
+    pads.poll();
+    if (!pads.fault().empty()) return 1;
     const render::Image image{2, 1, {255, 0, 0, 0, 0, 255}};
     return count < 2 || render::write_png(arguments[1], image) ? 0 : 1;
 }

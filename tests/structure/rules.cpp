@@ -198,6 +198,7 @@ const std::map<std::string, std::string_view, std::less<>> may_open = {
     {"engine/core/write_rule.cpp", "looks whether a file is a recording"},
     {"engine/input/log_reader.cpp", "reads pieces of a recording, and declares it"},
     {"engine/input/log_writer.cpp", "makes new files only"},
+    {"engine/input/locked_sticks.cpp", "tries whether devices may be opened"},
     {"engine/input/rumble.cpp", "opens devices"},
     {"engine/render/priority.cpp", "reads what the system says of threads"},
     {"game/app/doctor.cpp", "reads what the system says of devices"},
@@ -211,6 +212,7 @@ const std::set<std::string, std::less<>> may_read_own = {
     "engine/core/file.cpp",           "engine/core/file.h",
     "game/settings/settings.cpp",     "game/settings/settings_edit.cpp",
     "game/settings/feel_profile.cpp", "game/settings/own_gestures.cpp",
+    "game/settings/own_pads.cpp",
 };
 
 /// Beginnings of code that opens a file.

@@ -269,7 +269,7 @@ void reach(LiveTactile& tactile, std::uint32_t player, FakeBhaptics& fake, const
 
 TEST(BhapticsJacketThreads, TwoPlayersHaveTwoVestsThatGoDarkWhenFramesStop) {
     FakeBhaptics first(Manner::replies), second(Manner::replies);
-    LiveTactile tactile([](const input::PadId&) { return nullptr; });
+    LiveTactile tactile([](const input::PadState&) { return nullptr; });
     tactile.apply(settings_for(first, second));
     reach(tactile, 0, first, front_frame());
     reach(tactile, 1, second, back_frame());
@@ -283,7 +283,7 @@ TEST(BhapticsJacketThreads, TwoPlayersHaveTwoVestsThatGoDarkWhenFramesStop) {
 
 TEST(BhapticsJacketThreads, ALostPlayerIsConnectedAgain) {
     FakeBhaptics player(Manner::replies), other(Manner::replies);
-    LiveTactile tactile([](const input::PadId&) { return nullptr; });
+    LiveTactile tactile([](const input::PadState&) { return nullptr; });
     tactile.apply(settings_for(player, other));
     reach(tactile, 0, player, front_frame());
     player.behave(Manner::hangs_up);

@@ -37,7 +37,7 @@ protected:
     }
 
     std::optional<LiveBody> body_;
-    LiveTactile outputs_{[](const input::PadId&) { return nullptr; }};
+    LiveTactile outputs_{[](const input::PadState&) { return nullptr; }};
 };
 
 TEST_F(BodyTrialTest, EveryPurposeWithAnEffectCanBeFeltAndEnds) {

@@ -125,7 +125,7 @@ TEST(FeltRecorder, EveryFrameIsWrittenInASession) {
     constexpr Tick frames = 400;
     std::string wanted = felt_header();
     {
-        LiveTactile tactile([](const input::PadId&) { return nullptr; });
+        LiveTactile tactile([](const input::PadState&) { return nullptr; });
         tactile.apply(settings);
         while (tactile.jacket_layout(1) != "abstract_4x5") std::this_thread::yield();
         for (Tick i = 0; i < frames; ++i) {

@@ -186,7 +186,7 @@ private:
 };
 
 LiveTactile::MakeOutput no_pads() {
-    return [](const input::PadId&) { return nullptr; };
+    return [](const input::PadState&) { return nullptr; };
 }
 
 TEST(LiveJacket, WithoutAJacketNothingRuns) {

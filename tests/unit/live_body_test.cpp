@@ -66,7 +66,7 @@ struct FeltDuel {
     std::unique_ptr<LiveSound> sound;
     std::optional<LiveBody> body;
     Settings settings;
-    LiveTactile tactile{[](const input::PadId&) { return nullptr; },
+    LiveTactile tactile{[](const input::PadState&) { return nullptr; },
                         [this](const Jacket& jacket, std::uint32_t) -> std::unique_ptr<input::TactileOutput> {
                             if (jacket.link == Jacket::Link::none) return nullptr;
                             return std::make_unique<input::rig::FakeOutput>(felt);

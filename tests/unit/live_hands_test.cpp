@@ -17,8 +17,7 @@ class PlayerHandsTest : public testing::Test {
 protected:
     PlayerHandsTest() { hands_.begin_match(settings_, {rig::pad_with()}); }
 
-    HandNews look(const render::PadState& first, const render::PadState& second = {},
-                  bool menu_open = false) {
+    HandNews look(const input::PadState& first, const input::PadState& second = {}, bool menu_open = false) {
         return hands_.look({first, second}, settings_, menu_open);
     }
     input::DeviceSample sample(std::uint32_t player = 1) { return rig::taken(seats_, player); }
@@ -26,8 +25,8 @@ protected:
     const Settings settings_{};
     TakenSeats seats_ = rig::seats_for(rig::mouse_seat, rig::first_pad_seat);
     PlayerHands hands_{seats_};
-    const render::PadState unplugged_{}, idle_ = rig::pad_with(), pressed_ = rig::pad_with({PadButton::a}),
-                                         full_trigger_ = rig::pad_at(PadAxis::right_trigger, 1);
+    const input::PadState unplugged_{}, idle_ = rig::pad_with(), pressed_ = rig::pad_with({PadButton::a}),
+                                        full_trigger_ = rig::pad_at(PadAxis::right_trigger, 1);
     const int keypad_zero_ = rig::key("kp_0"), keypad_eight_ = rig::key("kp_8");
 };
 
@@ -89,7 +88,7 @@ TEST_F(PlayerHandsTest, PadsDoNotActWhileAMenuIsOpenNorBeforeARelease) {
 }
 
 TEST_F(PlayerHandsTest, SticksPointUpwardsInTheMatch) {
-    look(rig::pad_at(PadAxis::left_y, -1));
+    look(rig::pad_at(PadAxis::left_y, 1));
     EXPECT_EQ(sample().counts[input::hand::forward], 127);
 }
 

@@ -107,7 +107,7 @@ TEST_F(LiveMenuTest, AnotherKeysReleaseDoesNotEndTheRepetition) {
 
 TEST_F(LiveMenuTest, AHeldStickRepeatsUntilItIsLetGoOrUnplugged) {
     menu_.open(Page::start);
-    const auto idle = rig::pad_with(), down = rig::pad_at(PadAxis::left_y, 1);
+    const auto idle = rig::pad_with(), down = rig::pad_at(PadAxis::left_y, -1);
     menu_.pad(0, idle, down, 0);
     EXPECT_EQ(cursor(), 1U);
     menu_.pad(0, down, down, first / 2);

@@ -50,11 +50,12 @@ TEST(PauseWordsTest, NameThePlayerOrTheLostPad) {
     EXPECT_EQ(pause_words({}), (PauseWords{"Paused", ""}));
     const std::string help = "plug it in and press a button on it or on another pad";
     EXPECT_EQ(pause_words({.lost_pad = {2, std::nullopt}}),
-              (PauseWords{"Pad 3 of Ember was unplugged", help}));
-    EXPECT_EQ(pause_words({.lost_pad = {std::nullopt, 0}, .names = {"", "Zoë"}, .key_for_half = "Keypad 0"}),
-              (PauseWords{"Pad 1 of Zoë was unplugged", help + ", or Keypad 0 for half of the keyboard"}));
+              (PauseWords{"Pad 3 of Ember is not plugged in", help}));
+    EXPECT_EQ(
+        pause_words({.lost_pad = {std::nullopt, 0}, .names = {"", "Zoë"}, .key_for_half = "Keypad 0"}),
+        (PauseWords{"Pad 1 of Zoë is not plugged in", help + ", or Keypad 0 for half of the keyboard"}));
     EXPECT_EQ(pause_words({.focus_lost = true, .lost_pad = {0, 1}}).head,
-              "Pad 1 of Ember and pad 2 of Tide were unplugged");
+              "Pad 1 of Ember and pad 2 of Tide are not plugged in");
 }
 
 TEST(PauseWordsTest, SayThatTheWindowLostTheFocus) {

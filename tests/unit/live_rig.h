@@ -37,13 +37,13 @@ inline int code_of(const Settings& settings, input::DeviceKind kind, input::Acti
 inline int code_of(const Settings& settings, SessionKey key) { return settings.of(key).at(0).code; }
 
 /// A pad that is plugged in, with some buttons held.
-inline render::PadState pad_with(std::initializer_list<input::PadButton> held = {}) {
-    render::PadState pad{.present = true, .name = "Make-believe pad"};
+inline input::PadState pad_with(std::initializer_list<input::PadButton> held = {}) {
+    input::PadState pad{.present = true, .name = "Make-believe pad"};
     for (const auto button : held) pad.buttons |= 1U << static_cast<unsigned>(button);
     return pad;
 }
-/// A pad with an axis at `value`, in the window's direction: down is positive.
-inline render::PadState pad_at(input::PadAxis axis, float value) {
+/// A pad with an axis at `value`.
+inline input::PadState pad_at(input::PadAxis axis, double value) {
     auto pad = pad_with();
     pad.axes[static_cast<std::size_t>(axis)] = value;
     return pad;

@@ -26,8 +26,8 @@ protected:
         shared_.ready = true;
     }
 
-    /// Begins a match of the plan's seats, or of the start screen's.
-    void begin(const Pads& pads = {}) {
+    /// Begins a match of the plan's seats, or of the start screen's, with one pad plugged in.
+    void begin(const Pads& pads = {rig::pad_with()}) {
         session_.emplace(shared_, plan_);
         session_->take_seats(pads);
         session_->begin_match(pads);
@@ -73,9 +73,9 @@ protected:
     input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
 
     LivePlan plan_;
-    /// Makes the motors of a pad that has a guid; a test may change it.
-    LiveTactile::MakeOutput make_motors_ = [](const input::PadId&) { return nullptr; };
-    LiveShared shared_{[this](const input::PadId& pad) { return make_motors_(pad); }};
+    /// Makes the motors of a pad that has a device file; a test may change it.
+    LiveTactile::MakeOutput make_motors_ = [](const input::PadState&) { return nullptr; };
+    LiveShared shared_{[this](const input::PadState& pad) { return make_motors_(pad); }};
     std::optional<LiveSession> session_;
     Pads pads_{};
     std::int64_t now_ = 1000 * rig::ms;

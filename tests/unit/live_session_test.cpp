@@ -69,6 +69,25 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_TRUE(rig::is_down(sample(1), Button::jump));
 }
 
+TEST_F(LiveSessionTest, AMatchWithoutAPlayersPadBeginsPausedAndSaysWhosePadIsMissing) {
+    plan_.seats = {rig::first_pad_seat, rig::first_pad_seat};
+    begin({rig::pad_with()});
+    EXPECT_EQ(requests().pause, 1U) << "one pad for two";
+    EXPECT_FALSE(shared_.pad_lost[0]);
+    EXPECT_TRUE(shared_.pad_lost[1]);
+    pause(1);
+    step();
+    EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 1}}).head);
+    pads_[1] = rig::pad_with({PadButton::a});
+    step();
+    EXPECT_EQ(requests().go_on, 1U);
+    EXPECT_FALSE(shared_.pad_lost[1]);
+    begin(Pads{});
+    step();
+    EXPECT_TRUE(shared_.pad_lost[0] && shared_.pad_lost[1]);
+    EXPECT_LT(requests().pause, game::players);
+}
+
 TEST_F(LiveSessionTest, TheKeypadStandsInForALostPad) {
     begin({rig::pad_with()});
     pads_ = {};

@@ -89,7 +89,7 @@ TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
 }
 
 /// A pad with every button pressed, and its triggers and sticks at their ends.
-render::PadState whole_pad() {
+input::PadState whole_pad() {
     auto pad = rig::pad_with();
     pad.buttons = 0x7FFF;
     pad.axes.fill(1);

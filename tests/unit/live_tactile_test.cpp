@@ -19,34 +19,32 @@ using input::rig::frame_of;
 
 constexpr Tick long_life = 500;
 
-render::PadState pad_of(std::string guid, std::size_t equal_one = 0) {
+input::PadState pad_of(std::string path) {
     auto pad = rig::pad_with();
-    pad.guid = std::move(guid);
-    pad.system_name = "Make-believe driver's pad";
-    pad.equal_one = equal_one;
+    pad.path = std::move(path);
     return pad;
 }
 
-/// Fake motors of each pad, by guid and number.
+/// Fake motors of each pad, by its device file.
 class Motors {
 public:
-    std::unique_ptr<input::TactileOutput> make(const input::PadId& pad) {
-        EXPECT_EQ(pad.name, "Make-believe driver's pad");
+    std::unique_ptr<input::TactileOutput> make(const input::PadState& pad) {
+        EXPECT_EQ(pad.name, "Make-believe pad");
         ++made;
-        return std::make_unique<FakeOutput>(of(pad.guid, pad.equal_one));
+        return std::make_unique<FakeOutput>(of(pad.path));
     }
     LiveTactile::MakeOutput maker() {
-        return [this](const input::PadId& pad) { return make(pad); };
+        return [this](const input::PadState& pad) { return make(pad); };
     }
-    const std::shared_ptr<Felt>& of(const std::string& guid, std::size_t equal_one = 0) {
-        auto& felt = felt_[{guid, equal_one}];
+    const std::shared_ptr<Felt>& of(const std::string& path) {
+        auto& felt = felt_[path];
         if (felt == nullptr) felt = std::make_shared<Felt>();
         return felt;
     }
     int made = 0;
 
 private:
-    std::map<std::pair<std::string, std::size_t>, std::shared_ptr<Felt>> felt_;
+    std::map<std::string, std::shared_ptr<Felt>> felt_;
 };
 
 /// Passes frames until the motors play one, and returns its amplitudes.
@@ -67,7 +65,7 @@ TEST(LiveTactile, WithoutPadsNothingRuns) {
     LiveTactile tactile(motors.maker());
     tactile.feel(0, frame_of(1, 1));
     tactile.use_pad(0, nullptr);
-    const render::PadState unplugged{.present = false, .guid = "ab"};
+    const input::PadState unplugged{.present = false, .path = "/dev/input/event1"};
     tactile.use_pad(0, &unplugged);
     const auto nameless = rig::pad_with();
     tactile.use_pad(0, &nameless);
@@ -80,13 +78,13 @@ TEST(LiveTactile, WithoutPadsNothingRuns) {
 
 TEST(LiveTactileThreads, EachPlayerFeelsWithTheirOwnPadAndStrength) {
     Motors motors;
-    const auto first = motors.of("ab"), second = motors.of("ab", 1);
+    const auto first = motors.of("/dev/input/event1"), second = motors.of("/dev/input/event2");
     LiveTactile tactile(motors.maker());
     Settings settings;
     settings.players[0].rumble = 0.5;
     settings.players[1].rumble = 1;
     tactile.apply(settings);
-    const auto pad_1 = pad_of("ab"), pad_2 = pad_of("ab", 1);
+    const auto pad_1 = pad_of("/dev/input/event1"), pad_2 = pad_of("/dev/input/event2");
     for (int i = 0; i < 5; ++i) {
         tactile.use_pad(0, &pad_1);
         tactile.use_pad(1, &pad_2);
@@ -108,9 +106,9 @@ TEST(LiveTactileThreads, EachPlayerFeelsWithTheirOwnPadAndStrength) {
 
 TEST(LiveTactileThreads, APadThatIsPulledOutLeavesItsPlayerWithoutMotorsUntilItIsBack) {
     Motors motors;
-    const auto felt = motors.of("ab"), other = motors.of("cd");
+    const auto felt = motors.of("/dev/input/event1"), other = motors.of("/dev/input/event2");
     LiveTactile tactile(motors.maker());
-    auto pad = pad_of("ab");
+    auto pad = pad_of("/dev/input/event1");
     tactile.use_pad(0, &pad);
     played(tactile, 0, *felt, frame_of(1, 0, long_life));
     pad.present = false;
@@ -122,7 +120,7 @@ TEST(LiveTactileThreads, APadThatIsPulledOutLeavesItsPlayerWithoutMotorsUntilItI
     tactile.use_pad(0, &pad);
     played(tactile, 0, *felt, frame_of(1, 0, long_life));
     // The player goes on with another pad.
-    const auto free_pad = pad_of("cd");
+    const auto free_pad = pad_of("/dev/input/event2");
     tactile.use_pad(0, &free_pad);
     played(tactile, 0, *other, frame_of(1, 0, long_life));
     EXPECT_EQ(felt->with([&] { return felt->closed; }), 2);
@@ -131,10 +129,10 @@ TEST(LiveTactileThreads, APadThatIsPulledOutLeavesItsPlayerWithoutMotorsUntilItI
 
 TEST(LiveTactileThreads, APadWithoutMotorsCostsOneLineAndNoFrames) {
     Motors motors;
-    const auto felt = motors.of("ab");
+    const auto felt = motors.of("/dev/input/event1");
     felt->present = false;
     LiveTactile tactile(motors.maker());
-    const auto pad = pad_of("ab");
+    const auto pad = pad_of("/dev/input/event1");
     tactile.use_pad(1, &pad);
     felt->wait([&] { return felt->opened == 1; });
     testing::internal::CaptureStderr();
@@ -157,9 +155,9 @@ using LiveTactileSession = LiveSessionTest;
 TEST_F(LiveTactileSession, MotorsFollowThePadsOfTheSeats) {
     Motors motors;
     make_motors_ = motors.maker();
-    const auto felt = motors.of("ab"), other = motors.of("cd");
+    const auto felt = motors.of("/dev/input/event1"), other = motors.of("/dev/input/event2");
     auto& tactile = shared_.tactile;
-    begin({pad_of("ab"), pad_of("cd")});
+    begin({pad_of("/dev/input/event1"), pad_of("/dev/input/event2")});
     felt->wait([&] { return felt->opened == 1; });
     EXPECT_EQ(motors.made, 1) << "player 1 has the mouse, and the second pad is nobody's";
     played(tactile, 1, *felt, frame_of(1, 0, long_life));
@@ -168,7 +166,7 @@ TEST_F(LiveTactileSession, MotorsFollowThePadsOfTheSeats) {
     step();
     felt->wait([&] { return felt->closed == 1; });
     press("kp_0");
-    pads_[0] = pad_of("ab");
+    pads_[0] = pad_of("/dev/input/event1");
     step();
     EXPECT_EQ(motors.made, 1) << "the player has half of the keyboard now";
     // A button of the pad brings it back.
@@ -192,8 +190,8 @@ TEST_F(LiveTactileSession, TheRumbleSettingActsInTheMatch) {
     Motors motors;
     make_motors_ = motors.maker();
     plan_.settings.players[1].rumble = 0.5;
-    begin({pad_of("ab")});
-    const auto& felt = motors.of("ab");
+    begin({pad_of("/dev/input/event1")});
+    const auto& felt = motors.of("/dev/input/event1");
     EXPECT_EQ(played(shared_.tactile, 1, *felt, frame_of(1, 0, long_life)).first, 0.5F);
     pause(1);
     step();

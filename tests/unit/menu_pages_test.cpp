@@ -330,7 +330,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
 /// A state for each page of the menu.
 std::vector<MenuState> all_pages() {
     auto pause = opened({}, Page::pause);
-    pause.head = "Pad 1 of Ember and pad 2 of WWWWWWWWWWWWWWWW were unplugged";
+    pause.head = "Pad 1 of Ember and pad 2 of WWWWWWWWWWWWWWWW are not plugged in";
     pause.line =
         "plug it in and press a button on it or on another pad, or Keypad 0 for half of the keyboard";
     std::vector<MenuState> all{start_page(),
@@ -342,7 +342,8 @@ std::vector<MenuState> all_pages() {
                                choose(player_page(), "Name"),
                                mixer_page(),
                                choose(mixer_page(), "Save as a profile"),
-                               cauldron_page()};
+                               cauldron_page(),
+                               choose(choose(start_page(), "Controls"), "Set up Stick of wood and string")};
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) all.push_back(bindings_of(label_of_sheet(sheet)));
     return all;
 }

@@ -24,7 +24,9 @@ inline const MenuContext& context() {
         .arenas = {{"boiling_court", "Boiling Court"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
         .ends_match = true,
-        .body = {tactile::Purpose::impact, tactile::Purpose::fall, tactile::Purpose::warning}};
+        .body = {tactile::Purpose::impact, tactile::Purpose::fall, tactile::Purpose::warning},
+        .sticks = {"Stick of wood and string"},
+        .pad_question = "11 of 20: press RB, the button above the right trigger"};
     return context;
 }
 

@@ -1,4 +1,4 @@
-// The bytes of the motors' effects, and the identification of pads. Expected bytes are written by hand from the layout
+// The bytes of the motors' effects. Expected bytes are written by hand from the layout
 // of ff_effect in linux/input.h on x86-64.
 #include "input/detail/rumble_effect.h"
 
@@ -14,7 +14,6 @@
 namespace thaum::input {
 namespace {
 
-using detail::pad_guid;
 using detail::rumble_effect;
 using rig::frame_of;
 
@@ -78,17 +77,6 @@ TEST(RumbleEffect, MagnitudesGrowWithTheAmplitudeIn255Steps) {
         before = now;
     }
     EXPECT_EQ(steps, 256);
-}
-
-TEST(PadGuid, IsThatOfTheWindow) {
-    // From GLFW's gamecontrollerdb.txt: "Xbox 360 Controller" and "PS4 Controller" on Linux.
-    EXPECT_EQ(pad_guid({BUS_USB, 0x045e, 0x028e, 0x0114}, "Microsoft X-Box 360 pad"),
-              "030000005e0400008e02000014010000");
-    EXPECT_EQ(pad_guid({BUS_BLUETOOTH, 0x054c, 0x09cc, 0x8100}, "Wireless Controller"),
-              "050000004c050000cc09000000810000");
-    // A pad without numbers has the beginning of its name.
-    EXPECT_EQ(pad_guid({BUS_USB, 0, 0, 0}, "Pad of wood and string"), "03000000506164206f6620776f6f6400");
-    EXPECT_EQ(pad_guid({BUS_USB, 1, 2, 0}, "ab"), "03000000616200000000000000000000");
 }
 
 }  // namespace

@@ -5,13 +5,15 @@ set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
 
 # ---- the engine ------------------------------------------------------------------------------------------------
 
-# render needs a window system's libraries and audio needs OpenAL, so each is a package component of its own.
+# render needs a window system's libraries, audio needs OpenAL and pads needs SDL, so each is a package component of its
+# own.
 set(libraries core ecs field physics fluid haptics tactile gesture input)
 list(TRANSFORM libraries PREPEND thaum_ OUTPUT_VARIABLE targets)
 install(TARGETS thaum_arithmetic ${targets} EXPORT ThaumTargets COMPONENT engine)
 install(TARGETS thaum_render EXPORT ThaumRenderTargets COMPONENT engine)
 install(TARGETS thaum_audio EXPORT ThaumAudioTargets COMPONENT engine)
-foreach(exported ThaumTargets ThaumRenderTargets ThaumAudioTargets)
+install(TARGETS thaum_pads EXPORT ThaumPadsTargets COMPONENT engine)
+foreach(exported ThaumTargets ThaumRenderTargets ThaumAudioTargets ThaumPadsTargets)
     install(EXPORT ${exported} NAMESPACE Thaum:: DESTINATION ${THAUM_PACKAGE_DIR} COMPONENT engine)
 endforeach()
 
@@ -37,7 +39,7 @@ list(JOIN THAUM_ARITHMETIC " " THAUM_PKG_FLAGS)
 # The prefix is where the file is found, so an installation may be moved.
 file(RELATIVE_PATH THAUM_PKG_TO_PREFIX
     ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-foreach(package thaum thaum-render thaum-audio)
+foreach(package thaum thaum-render thaum-audio thaum-pads)
     configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in ${PROJECT_BINARY_DIR}/${package}.pc @ONLY)
     install(FILES ${PROJECT_BINARY_DIR}/${package}.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT engine)

@@ -1,9 +1,6 @@
-// input/detail/rumble_effect.h: frames and pads in the form that Linux's force feedback has them.
+// input/detail/rumble_effect.h: frames in the form that Linux's force feedback has them.
 #pragma once
 #include <linux/input.h>
-
-#include <string>
-#include <string_view>
 
 #include "tactile/frame.h"
 
@@ -16,8 +13,5 @@ inline constexpr Tick longest_rumble_ms = 500;
 /// rounded to the 255 steps that pads have, so that equal effects need no new upload. What is no number counts as 0.
 /// `id` is the effect to change; -1: a new one.
 ff_effect rumble_effect(const tactile::TactileFrame& frame, std::int16_t id);
-
-/// Identification of a model, as GLFW 3.3 and SDL write it.
-std::string pad_guid(const input_id& id, std::string_view name);
 
 }  // namespace thaum::input::detail

@@ -1,13 +1,13 @@
-#include "render/detail/pad_places.h"
+#include "input/detail/pad_places.h"
 
 #include <algorithm>
 
-namespace thaum::render {
+namespace thaum::input {
 namespace {
 
 bool is_plugged(const PadPlace& place, const std::vector<PluggedPad>& plugged) {
     return std::any_of(plugged.begin(), plugged.end(),
-                       [&](const PluggedPad& pad) { return pad.id == place.id && pad.model == place.model; });
+                       [&](const PluggedPad& pad) { return pad.id == place.id; });
 }
 
 /// The free place whose last pad was of this model; null if there is none.
@@ -39,4 +39,4 @@ void place_pads(PadPlaces& places, const std::vector<PluggedPad>& plugged) {
     }
 }
 
-}  // namespace thaum::render
+}  // namespace thaum::input

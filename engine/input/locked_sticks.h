@@ -1,0 +1,20 @@
+// input/locked_sticks.h: joysticks that are plugged in but whose device files this user may not read. SDL does not see
+// them, so nothing else would say why a pad does not play.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace thaum::input {
+
+struct LockedStick {
+    std::string name{};
+    std::string path{};
+    bool operator==(const LockedStick&) const = default;
+};
+
+/// Finds them, by what Linux says of all input devices. Takes less than a millisecond.
+std::vector<LockedStick> locked_sticks(const std::filesystem::path& system = "/sys/class/input",
+                                       const std::filesystem::path& devices = "/dev/input");
+
+}  // namespace thaum::input

@@ -1,0 +1,118 @@
+#include "input/pad_assignment.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/text.h"
+
+namespace thaum::input {
+namespace {
+
+struct Question {
+    std::string_view field;  ///< name of the control in a mapping
+    std::string_view words;
+    bool stick = false;  ///< a whole axis must answer, moved to its positive side
+};
+constexpr std::array questions{
+    Question{"a", "press A, the lowest of the four buttons on the right"},
+    Question{"b", "press B, the rightmost of the four"},
+    Question{"x", "press X, the leftmost of the four"},
+    Question{"y", "press Y, the highest of the four"},
+    Question{"leftx", "push the left stick to the right", true},
+    Question{"lefty", "push the left stick down, towards you", true},
+    Question{"rightx", "push the right stick to the right", true},
+    Question{"righty", "push the right stick down, towards you", true},
+    Question{"righttrigger", "press RT, the right trigger, to its end"},
+    Question{"lefttrigger", "press LT, the left trigger, to its end"},
+    Question{"rightshoulder", "press RB, the button above the right trigger"},
+    Question{"leftshoulder", "press LB, the button above the left trigger"},
+    Question{"start", "press Start"},
+    Question{"back", "press Back"},
+    Question{"leftstick", "press the left stick in"},
+    Question{"rightstick", "press the right stick in"},
+    Question{"dpup", "press the cross up"},
+    Question{"dpright", "press the cross to the right"},
+    Question{"dpdown", "press the cross down"},
+    Question{"dpleft", "press the cross to the left"},
+};
+
+constexpr int axis_end = 32767;
+constexpr int moved = axis_end / 2;         ///< an axis so far from its rest has answered
+constexpr int back_at_rest = axis_end / 4;  ///< an axis so near to its rest was let go of
+constexpr int rests_at_end = axis_end / 2;  ///< an axis that rests farther out has one direction only
+
+/// Name of a model without what a mapping cannot hold.
+std::string name_in_mapping(std::string name) {
+    std::erase_if(name, [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; });
+    return name.empty() ? "Joystick" : name;
+}
+
+}  // namespace
+
+PadAssignment::PadAssignment(const Stick& stick)
+    : guid_(stick.guid), name_(name_in_mapping(stick.name)), rest_(stick.state) {}
+
+std::string_view PadAssignment::asks() const {
+    return number_ < questions.size() ? questions.at(number_).words : std::string_view();
+}
+
+std::size_t PadAssignment::count() { return questions.size(); }
+
+bool PadAssignment::is_at_rest(const StickState& now) const {
+    for (std::size_t i = 0; i < now.axes.size() && i < rest_.axes.size(); ++i)
+        if (std::abs(now.axes[i] - rest_.axes[i]) > back_at_rest) return false;
+    return now.buttons == rest_.buttons && now.hats == rest_.hats;
+}
+
+/// The part of an axis that has moved: "a2", "a2~" turned round, or one side of it, "+a2".
+std::optional<std::string> PadAssignment::moved_axis(std::size_t axis, int value) const {
+    const int rest = rest_.axes[axis], way = value - rest;
+    if (std::abs(way) < moved) return {};
+    const auto whole = text("a", axis), side = text(way > 0 ? "+" : "-", whole);
+    if (taken_.contains(whole) || taken_.contains(whole + "~") || taken_.contains(side)) return {};
+    const bool one_way = std::abs(rest) > rests_at_end, stick = questions.at(number_).stick;
+    if (one_way && stick) return {};  // a trigger cannot stand for a stick
+    if (one_way || stick) return way > 0 ? whole : whole + "~";
+    return side;
+}
+
+/// The part of the joystick that somebody moves and that has not answered before.
+std::optional<std::string> PadAssignment::moved_part(const StickState& now) const {
+    const bool stick = questions.at(number_).stick;
+    for (std::size_t i = 0; !stick && i < now.buttons.size() && i < rest_.buttons.size(); ++i) {
+        auto part = text("b", i);
+        if (now.buttons[i] && !rest_.buttons[i] && !taken_.contains(part)) return part;
+    }
+    for (std::size_t i = 0; !stick && i < now.hats.size(); ++i) {
+        auto part = text("h", i, ".", static_cast<int>(now.hats[i]));
+        const bool one_way = (now.hats[i] & (now.hats[i] - 1U)) == 0;
+        if (now.hats[i] != 0 && one_way && !taken_.contains(part)) return part;
+    }
+    for (std::size_t i = 0; i < now.axes.size() && i < rest_.axes.size(); ++i)
+        if (auto part = moved_axis(i, now.axes[i])) return part;
+    return {};
+}
+
+bool PadAssignment::follow(const StickState& now) {
+    if (let_go_first_ && !is_at_rest(now)) return false;
+    let_go_first_ = false;
+    if (asks().empty()) return false;
+    const auto part = moved_part(now);
+    if (!part) return false;
+    answers_ += text(questions.at(number_).field, ":", *part, ",");
+    taken_.insert(*part);
+    let_go_first_ = true;
+    ++number_;
+    return true;
+}
+
+void PadAssignment::skip() {
+    if (!asks().empty()) ++number_;
+}
+
+Expected<std::string> PadAssignment::mapping() const {
+    if (answers_.empty()) return fail("no control was assigned");
+    return text(guid_, ",", name_, ",", answers_, "platform:Linux,");
+}
+
+}  // namespace thaum::input

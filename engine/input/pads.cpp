@@ -1,0 +1,238 @@
+#include "input/pads.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <atomic>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "core/assert.h"
+#include "core/text.h"
+#include "core/threads.h"
+#include "input/detail/pad_places.h"
+
+// Why SDL is used as it is here:
+//
+// - SDL's own drivers for some pads (HIDAPI) are off, so that every pad is one of Linux's event devices: the user needs
+//   one permission for all, and motors run through that device (input/rumble.h).
+// - No events: SDL would queue them. The states are read after each update, and the queue is emptied.
+// - No signal handlers: those of the program end arms and motors before the program ends.
+
+namespace thaum::input {
+namespace {
+
+std::atomic<bool> alive = false;  // a PadReader exists
+
+using Controller = std::unique_ptr<SDL_GameController, decltype(&SDL_GameControllerClose)>;
+using Joystick = std::unique_ptr<SDL_Joystick, decltype(&SDL_JoystickClose)>;
+
+/// A text of SDL, which may be null.
+std::string in_words(const char* words) { return words == nullptr ? "" : words; }
+
+std::string guid_of(int index) {
+    std::array<char, 33> words{};
+    SDL_JoystickGetGUIDString(SDL_JoystickGetDeviceGUID(index), words.data(), static_cast<int>(words.size()));
+    return words.data();
+}
+
+/// Number that SDL gives a joystick in its list at present; below 0: it is gone.
+int index_of(SDL_JoystickID id) {
+    for (int i = 0; i < SDL_NumJoysticks(); ++i)
+        if (SDL_JoystickGetDeviceInstanceID(i) == id) return i;
+    return -1;
+}
+
+/// A number of SDL, which goes a little farther down than up, as -1 to 1.
+double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
+
+struct OpenPad {
+    SDL_JoystickID id = -1;
+    Controller controller{nullptr, SDL_GameControllerClose};
+};
+
+struct OpenStick {
+    SDL_JoystickID id = -1;
+    Joystick joystick{nullptr, SDL_JoystickClose};
+};
+
+void read_pad(SDL_GameController* from, PadState& to) {
+    static_assert(SDL_CONTROLLER_BUTTON_A == 0 && SDL_CONTROLLER_AXIS_LEFTX == 0);
+    constexpr std::array buttons{SDL_CONTROLLER_BUTTON_A,
+                                 SDL_CONTROLLER_BUTTON_B,
+                                 SDL_CONTROLLER_BUTTON_X,
+                                 SDL_CONTROLLER_BUTTON_Y,
+                                 SDL_CONTROLLER_BUTTON_LEFTSHOULDER,
+                                 SDL_CONTROLLER_BUTTON_RIGHTSHOULDER,
+                                 SDL_CONTROLLER_BUTTON_BACK,
+                                 SDL_CONTROLLER_BUTTON_START,
+                                 SDL_CONTROLLER_BUTTON_GUIDE,
+                                 SDL_CONTROLLER_BUTTON_LEFTSTICK,
+                                 SDL_CONTROLLER_BUTTON_RIGHTSTICK,
+                                 SDL_CONTROLLER_BUTTON_DPAD_UP,
+                                 SDL_CONTROLLER_BUTTON_DPAD_RIGHT,
+                                 SDL_CONTROLLER_BUTTON_DPAD_DOWN,
+                                 SDL_CONTROLLER_BUTTON_DPAD_LEFT};
+    constexpr std::array axes{SDL_CONTROLLER_AXIS_LEFTX,       SDL_CONTROLLER_AXIS_LEFTY,
+                              SDL_CONTROLLER_AXIS_RIGHTX,      SDL_CONTROLLER_AXIS_RIGHTY,
+                              SDL_CONTROLLER_AXIS_TRIGGERLEFT, SDL_CONTROLLER_AXIS_TRIGGERRIGHT};
+    to.buttons = 0;
+    for (std::size_t i = 0; i < buttons.size(); ++i)
+        if (SDL_GameControllerGetButton(from, buttons.at(i)) != 0) to.buttons |= 1U << i;
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        to.axes.at(i) = share_of(SDL_GameControllerGetAxis(from, axes.at(i)));
+    // SDL's sticks are positive downwards.
+    to.axes.at(static_cast<std::size_t>(PadAxis::left_y)) *= -1;
+    to.axes.at(static_cast<std::size_t>(PadAxis::right_y)) *= -1;
+}
+
+void read_stick(SDL_Joystick* from, StickState& to) {
+    to.axes.resize(static_cast<std::size_t>(std::max(0, SDL_JoystickNumAxes(from))));
+    to.buttons.resize(static_cast<std::size_t>(std::max(0, SDL_JoystickNumButtons(from))));
+    to.hats.resize(static_cast<std::size_t>(std::max(0, SDL_JoystickNumHats(from))));
+    for (std::size_t i = 0; i < to.axes.size(); ++i)
+        to.axes[i] = SDL_JoystickGetAxis(from, static_cast<int>(i));
+    for (std::size_t i = 0; i < to.buttons.size(); ++i)
+        to.buttons[i] = SDL_JoystickGetButton(from, static_cast<int>(i)) != 0;
+    for (std::size_t i = 0; i < to.hats.size(); ++i)
+        to.hats[i] = SDL_JoystickGetHat(from, static_cast<int>(i));
+}
+
+Expected<void> add_mapping(const std::string& mapping) {
+    if (SDL_GameControllerAddMapping(mapping.c_str()) >= 0) return {};
+    return fail(text("not a mapping of a pad (", in_words(SDL_GetError()), ")"));
+}
+
+}  // namespace
+
+struct PadReader::State {
+    std::jthread start{};  ///< begins SDL; ended by `wait`
+    bool began = false;
+    std::string fault{};
+    PadPlaces places{};
+    Pads pads{};
+    std::array<OpenPad, std::tuple_size_v<Pads>> open{};
+    std::vector<Stick> sticks{};
+    std::vector<OpenStick> open_sticks{};
+    std::vector<std::pair<SDL_JoystickID, bool>>
+        plugged{};  ///< joysticks of the last look, and which are pads
+
+    void begin(const std::vector<std::string>& mappings);
+    void wait() {
+        if (start.joinable()) start.join();
+    }
+    bool look();
+    void open_pads();
+    void open_sticks_anew();
+};
+
+void PadReader::State::begin(const std::vector<std::string>& mappings) {
+    SDL_SetHintWithPriority(SDL_HINT_NO_SIGNAL_HANDLERS, "1", SDL_HINT_OVERRIDE);
+    SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_HIDAPI, "0", SDL_HINT_OVERRIDE);
+    // SDL has no window, so none of its windows ever has the focus.
+    SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1", SDL_HINT_OVERRIDE);
+    began = SDL_Init(SDL_INIT_GAMECONTROLLER) == 0;
+    if (!began) {
+        fault = text("no pads: SDL does not start: ", in_words(SDL_GetError()));
+        return;
+    }
+    SDL_JoystickEventState(SDL_IGNORE);
+    SDL_GameControllerEventState(SDL_IGNORE);
+    for (const auto& mapping : mappings)
+        if (const auto added = add_mapping(mapping); !added && fault.empty())
+            fault = text("'", mapping.substr(0, mapping.find(',')), "': ", added.error().message);
+}
+
+/// Looks which joysticks are there. Returns whether something has changed.
+bool PadReader::State::look() {
+    std::vector<std::pair<SDL_JoystickID, bool>> now;
+    for (int i = 0; i < SDL_NumJoysticks(); ++i)
+        now.emplace_back(SDL_JoystickGetDeviceInstanceID(i), SDL_IsGameController(i) == SDL_TRUE);
+    return std::exchange(plugged, now) != now;
+}
+
+/// Gives pads their places, and opens and closes them.
+void PadReader::State::open_pads() {
+    std::vector<PluggedPad> now;
+    for (std::size_t i = 0; i < plugged.size(); ++i)
+        if (plugged[i].second) now.push_back({plugged[i].first, guid_of(static_cast<int>(i))});
+    place_pads(places, now);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (open.at(i).id == places.at(i).id) continue;
+        open.at(i) = {places.at(i).id, Controller(nullptr, SDL_GameControllerClose)};
+        pads.at(i) = {};
+        const int index = index_of(places.at(i).id);
+        if (index < 0) continue;
+        open.at(i).controller.reset(SDL_GameControllerOpen(index));
+        auto* controller = open.at(i).controller.get();
+        if (controller == nullptr) continue;
+        pads.at(i) = {.present = true,
+                      .name = in_words(SDL_GameControllerName(controller)),
+                      .path = in_words(SDL_GameControllerPath(controller))};
+    }
+}
+
+void PadReader::State::open_sticks_anew() {
+    sticks.clear();
+    open_sticks.clear();
+    for (std::size_t i = 0; i < plugged.size(); ++i) {
+        const int index = static_cast<int>(i);
+        if (plugged[i].second) continue;
+        sticks.push_back({.name = in_words(SDL_JoystickNameForIndex(index)),
+                          .path = in_words(SDL_JoystickPathForIndex(index)),
+                          .guid = guid_of(index)});
+        open_sticks.push_back({plugged[i].first, Joystick(SDL_JoystickOpen(index), SDL_JoystickClose)});
+    }
+}
+
+PadReader::PadReader(std::vector<std::string> mappings) : state_(std::make_unique<State>()) {
+    THAUM_ASSERT(!alive, "there is a reader of pads already");
+    alive = true;
+    auto started =
+        start_thread([state = state_.get(), mappings = std::move(mappings)] { state->begin(mappings); });
+    if (started)
+        state_->start = std::move(*started);
+    else
+        state_->fault = text("no pads: ", started.error().message);
+}
+
+PadReader::~PadReader() {
+    state_->wait();
+    const bool began = state_->began;
+    state_.reset();  // closes all pads
+    if (began) SDL_Quit();
+    alive = false;
+}
+
+const Pads& PadReader::poll() {
+    auto& s = *state_;
+    s.wait();
+    if (!s.began) return s.pads;
+    SDL_GameControllerUpdate();
+    SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
+    if (s.look()) {
+        s.open_pads();
+        s.open_sticks_anew();
+    }
+    for (std::size_t i = 0; i < s.pads.size(); ++i)
+        if (s.pads.at(i).present) read_pad(s.open.at(i).controller.get(), s.pads.at(i));
+    for (std::size_t i = 0; i < s.sticks.size(); ++i)
+        if (s.open_sticks[i].joystick) read_stick(s.open_sticks[i].joystick.get(), s.sticks[i].state);
+    return s.pads;
+}
+
+const std::vector<Stick>& PadReader::sticks() const { return state_->sticks; }
+
+const std::string& PadReader::fault() const {
+    state_->wait();
+    return state_->fault;
+}
+
+Expected<void> PadReader::add(const std::string& mapping) {
+    state_->wait();
+    if (!state_->began) return fail(state_->fault);
+    return add_mapping(mapping);
+}
+
+}  // namespace thaum::input

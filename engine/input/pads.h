@@ -1,0 +1,44 @@
+// input/pads.h: game pads, by SDL. SDL knows some hundred models and how the buttons of each are called in the layout of an
+// Xbox pad, and it takes any pad whose driver follows Linux's rules for pads. Its environment variable
+// SDL_GAMECONTROLLERCONFIG adds mappings.
+//
+//     PadReader reader(own_mappings);       looks for pads in a thread of its own, since that takes some milliseconds
+//     const Pads& pads = reader.poll();     as often as needed; pads send no events
+//
+// The library is Thaum::pads. Only pads.cpp knows SDL, of which neither windows nor events nor signals are used. Motors
+// have a file of their own (input/rumble.h).
+#pragma once
+#include <memory>
+
+#include "core/error.h"
+#include "input/pad_state.h"
+
+namespace thaum::input {
+
+/// All pads of this machine. One thread makes all calls. Only one reader may exist at a time.
+class PadReader {
+public:
+    /// Begins to look for pads. `mappings` are lines in the form of SDL's gamecontrollerdb.txt.
+    explicit PadReader(std::vector<std::string> mappings = {});
+    ~PadReader();
+    PadReader(const PadReader&) = delete;
+    PadReader& operator=(const PadReader&) = delete;
+
+    /// States of the pads now. The first call waits until the look for pads has ended.
+    const Pads& poll();
+
+    // As `poll` has found them:
+    /// Joysticks that are no pads.
+    const std::vector<Stick>& sticks() const;
+    /// Why there are no pads at all, or which mapping is faulty; empty: all is well.
+    const std::string& fault() const;
+
+    /// Adds a mapping, which makes pads of the joysticks of its model. The error says what is wrong with it.
+    Expected<void> add(const std::string& mapping);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace thaum::input

@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# tests/drivers/pads.sh THAUM PAD_HARNESS LOG_PROBE PRESS_KEYS: pads that did not play before, under Xvfb with devices by
+# umockdev. An Xbox pad of a version that no table has plays, and the match waits for the other player's missing pad. A
+# joystick that nobody knows is told, is set up in the menu, plays, and plays again after a restart. A pad that may not be
+# read is told by the program and by the doctor. A signal stops the motors. Exits with 77 if a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1 harness=$2 probe=$3 press_keys=$4
+need Xvfb xdotool import umockdev-wrapper setpriv
+open_screen 1280x720
+few_pictures
+matches=$XDG_DATA_HOME/thaum/matches
+own=$XDG_CONFIG_HOME/thaum/pads.txt
+at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
+picture() { [ -z "${SHOTS:-}" ] || import -window root "$SHOTS/$1.png"; }
+
+pad() { echo "$@" >&4; }
+says() { grep -qE "$1" "$folder/said"; }
+log() { find "$matches" -name '*.thaumlog' 2>/dev/null | sort | tail -1; }
+field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
+logged() {
+    seen=$("$probe" "$(log)" 2>/dev/null) || true
+    [ "$(field "$1" "$2")" = "$3" ]
+}
+drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+# starts OPTIONS -- ARGUMENTS: starts the program with a pad. ends: ends it.
+starts() {
+    local options=()
+    while [ "$1" != -- ]; do
+        options+=("$1")
+        shift
+    done
+    shift
+    rm -f "$folder/pad"
+    mkfifo "$folder/pad"
+    umockdev-wrapper "$harness" "${options[@]}" "$thaum" "$@" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
+    game=$!
+    exec 4>"$folder/pad"
+}
+ends() {
+    pad signal 15
+    exec 4>&-
+    wait "$game" || failed "the program's exit code"
+}
+
+# 1. One pad for two players, of another version than any that is known. The match begins paused, and goes on with the
+# keypad. The pad plays, and its motors stop at a signal.
+starts --version 0599 --felt "$folder/felt" -- --vs --hands pad,pad
+eventually "the match does not wait for the missing pad" pause_menu
+picture missing
+presses KP_0
+eventually "the keypad does not take the second seat" no_pause_menu
+pad lx 32767
+pad rt 255
+eventually "the pad's trigger" logged 0 trigger 255
+eventually "the pad's stick" logged 0 strafe 0..127
+eventually "the wand is not felt" [ -s "$folder/felt" ]
+ends
+grep -q '^remove' "$folder/felt" || failed "the motors were not let go of"
+awk '/^play . 1$/ { on[$2] = 1 } /^play . 0$/ { on[$2] = 0 } /^remove/ { on[$2] = 0 } END { exit on[0] || on[1] }' "$folder/felt" ||
+    failed "a motor runs on after a signal"
+
+# 2. A joystick that nobody knows. Controls is the last row but two, and its last row but one is the set-up.
+starts --stick --
+eventually "no start screen" drawn
+eventually "no word on the joystick" says "^joystick 'Stick of wood and string' is not known: "
+picture unknown
+presses Up Up Up Return Up Up Return
+eventually "no question" says '^set up: 1 of 20: press A'
+picture set_up
+# answer NUMBER WHAT VALUE REST: moves a part for a question until the next one is asked. A slow machine may not see that
+# the part before was let go of, and then asks for another press.
+answers() {
+    pad "$2" "$4"
+    sleep 0.2
+    pad "$2" "$3"
+    sleep 0.2
+    says "^set up: $(($1 + 1)) of 20: "
+}
+answer() {
+    eventually "question $1 was not answered" answers "$@"
+    pad "$2" "$4"
+}
+answer 1 button.3 1 0
+answer 2 button.2 1 0
+answer 3 button.1 1 0
+answer 4 button.0 1 0
+answer 5 axis.0 32767 0
+answer 6 axis.1 32767 0
+answer 7 axis.3 32767 0
+answer 8 axis.2 32767 0
+answer 9 axis.5 32767 -32768
+for question in $(seq 10 19); do
+    presses Return
+    eventually "question $question was not left out" says "^set up: $((question + 1)) of 20: "
+done
+presses Return
+eventually "the mapping was not kept" grep -q '^0300.*,Stick of wood and string,a:b3,b:b2,x:b1,y:b0,leftx:a0,lefty:a1,rightx:a3,righty:a2,righttrigger:a5,platform:Linux,$' "$own"
+picture kept
+# It plays: its B leaves the page, and its X joins and starts, whatever row is chosen.
+pad button.2 1
+sleep 0.3
+pad button.2 0
+joins() {
+    pad button.1 1
+    sleep 0.3
+    pad button.1 0
+    sleep 0.3
+    [ -n "$(log)" ] && [ "$(log)" != "$first" ]
+}
+first=$(log)
+eventually "no match by the joystick's X" joins
+pad axis.5 32767
+eventually "the joystick's trigger" logged 0 trigger 255
+ends
+
+# 3. After a restart it plays at once, with the same mapping.
+starts --stick -- --solo 1 --hands pad --record "$folder/again"
+log() { echo "$folder/again"; }
+pad axis.0 32767
+eventually "the joystick's stick after a restart" logged 0 strafe 0..127
+! says 'is not known' || failed "the joystick is still told"
+ends
+
+# 4. A pad that this user may not read.
+locked() { umockdev-wrapper "$harness" --locked setpriv --bounding-set=-dac_override,-dac_read_search "$thaum" "$@"; }
+locked --seconds 2 </dev/null >"$folder/said" 2>&1 || true
+says "^pad 'Microsoft X-Box 360 pad' may not be read \\(/dev/input/event0\\): 'thaum doctor' " || failed "no word on the locked pad"
+! locked doctor --json "$folder/found" </dev/null >"$folder/said" 2>&1 || failed "the doctor finds nothing missing"
+grep -A4 -B4 '"pad"' "$folder/found" | grep -q '/dev/input/event0) may not be read' || failed "the doctor does not tell of the locked pad"
+grep -q 'uaccess' "$folder/found" || failed "the doctor does not say how to unlock it"
+echo "a pad of a new version, an unknown joystick and a locked pad are played or told"
