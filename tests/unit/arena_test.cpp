@@ -87,7 +87,7 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
     faulty("[[power_up]]\nkind = \"vial\"\nposition = [0, 0, -4.1]\n", "'position' lies outside");
     faulty("[range.player]\nplace = [0, 0, 9]\nyaw_deg = 0\n", "'place' lies outside");
     EXPECT_EQ(fault_with("[range.player]\nplace = [0, 0, 1]\nyaw_deg = 0\n"),
-              "least.toml: key 'place' is missing");
+              "least.toml:14: table 'range.dummy' is missing");
     faulty(
         "[[solid]]\nshape = \"ramp\"\nsurface = \"floor\"\ncentre = [0, 1, 0]\nsize = [2, 2, 2]\nrises = "
         "\"up\"\n",
