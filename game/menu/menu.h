@@ -62,6 +62,7 @@ struct MenuContext {
     /// A data file: its name without folder and extension, and its label in the menu.
     struct Named {
         std::string name, label;
+        std::string fault{};  ///< what is wrong with the file; empty: it can be chosen
     };
     std::vector<int> levels{};
     std::vector<Named> rules{};
@@ -81,8 +82,8 @@ struct MenuContext {
     std::uint32_t drawn_gesture = 0;      ///< number of the gesture that is being drawn anew, plus 1; 0: none
     std::vector<FeelProfile> profiles{};  ///< profiles that players have saved on the mixer's page
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
-    /// words of the start screen on a faulty settings file; empty: there is no fault
-    std::string settings_fault{};
+    /// words of the start screen on faulty settings or data files; empty: there is no fault
+    std::string start_fault{};
 };
 
 enum class MenuRequest : std::uint8_t {

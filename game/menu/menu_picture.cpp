@@ -132,7 +132,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
     if (s.note.empty()) picture.note = words_of_delay(s, context, rows[picture.cursor]);
-    if (s.note.empty() && s.pages.back().page == Page::start) picture.note = context.settings_fault;
+    if (s.note.empty() && s.pages.back().page == Page::start) picture.note = context.start_fault;
     return picture;
 }
 

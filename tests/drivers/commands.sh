@@ -40,10 +40,10 @@ expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3
 expect 2 "is given twice" --seed 1 --seed 2
 expect 2 "needs 1 value" --headless --seconds
 expect 2 "must be a number" --headless --seconds nan
-expect 2 "no rule set 'quick', only thaum and classic" --headless --rules quick
-expect 2 "no match '../x', only quick and standard" --headless --match ../x
+expect 2 "no rule set 'quick'; there are: thaum, classic" --headless --rules quick
+expect 2 "no match '../x'; there are: quick, standard" --headless --match ../x
 expect 2 "no name of an arena" --headless --arena ../boiling_court
-expect 2 "cannot open" --headless --arena nowhere
+expect 2 "there is no arena 'nowhere'; there are: boiling_court, the_well" --headless --arena nowhere
 expect 2 "'damage' is -3" --headless --set bolt.shot.damage=-3
 expect 2 "has no key 'shot.damge'" --headless --set bolt.shot.damge=3
 expect 2 "--set foo=3" --headless --set foo=3
