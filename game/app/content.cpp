@@ -147,7 +147,7 @@ private:
 
     /// Place of a name in a file: "assets/wands/bolt.toml:12: 'sound'".
     std::string place_of(const game::MissingName& missing) {
-        const auto shown = game::shown_path(assets_, missing.file);
+        auto shown = game::shown_path(assets_, missing.file);
         const auto words = read_text_file(assets_ / missing.file, most_bytes);
         const auto config = words ? Config::parse(*words, shown, 1) : Expected<Config>(words.error());
         if (!config) return shown;

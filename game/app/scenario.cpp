@@ -72,7 +72,9 @@ void print_result(const game::ScenarioResult& result) {
     constexpr std::size_t longest = 1000;
     for (std::string_view rest = result.output; !rest.empty();) {
         const auto end = std::min(rest.find('\n'), rest.size());
-        std::printf("       %s\n", printable(rest.substr(0, end), longest).c_str());
+        std::string line(rest.substr(0, end));
+        std::ranges::replace(line, '\t', ' ');  // between the values of one print
+        std::printf("       %s\n", printable(line, longest).c_str());
         rest.remove_prefix(std::min(end + 1, rest.size()));
     }
 }

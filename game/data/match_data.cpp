@@ -193,6 +193,16 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
             return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
 }
 
+/// Loads the rules of the cauldron. `arena` is the arena's file, whose niches and bowl they must suit.
+void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
+    data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
+    if (!loader.is_sound("cauldron.toml")) return;
+    loader.check_across(arena, [&](const ConfigTable& root) {
+        check_niches(root, data.cauldron->ingredients);
+        check_bowl(root, data);
+    });
+}
+
 /// Loads the device that haptics.toml names from its own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
     const auto name = data.haptic_rules.device;
@@ -527,15 +537,7 @@ MatchReading read_match_data(const std::filesystem::path& assets, const DataChoi
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
     data.haptic_rules = loader.load("haptics.toml", noting(haptics_file, read_haptic_rules));
     if (loader.is_sound("haptics.toml")) load_device(data, haptics_file, loader);
-    if (data.rules.cauldron && data.arena.bowl) {
-        data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
-        if (loader.is_sound("cauldron.toml")) {
-            loader.check_across(arena_file, [&](const ConfigTable& root) {
-                check_niches(root, data.cauldron->ingredients);
-                check_bowl(root, data);
-            });
-        }
-    }
+    if (data.rules.cauldron && data.arena.bowl) load_cauldron(data, arena_file, loader);
     if (data.rules.cauldron && has_crystal(data.arena)) load_crystal(data, loader);
     load_orb(data, loader);
     load_wands(data, loader);

@@ -96,11 +96,11 @@ std::string duel_label(const MenuState& s) {
 }
 
 /// The row of a choice among data files. A broken file says what is wrong with it, and cannot be played.
-game::MenuRow choice_row(std::string label, std::string help, const std::vector<MenuContext::Named>& list,
-                         std::size_t chosen) {
+game::MenuRow choice_row(std::string label, const std::string& help,
+                         const std::vector<MenuContext::Named>& list, std::size_t chosen) {
     const auto& one = list[chosen];
     return {.label = std::move(label),
-            .help = one.fault.empty() ? std::move(help) : one.fault,
+            .help = one.fault.empty() ? help : one.fault,
             .value = one.label,
             .longest_value = longest_label(list),
             .adjustable = true,

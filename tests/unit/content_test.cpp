@@ -204,7 +204,7 @@ std::vector<Mistake> wrong_values() {
     };
 }
 
-/// Names without a file, files without a name, duplicates, and places where nothing can be.
+/// Names without a file, and names and numbers that something else has.
 std::vector<Mistake> wrong_references() {
     return {
         {brew, "solver = \"thaum\"", "solver = \"taum\"", {"'thaum'"}},
@@ -222,6 +222,12 @@ std::vector<Mistake> wrong_references() {
         {"haptics.toml", "device = \"touch\"", "device = \"tuch\"", {"'touch'"}},
         {"crystal.toml", "name = \"melt\"", "name = \"malt\"", {"'melt'"}},
         {bolt, "slot = 1", "slot = 2", {"'slot' is 2"}, false},
+    };
+}
+
+/// Files that nothing reads, duplicates, and places where nothing can be.
+std::vector<Mistake> wrong_files_and_places() {
+    return {
         {"wands/rocket.toml", "", "slot = ?", {"nothing reads this file", "blast, bolt"}, false},
         {"wands/bollt.toml", "", "version = 1", {"'bolt'"}, false},
         {"spells/heal.toml", "", "nonsense", {"nothing reads this file", "push"}, false},
@@ -299,10 +305,13 @@ TEST_F(Content, MistakesWithinAFileAreAnswered) {
 }
 
 TEST_F(Content, MistakesBetweenFilesAreAnswered) {
+    auto mistakes = wrong_references();
+    const auto more = wrong_files_and_places();
+    mistakes.insert(mistakes.end(), more.begin(), more.end());
     std::size_t good = 0;
-    for (const auto& mistake : wrong_references()) good += answered({mistake});
-    EXPECT_EQ(good, wrong_references().size());
-    EXPECT_GE(good, 25U);
+    for (const auto& mistake : mistakes) good += answered({mistake});
+    EXPECT_GE(mistakes.size(), 25U);
+    EXPECT_EQ(good, mistakes.size());
 }
 
 }  // namespace
