@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
+
 namespace thaum::audio {
 
 /// Sample rate of all sounds and of the mix (Hz).
@@ -28,16 +30,10 @@ struct Sound {
     std::vector<float> samples;
 };
 
-/// A sound whose recipe is faulty.
-struct FaultySound {
-    std::string name;
-    std::string reason;  ///< file and line with its folder, and what is wrong
-};
-
 /// All sounds of a program, sorted by name. A sound's number is its index.
 struct SoundBank {
     std::vector<Sound> sounds;
-    std::vector<FaultySound> faulty{};  ///< sounds that are left out, sorted by name
+    std::vector<LeftOut> faulty{};  ///< sounds that are left out, sorted by name
 
     /// Returns the number of the sound of this name, or nothing.
     std::optional<std::uint32_t> find(std::string_view name) const;

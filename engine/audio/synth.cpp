@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
+#include <optional>
 
 #include "audio/detail/parts.h"
 #include "core/file.h"
@@ -77,17 +77,12 @@ void fade(Canvas& canvas) {
 }
 
 Expected<std::vector<std::filesystem::path>> recipes_in(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code error;
-    std::filesystem::directory_iterator it(folder, error);
-    for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error)) {
-        if (it->path().extension() == ".toml") files.push_back(it->path());
-    }
-    if (error) return fail(text(folder.string(), ": the folder of sounds cannot be read: ", error.message()));
-    if (files.empty()) return fail(text(folder.string(), ": the folder holds no sounds (NAME.toml)"));
-    if (files.size() > most_sounds)
+    auto files = files_in(folder, ".toml");
+    if (!files) return files;
+    if (files->empty()) return fail(text(folder.string(), ": the folder holds no sounds (NAME.toml)"));
+    if (files->size() > most_sounds)
         return fail(text(folder.string(), ": the folder holds more than ", most_sounds, " sounds"));
-    std::sort(files.begin(), files.end(),
+    std::sort(files->begin(), files->end(),
               [](const auto& a, const auto& b) { return a.stem().string() < b.stem().string(); });
     return files;
 }
@@ -113,8 +108,12 @@ Expected<Recipe> load_recipe(const std::filesystem::path& file) {
     const auto toml = read_text_file(file, largest_recipe);
     if (!toml) return toml.error();
     auto recipe = read_recipe(*toml, file.stem().string());
-    if (!recipe) return fail(text(file.parent_path().string(), "/", recipe.error().message));
-    return recipe;
+    if (recipe) return recipe;
+    // The recipe's reader knows the name of the file, but not its folder.
+    std::optional<Error> error;
+    for (const auto& line : lines_of(recipe.error()))
+        add_faults(error, Error{text(file.parent_path().string(), "/", line)});
+    return *error;
 }
 
 }  // namespace
@@ -143,7 +142,7 @@ Expected<SoundBank> load_sounds(const std::filesystem::path& folder, WithSamples
     for (const auto& file : *files) {
         const auto recipe = load_recipe(file);
         if (!recipe) {
-            bank.faulty.push_back({file.stem().string(), recipe.error().message});
+            bank.faulty.push_back({file.stem().string(), recipe.error()});
             continue;
         }
         seconds += recipe->seconds;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <set>
 #include <span>
 
 // Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. We report them like any other
@@ -34,47 +33,121 @@ struct ParserAsserted {};  // an assertion of the parser failed
 #include <toml++/toml.h>
 #pragma GCC diagnostic pop
 
+#include "core/detail/config_faults.h"
+#include "core/detail/toml_hint.h"
 #include "core/hash.h"
+#include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
 namespace thaum {
 
+using detail::ConfigFault;
+using detail::FaultKind;
+
+/// Most faults that are kept of one file: a file of nonsense has one in every line, and nobody reads them all.
+constexpr std::size_t most_faults = 100;
+
 struct Config::State {
     toml::table root;
     std::string name;
-    std::optional<std::string> fault;
+    std::vector<ConfigFault> faults;
     std::set<const toml::node*> asked;
+    detail::AskedKeys asked_keys;
 
-    void report(const toml::node* where, std::string_view what) {
-        if (fault) return;
-        fault = where != nullptr && where->source().begin
-                    ? text(name, ":", where->source().begin.line, ": ", in_one_line(what))
-                    : text(name, ": ", in_one_line(what));
-    }
+    /// Keeps a fault. `misleads`: the reader cannot know which keys belong to this table.
+    void report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
+                bool misleads = false);
 };
 
 namespace {
 
 const toml::table* as_table(const void* table) { return static_cast<const toml::table*>(table); }
 
-/// Reports the first key, depth first, that no reader asked for.
-void find_unknown(Config::State& state, const toml::table& table, const std::string& path) {
+std::size_t line_of(const toml::node* node) {
+    return node != nullptr && node->source().begin ? node->source().begin.line : 0;
+}
+
+/// Whether a node is the table or list `outer`, or within it.
+bool is_within(const toml::node& outer, const toml::node* node);
+
+template <class Children>
+bool is_among(const Children& children, const toml::node* node) {
+    return std::ranges::any_of(children, [&](const toml::node* child) { return is_within(*child, node); });
+}
+
+std::vector<const toml::node*> children_of(const toml::node& node) {
+    std::vector<const toml::node*> children;
+    if (const auto* table = node.as_table())
+        for (const auto& [key, child] : *table) children.push_back(&child);
+    if (const auto* list = node.as_array())
+        for (const auto& child : *list) children.push_back(&child);
+    return children;
+}
+
+bool is_within(const toml::node& outer, const toml::node* node) {
+    return &outer == node || is_among(children_of(outer), node);
+}
+
+/// The innermost table that holds a node; null if none does.
+const toml::table* holder_of(const toml::node& outer, const toml::node* node) {
+    for (const auto* child : children_of(outer)) {
+        if (!is_within(*child, node)) continue;
+        const auto* inner = child == node ? nullptr : holder_of(*child, node);
+        return inner != nullptr ? inner : outer.as_table();
+    }
+    return nullptr;
+}
+
+/// Keys from the outermost table to a table in it: "range.player".
+std::string path_of(const toml::table& outer, const toml::table* table) {
+    for (const auto& [key, node] : outer) {
+        const auto* child = node.as_table();
+        if (child == nullptr || !is_within(*child, table)) continue;
+        return child == table ? std::string(key.str()) : text(key.str(), ".", path_of(*child, table));
+    }
+    return "";
+}
+
+/// Adds all keys that no reader asked for. The keys within such a table are not named.
+void find_unknown(const Config::State& state, const toml::table& table, const std::string& path,
+                  std::vector<detail::UnknownKey>& found) {
     for (const auto& [key, node] : table) {
+        if (found.size() >= most_faults) return;
         const auto full = path + std::string(key.str());
         if (!state.asked.contains(&node)) {
-            state.report(&node, text("unknown key '", full, "'"));
-            return;
+            found.push_back({&table, std::string(key.str()), full, line_of(&node)});
+            continue;
         }
-        if (const auto* child = node.as_table()) find_unknown(state, *child, full + ".");
+        if (const auto* child = node.as_table()) find_unknown(state, *child, full + ".", found);
         if (const auto* list = node.as_array()) {
             for (const auto& item : *list) {
-                if (const auto* child = item.as_table()) find_unknown(state, *child, full + ".");
+                if (const auto* child = item.as_table()) find_unknown(state, *child, full + ".", found);
             }
         }
-        if (state.fault) return;
     }
 }
+
+/// Whether a reader found a wrong value in the table or below it, so that its own findings are of no use.
+bool is_misread(const Config::State& state, const toml::node& table) {
+    return std::ranges::any_of(state.faults, [&](const ConfigFault& fault) {
+        return fault.kind != FaultKind::told && fault.table != nullptr &&
+               is_within(table, static_cast<const toml::table*>(fault.table));
+    });
+}
+
+}  // namespace
+
+void Config::State::report(const toml::node* where, FaultKind kind, std::string_view key, std::string what,
+                           bool misleads) {
+    if (faults.size() >= most_faults) return;
+    const bool is_holder = where != nullptr && where->is_table() && kind != FaultKind::value;
+    const auto* table = is_holder ? where->as_table() : holder_of(root, where);
+    ConfigFault fault{kind, misleads, table, std::string(key), line_of(where), std::move(what)};
+    if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(std::move(fault));
+}
+
+namespace {
 
 /// Serialises a value so that equal values give equal bytes. A value is its kind, then its content; each text
 /// is preceded by its length.
@@ -135,56 +208,56 @@ private:
     std::string bytes_;
 };
 
-/// Most dots in one line, decimal points not counted. toml++ destroys nested tables recursively, and a key
-/// such as a.a.a... nests one table per dot.
-constexpr std::size_t most_dots = 200;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Returns true if the digits around the dot are a number, not part of a key such as 1.1.1.
-bool is_decimal_point(std::string_view line, std::size_t dot) {
-    if (dot == 0 || dot + 1 >= line.size() || !is_digit(line[dot - 1]) || !is_digit(line[dot + 1]))
-        return false;
-    std::size_t first = dot - 1;
-    while (first > 0 && is_digit(line[first - 1])) --first;
-    return first == 0 || line[first - 1] != '.';
-}
-
-bool has_too_many_dots(std::string_view line) {
-    std::size_t dots = 0;
-    for (auto at = line.find('.'); at != std::string_view::npos; at = line.find('.', at + 1)) {
-        if (!is_decimal_point(line, at)) ++dots;
-    }
-    return dots > most_dots;
-}
-
-/// Number of the first line with too many dots, counted from 1; 0 if there is none.
-std::size_t overdotted_line(std::string_view source) {
-    std::size_t number = 1;
-    while (!source.empty()) {
-        const auto end = std::min(source.find('\n'), source.size());
-        if (has_too_many_dots(source.substr(0, end))) return number;
-        source.remove_prefix(std::min(end + 1, source.size()));
-        ++number;
-    }
-    return 0;
-}
-
 Expected<toml::table> parse_toml(std::string_view source, const std::string& name) {
-    if (const auto line = overdotted_line(source); line != 0) {
-        return fail(text(name, ":", line, ": more than ", most_dots, " dots in one line"));
+    if (const auto line = detail::overdotted_line(source); line != 0) {
+        return fail(text(name, ":", line, ": more than ", detail::most_dots, " dots in one line"));
     }
     try {
         auto result = toml::parse(source, name);
         if (result) return std::move(result).table();
         const auto& error = result.error();
-        return fail(text(name, ":", error.source().begin.line, ": ", in_one_line(error.description())));
+        const auto line = error.source().begin.line;
+        const std::string_view what = error.description();
+        const auto hint = what.find("redefine") == what.npos ? detail::toml_hint(source, line)
+                                                             : std::string("; it is there twice");
+        return fail(text(name, ":", line, ": ", in_one_line(what), hint));
     } catch (const ParserAsserted&) {
         return fail(text(name, ": cannot be read as TOML; look for a wrong bracket, quote, date or time"));
     }
 }
 
-std::string range_text(Range range) { return text("from ", range.low, " to ", range.high); }
+/// "from 0 to 10"
+std::string range_text(Range range) {
+    constexpr double huge = std::numeric_limits<double>::max();
+    if (range.low <= -huge && range.high >= huge) return "finite";
+    if (range.high >= huge) return text("at least ", range.low);
+    if (range.low <= -huge) return text("at most ", range.high);
+    return text("from ", range.low, " to ", range.high);
+}
+
+/// "a number from 0 to 10"
+std::string in_range_words(std::string_view what, Range range) {
+    const auto limits = range_text(range);
+    return limits == "finite" ? std::string(what) : text(what, limits.starts_with("at") ? ", " : " ", limits);
+}
+
+std::string listed(const std::vector<std::string_view>& names) {
+    std::string all;
+    for (const auto name : names) all += text(all.empty() ? "" : ", ", name);
+    return all;
+}
+
+/// A value of a wrong kind in words, and how to make a number of it.
+std::string words_of(const toml::node& node) {
+    constexpr std::size_t longest = 40;
+    if (const auto* word = node.as_string())
+        return text("the text \"", printable(word->get(), longest), "\"", detail::number_hint(word->get()));
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return text(whole->get());
+    if (const auto* real = node.as_floating_point()) return text(real->get());
+    if (const auto* list = node.as_array()) return text("a list of ", list->size());
+    return node.is_table() ? "a table" : "a date or time";
+}
 
 /// The low end of the range as a whole number; 0 if the low end does not fit an integer.
 std::int64_t low_end(Range range) {
@@ -196,24 +269,33 @@ bool in_range(double value, Range range) { return value >= range.low && value <=
 /// Returns the node at a key and marks it as asked for. Returns null if there is none.
 const toml::node* ask(Config::State& state, const void* table, std::string_view key) {
     if (table == nullptr) return nullptr;
+    state.asked_keys[table].emplace(key);
     const auto* node = as_table(table)->get(key);
     if (node != nullptr) state.asked.insert(node);
     return node;
 }
 
-void report_missing(Config::State& state, const void* table, std::string_view key) {
-    state.report(as_table(table), text("key '", key, "' is missing"));
-}
+/// Numbers nearer to 0 are slips, and to divide by them makes infinities.
+constexpr double least_magnitude = 1e-12;
 
 std::optional<double> number_in(Config::State& state, const toml::node& node, std::string_view key,
                                 Range range) {
     const auto value = node.value<double>();
     if (!value || !(node.is_integer() || node.is_floating_point())) {
-        state.report(&node, text("'", key, "' must be a number"));
+        state.report(
+            &node, FaultKind::value, key,
+            text("'", key, "' must be ", in_range_words("a number", range), ", not ", words_of(node)));
+        return std::nullopt;
+    }
+    if (*value != 0 && std::abs(*value) < least_magnitude) {
+        state.report(&node, FaultKind::value, key,
+                     text("'", key, "' is ", *value, ", must be 0 or at least ", least_magnitude,
+                          " away from it, ", range_text(range)));
         return std::nullopt;
     }
     if (!in_range(*value, range)) {  // NaN is outside every range
-        state.report(&node, text("'", key, "' is ", *value, ", must be ", range_text(range)));
+        state.report(&node, FaultKind::value, key,
+                     text("'", key, "' is ", *value, ", must be ", range_text(range)));
         return std::nullopt;
     }
     return value;
@@ -222,12 +304,15 @@ std::optional<double> number_in(Config::State& state, const toml::node& node, st
 std::optional<std::int64_t> integer_in(Config::State& state, const toml::node& node, std::string_view key,
                                        Range range) {
     if (!node.is_integer()) {
-        state.report(&node, text("'", key, "' must be a whole number"));
+        state.report(
+            &node, FaultKind::value, key,
+            text("'", key, "' must be ", in_range_words("a whole number", range), ", not ", words_of(node)));
         return std::nullopt;
     }
     const auto value = node.as_integer()->get();
     if (!in_range(static_cast<double>(value), range)) {
-        state.report(&node, text("'", key, "' is ", value, ", must be ", range_text(range)));
+        state.report(&node, FaultKind::value, key,
+                     text("'", key, "' is ", value, ", must be ", range_text(range)));
         return std::nullopt;
     }
     return value;
@@ -237,7 +322,8 @@ std::optional<vec3> vector_in(Config::State& state, const toml::node& node, std:
                               Range range) {
     const auto* list = node.as_array();
     if (list == nullptr || list->size() != 3) {
-        state.report(&node, text("'", key, "' must be three numbers"));
+        state.report(&node, FaultKind::value, key,
+                     text("'", key, "' must be three numbers, not ", words_of(node)));
         return std::nullopt;
     }
     vec3 result{};
@@ -253,7 +339,8 @@ std::optional<std::vector<double>> numbers_in(Config::State& state, const toml::
                                               std::string_view key, Range range, std::size_t most) {
     const auto* list = node.as_array();
     if (list == nullptr || list->empty() || list->size() > most) {
-        state.report(&node, text("'", key, "' must be a list of 1 to ", most, " numbers"));
+        state.report(&node, FaultKind::value, key,
+                     text("'", key, "' must be a list of 1 to ", most, " numbers, not ", words_of(node)));
         return std::nullopt;
     }
     std::vector<double> result;
@@ -271,10 +358,15 @@ std::optional<std::size_t> choice_in(Config::State& state, const toml::node& nod
     for (std::size_t i = 0; value && i < names.size(); ++i) {
         if (names[i] == *value) return i;
     }
-    std::string all;
-    for (const auto name : names) all += text(all.empty() ? "" : ", ", name);
-    state.report(&node, text("'", key, "' must be one of: ", all));
+    auto message = text("'", key, "' must be one of: ", listed(names), "; it is ", words_of(node));
+    if (value) message += did_you_mean(*value, names);
+    state.report(&node, FaultKind::value, key, std::move(message), true);
     return std::nullopt;
+}
+
+/// All faults of a file, with the keys that no reader asked for.
+std::optional<Error> faults_of(const Config::State& state, std::span<const detail::UnknownKey> unknown) {
+    return detail::told_faults(state.name, state.faults, {unknown.begin(), unknown.end()}, state.asked_keys);
 }
 
 }  // namespace
@@ -286,12 +378,20 @@ Expected<Config> Config::parse(std::string_view source, std::string name, std::i
     state->root = std::move(*table);
     state->name = std::move(name);
     Config config(state);
-    const auto found = config.root().integer("version", {0, 1e9});
-    if (!state->fault && found != version) {
+    config.root().demand("version", text("version = ", version));
+    const auto found = config.root().integer("version", {0, 1e9}, version);
+    if (state->faults.empty() && found != version) {
         config.root().report("version", text("version ", found, " cannot be read, only version ", version));
     }
-    if (state->fault) return fail(*state->fault);
-    return config;
+    if (state->faults.empty()) return config;
+    // No reader has asked for the other keys, so only a misspelt 'version' is known to be wrong.
+    std::vector<detail::UnknownKey> unknown;
+    find_unknown(*state, state->root, "", unknown);
+    constexpr std::string_view version_key[] = {"version"};
+    std::erase_if(unknown, [&](const auto& one) {
+        return one.table != &state->root || near_name(one.key, version_key).empty();
+    });
+    return *faults_of(*state, unknown);
 }
 
 Expected<void> Config::replace(std::string_view path, std::string_view value) {
@@ -299,8 +399,11 @@ Expected<void> Config::replace(std::string_view path, std::string_view value) {
     auto* table =
         dot == std::string_view::npos ? &state_->root : state_->root.at_path(path.substr(0, dot)).as_table();
     const auto key = path.substr(dot == std::string_view::npos ? 0 : dot + 1);
-    if (table == nullptr || !table->contains(key))
-        return fail(text(state_->name, ": has no key '", path, "'"));
+    if (table == nullptr || !table->contains(key)) {
+        std::vector<std::string_view> names;
+        for (const auto& [name, node] : table == nullptr ? state_->root : *table) names.push_back(name.str());
+        return fail(text(state_->name, ": has no key '", path, "'", did_you_mean(key, names)));
+    }
     const auto parsed = toml::parse(text("value = ", value));
     if (!parsed || parsed.table().size() != 1)
         return fail(text(state_->name, ": '", value, "' is no value for '", path, "'"));
@@ -308,15 +411,21 @@ Expected<void> Config::replace(std::string_view path, std::string_view value) {
     return {};
 }
 
-ConfigTable Config::root() const { return {state_, &state_->root}; }
+ConfigTable Config::root() const { return {state_, &state_->root, &state_->root, ""}; }
 
-void Config::report(std::string_view message) const { state_->report(nullptr, message); }
+void Config::report(std::string_view message) const {
+    if (!is_misread(*state_, state_->root))
+        state_->report(nullptr, FaultKind::told, "", std::string(message));
+}
 
 Expected<void> Config::check() const {
-    if (!state_->fault) find_unknown(*state_, state_->root, "");
-    if (state_->fault) return fail(*state_->fault);
+    std::vector<detail::UnknownKey> unknown;
+    find_unknown(*state_, state_->root, "", unknown);
+    if (auto error = faults_of(*state_, unknown)) return std::move(*error);
     return {};
 }
+
+bool Config::is_sound() const { return state_->faults.empty(); }
 
 std::uint64_t Config::value_hash(std::span<const std::string_view> without) const {
     CanonicalForm form;
@@ -325,11 +434,27 @@ std::uint64_t Config::value_hash(std::span<const std::string_view> without) cons
 }
 
 bool ConfigTable::has(std::string_view key) const {
-    return table_ != nullptr && as_table(table_)->contains(key);
+    if (table_ == nullptr) return false;
+    state_->asked_keys[table_].emplace(key);
+    return as_table(table_)->contains(key);
+}
+
+void ConfigTable::demand(std::string_view key, std::string_view allowed, bool misleads) const {
+    if (has(key)) return;
+    if (table_ != nullptr) {
+        state_->report(as_table(table_), FaultKind::missing, key,
+                       text("key '", key, "' is missing: ", allowed), misleads);
+        return;
+    }
+    const auto first = path_.substr(0, path_.find('.'));
+    if (as_table(holder_)->contains(first)) return;  // it is no table, which has been reported
+    const auto path = path_of(state_->root, as_table(holder_));
+    state_->report(as_table(holder_), FaultKind::missing, first,
+                   text("table '", path.empty() ? "" : text(path, "."), path_, "' is missing"));
 }
 
 double ConfigTable::number(std::string_view key, Range range) const {
-    if (!has(key)) report_missing(*state_, table_, key);
+    demand(key, in_range_words("a number", range));
     return number(key, range, range.low);
 }
 
@@ -339,7 +464,7 @@ double ConfigTable::number(std::string_view key, Range range, double fallback) c
 }
 
 std::int64_t ConfigTable::integer(std::string_view key, Range range) const {
-    if (!has(key)) report_missing(*state_, table_, key);
+    demand(key, in_range_words("a whole number", range));
     return integer(key, range, low_end(range));
 }
 
@@ -352,14 +477,15 @@ bool ConfigTable::boolean(std::string_view key, bool fallback) const {
     const auto* node = ask(*state_, table_, key);
     if (node == nullptr) return fallback;
     if (!node->is_boolean()) {
-        state_->report(node, text("'", key, "' must be true or false"));
+        state_->report(node, FaultKind::value, key,
+                       text("'", key, "' must be true or false, not ", words_of(*node)));
         return fallback;
     }
     return node->as_boolean()->get();
 }
 
 std::string ConfigTable::string(std::string_view key) const {
-    if (!has(key)) report_missing(*state_, table_, key);
+    demand(key, "a text in quotes", true);
     return string(key, "");
 }
 
@@ -367,14 +493,15 @@ std::string ConfigTable::string(std::string_view key, std::string fallback) cons
     const auto* node = ask(*state_, table_, key);
     if (node == nullptr) return fallback;
     if (!node->is_string()) {
-        state_->report(node, text("'", key, "' must be a text in quotes"));
+        state_->report(node, FaultKind::value, key,
+                       text("'", key, "' must be a text in quotes, not ", words_of(*node)), true);
         return fallback;
     }
     return node->as_string()->get();
 }
 
 vec3 ConfigTable::vector(std::string_view key, Range range) const {
-    if (!has(key)) report_missing(*state_, table_, key);
+    demand(key, in_range_words("three numbers", range));
     return vector(key, range, vec3(range.low));
 }
 
@@ -390,7 +517,7 @@ std::vector<double> ConfigTable::numbers(std::string_view key, Range range, std:
 }
 
 std::size_t ConfigTable::choice(std::string_view key, const std::vector<std::string_view>& names) const {
-    if (!has(key)) report_missing(*state_, table_, key);
+    demand(key, text("one of: ", listed(names)), true);
     return choice(key, names, 0);
 }
 
@@ -400,24 +527,44 @@ std::size_t ConfigTable::choice(std::string_view key, const std::vector<std::str
     return node == nullptr ? fallback : choice_in(*state_, *node, key, names).value_or(fallback);
 }
 
+std::optional<std::uint32_t> ConfigTable::hex_colour(std::string_view key) const {
+    const auto* node = ask(*state_, table_, key);
+    if (node == nullptr || !node->is_string()) return std::nullopt;
+    const auto& words = node->as_string()->get();
+    const auto colour = detail::parse_colour(words);
+    if (!colour)
+        state_->report(node, FaultKind::value, key,
+                       text("'", key, "' must be a colour \"#RRGGBB\", not ", words_of(*node)));
+    return colour.value_or(0);
+}
+
 ConfigTable ConfigTable::table(std::string_view key) const {
     const auto* node = ask(*state_, table_, key);
-    if (node != nullptr && !node->is_table()) state_->report(node, text("'", key, "' must be a table"));
-    return {state_, node == nullptr ? nullptr : node->as_table()};
+    if (node != nullptr && !node->is_table())
+        state_->report(node, FaultKind::value, key,
+                       text("'", key, "' must be a table, not ", words_of(*node)), true);
+    if (node != nullptr && node->is_table()) return {state_, node, node, ""};
+    return {state_, nullptr, holder_, path_.empty() ? std::string(key) : text(path_, ".", key)};
 }
 
 std::vector<ConfigTable> ConfigTable::tables(std::string_view key) const {
     std::vector<ConfigTable> result;
     const auto* node = ask(*state_, table_, key);
     if (node == nullptr) return result;
+    const auto wrong = [&](const toml::node& at) {
+        state_->report(&at, FaultKind::value, key,
+                       text("'", key, "' must be a list of tables, [[", key, "]], not ", words_of(*node)));
+    };
     const auto* list = node->as_array();
     if (list == nullptr) {
-        state_->report(node, text("'", key, "' must be a list of tables"));
+        wrong(*node);
         return result;
     }
     for (const auto& item : *list) {
-        if (!item.is_table()) state_->report(&item, text("'", key, "' must be a list of tables"));
-        if (item.is_table()) result.push_back({state_, item.as_table()});
+        if (item.is_table())
+            result.push_back({state_, &item, &item, ""});
+        else
+            wrong(item);
     }
     return result;
 }
@@ -433,23 +580,16 @@ std::vector<std::string> ConfigTable::keys() const {
 }
 
 void ConfigTable::report(std::string_view key, std::string_view message) const {
-    const auto* node = table_ == nullptr || key.empty() ? nullptr : as_table(table_)->get(key);
-    state_->report(node != nullptr ? node : as_table(table_), message);
+    const auto* table = as_table(table_ != nullptr ? table_ : holder_);
+    if (is_misread(*state_, *table)) return;
+    const auto* node = table_ == nullptr || key.empty() ? nullptr : table->get(key);
+    state_->report(node != nullptr ? node : table, FaultKind::told, key, std::string(message));
 }
 
-std::string in_quotes(std::string_view words) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string out = "\"";
-    for (const char c : words) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7F) {
-            out += text("\\u00", digits.substr(byte / 16, 1), digits.substr(byte % 16, 1));
-            continue;
-        }
-        if (c == '"' || c == '\\') out += '\\';
-        out += c;
-    }
-    return out + '"';
+std::string ConfigTable::place(std::string_view key) const {
+    const auto* table = as_table(table_ != nullptr ? table_ : holder_);
+    const auto* node = table->get(key);
+    return text(state_->name, ":", line_of(node != nullptr ? node : table));
 }
 
 }  // namespace thaum

@@ -1,8 +1,8 @@
 // core/config.h: strict reading of TOML data files.
 //
-// A reader must ask for every key of a file, and every value must be in its range. A Config keeps the first
-// fault with file, line and key, and `check` returns it. A reader asks for all values as if the file were
-// correct, then checks once at the end.
+// A reader must ask for every key of a file, and every value must be in its range. A Config keeps all faults
+// with file, line and key, and `check` returns them. A reader asks for all values as if the file were correct,
+// then checks once at the end.
 #pragma once
 #include <limits>
 #include <memory>
@@ -34,11 +34,14 @@ public:
     /// Replaces the value of an existing key. The path has the form "shot.damage"; the value is written as in
     /// TOML.
     Expected<void> replace(std::string_view path, std::string_view value);
-    /// Reports a fault found by the caller, such as two entries that contradict each other.
+    /// Reports a fault found by the caller, such as two entries that contradict each other. Nothing is reported if a
+    /// value of the file is wrong: the caller worked with what stands in for it.
     void report(std::string_view message) const;
-    /// Returns the first fault of all reads so far. If there is none, reports the first key that no reader
-    /// asked for.
+    /// Returns all faults of the reads so far, and the keys that no reader asked for: the first one as the message of the
+    /// error, the others in Error::more.
     Expected<void> check() const;
+    /// Whether no fault has been found so far. Keys that nobody asked for do not count.
+    bool is_sound() const;
     /// Hash of all keys and values. It ignores comments, spaces, the order of keys and the spelling of a
     /// number (1 or 1.0). It also ignores the top-level keys in `without`.
     std::uint64_t value_hash(std::span<const std::string_view> without = {}) const;
@@ -73,21 +76,32 @@ public:
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names,
                        std::size_t fallback) const;
 
+    /// Reads a colour "#RRGGBB" as 0xRRGGBB. std::nullopt if the key has no text: older files write colours in other ways.
+    std::optional<std::uint32_t> hex_colour(std::string_view key) const;
+
     /// Returns a sub-table, which is empty if the key is missing.
     ConfigTable table(std::string_view key) const;
     /// Returns an array of tables, which is empty if the key is missing.
     std::vector<ConfigTable> tables(std::string_view key) const;
     /// Returns all keys in sorted order and marks them as asked for.
     std::vector<std::string> keys() const;
-    /// Reports a fault at this key, or at the table if the key is empty.
+    /// Reports a fault at this key, or at the table if the key is empty. Nothing is reported if a value of the table is
+    /// wrong: the caller worked with what stands in for it.
     void report(std::string_view key, std::string_view message) const;
+    /// Place of the key, or of the table if it has no such key, for messages: "wand.toml:12".
+    std::string place(std::string_view key) const;
 
 private:
     friend class Config;
-    ConfigTable(std::shared_ptr<Config::State> state, const void* table)
-        : state_(std::move(state)), table_(table) {}
+    ConfigTable(std::shared_ptr<Config::State> state, const void* table, const void* holder, std::string path)
+        : state_(std::move(state)), table_(table), holder_(holder), path_(std::move(path)) {}
+    /// Reports a key that is missing. `misleads`: other keys of the table depend on it.
+    void demand(std::string_view key, std::string_view allowed, bool misleads = false) const;
+
     std::shared_ptr<Config::State> state_;
-    const void* table_;  // a toml::table; null if the table is missing
+    const void* table_;   // a toml::table; null if the table is missing
+    const void* holder_;  // the table itself, or the innermost one that is there
+    std::string path_;    // keys from the holder to a missing table: "shot.trail"
 };
 
 /// Words as a string of TOML. Control characters become escapes.

@@ -2,9 +2,11 @@
 #pragma once
 #include <concepts>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/assert.h"
 
@@ -13,6 +15,8 @@ namespace thaum {
 /// One line for the user: what is wrong, where, and what to do. It has no trailing newline.
 struct Error {
     std::string message;
+    /// Lines of the same kind on further faults of the same file or folder. Most users need only the first line.
+    std::vector<std::string> more{};
 };
 
 template <class T>
@@ -119,5 +123,17 @@ private:
 };
 
 inline Error fail(std::string message) { return {std::move(message)}; }
+
+/// A data file that is left out because of its faults, by its name without folder and ending.
+struct LeftOut {
+    std::string name;
+    Error fault;
+};
+
+/// All lines of an error: its message, then those on further faults.
+std::vector<std::string> lines_of(const Error& error);
+
+/// Adds the faults of `next` that `error` does not have yet.
+void add_faults(std::optional<Error>& error, const Error& next);
 
 }  // namespace thaum

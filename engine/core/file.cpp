@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "core/file_writer.h"
+#include "core/near_name.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 
@@ -62,6 +63,27 @@ Expected<Bytes> read_bytes(const std::filesystem::path& path, std::size_t limit,
 }
 
 }  // namespace
+
+Expected<std::vector<std::filesystem::path>> files_in(const std::filesystem::path& folder,
+                                                      std::string_view ending) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    std::filesystem::directory_iterator it(folder, error);
+    for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error)) {
+        if (it->path().extension() == ending) files.push_back(it->path());
+    }
+    if (error) return fail(text(folder.string(), ": the folder cannot be read: ", error.message()));
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string near_file(std::string_view name, const std::filesystem::path& folder, std::string_view ending) {
+    const auto files = files_in(folder, ending);
+    if (!files) return "";
+    std::vector<std::string> stems;
+    for (const auto& file : *files) stems.push_back(file.stem().string());
+    return did_you_mean(name, stems);
+}
 
 bool write_all(int fd, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {

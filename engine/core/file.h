@@ -3,7 +3,9 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/bytes.h"
 #include "core/error.h"
@@ -22,6 +24,14 @@ Expected<std::string> read_text_file(const std::filesystem::path& path, std::siz
 
 /// Reads a file that the program owns and may replace itself, such as its settings. tests/structure lists who may.
 Expected<std::string> read_own_text_file(const std::filesystem::path& path, std::size_t limit);
+
+/// Files of a folder whose names end with `ending`, such as ".toml", sorted. The error names the folder that cannot be
+/// read.
+Expected<std::vector<std::filesystem::path>> files_in(const std::filesystem::path& folder,
+                                                      std::string_view ending);
+
+/// "; did you mean 'blast'?" if the folder has a file of nearly this name, both without the ending; else nothing.
+std::string near_file(std::string_view name, const std::filesystem::path& folder, std::string_view ending);
 
 /// Writes all bytes to an open descriptor. On failure returns false with errno set; some of the bytes may
 /// have been written.

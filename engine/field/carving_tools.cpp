@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/file.h"
+#include "core/near_name.h"
 #include "core/text.h"
 
 namespace thaum::field {
@@ -112,7 +113,9 @@ void read_constants(const ConfigTable& table, const Materials& materials, Operat
     if (!operation.changes.material) return;
     const std::string name = table.string("material");
     const auto index = material_index(materials, name);
-    if (!index) table.report("material", text("there is no material '", name, "'"));
+    if (!index)
+        table.report("material", text("there is no material '", name, "'",
+                                      did_you_mean(name, materials, &Material::name)));
     operation.material = index.value_or(0);
 }
 

@@ -10,7 +10,7 @@
 //     filter = "construct"           melt | construct | mix; only with method = "filter"
 //     rate = 6                       1/s; only with method = "filter"
 //     density = 1                    0 is empty, 1 is solid; for density, except with melt
-//     colour = [255, 0, 0]           for colour
+//     colour = "#FF0000"             for colour; older files have [255, 0, 0]
 //     material = "wax"               for material; a name of the table of materials
 //     only = "surface"               optional: voxels beside the surface; not together with density
 //

@@ -20,6 +20,9 @@ Material read_material(const ConfigTable& table) {
 }  // namespace
 
 Rgb8 read_colour(const ConfigTable& table, std::string_view key) {
+    if (const auto hex = table.hex_colour(key))
+        return {static_cast<std::uint8_t>(*hex >> 16U & 0xFFU), static_cast<std::uint8_t>(*hex >> 8U & 0xFFU),
+                static_cast<std::uint8_t>(*hex & 0xFFU)};
     const vec3 rgb = table.vector(key, {0, 255});
     for (int i = 0; i < 3; ++i) {
         if (rgb[i] != std::floor(rgb[i])) table.report(key, text("'", key, "' must be three whole numbers"));

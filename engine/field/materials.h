@@ -6,7 +6,7 @@
 //     stiffness = 250                N/m
 //     viscosity = 1.5                N s/m
 //     opacity = 0.3                  0: not drawn, but still felt; 1: hides everything behind it
-//     colour = [224, 172, 140]       red, green, blue, each from 0 to 255
+//     colour = "#E0AC8C"             older files have [224, 172, 140]: red, green, blue, each from 0 to 255
 //
 // The table is fixed while a body is carved. An edit changes the index of a voxel, never a material: that would
 // change the whole body at once.

@@ -196,20 +196,17 @@ Expected<Effect> load_effect(const std::filesystem::path& path) {
 }  // namespace
 
 Expected<EffectBank> load_effects(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    std::error_code fault;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, fault)) {
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    }
-    if (fault)
-        return fail(text(folder.string(), ": the folder of effects cannot be read: ", fault.message()));
-    if (files.size() > most_effects)
-        return fail(text(folder.string(), ": ", files.size(), " effects: keep at most ", most_effects));
+    const auto files = files_in(folder, ".toml");
+    if (!files) return files.error();
+    if (files->size() > most_effects)
+        return fail(text(folder.string(), ": ", files->size(), " effects: keep at most ", most_effects));
     EffectBank bank;
-    for (const auto& path : files) {
+    for (const auto& path : *files) {
         auto effect = load_effect(path);
-        if (!effect) return std::move(effect.error());
-        bank.effects.push_back(std::move(*effect));
+        if (effect)
+            bank.effects.push_back(std::move(*effect));
+        else
+            bank.faulty.push_back({path.stem().string(), std::move(effect.error())});
     }
     std::sort(bank.effects.begin(), bank.effects.end(),
               [](const Effect& a, const Effect& b) { return a.name < b.name; });

@@ -123,12 +123,14 @@ Expected<Effect> read_effect(const Config& file, std::string name);
 /// All effects of a program, sorted by name. An effect's number is its index.
 struct EffectBank {
     std::vector<Effect> effects;
+    std::vector<LeftOut> faulty{};  ///< effects that are left out, sorted by name
 
     /// Returns the number of the effect of this name, or nothing.
     std::optional<std::uint32_t> find(std::string_view name) const;
 };
 
-/// Reads every .toml file of a folder, each at most 64 KiB, and the .tact files that they name.
+/// Reads every .toml file of a folder, each at most 64 KiB, and the .tact files that they name. A faulty effect costs no
+/// other one. The error: the folder cannot be read, or has too many effects.
 Expected<EffectBank> load_effects(const std::filesystem::path& folder);
 
 }  // namespace thaum::tactile

@@ -21,6 +21,7 @@ struct Command {
 
 Command play_command();
 Command range_command();
+Command check_command();
 Command doctor_command();
 Command replay_command();
 Command diff_command();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/near_name.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/program.h"
@@ -30,6 +31,7 @@ constexpr Summary overview[] = {
     {"plot", "draw a benchmark's report"},
     {"sounds", "list the sounds; write them as files and pictures"},
     {"gesture", "measure, train and check the recognisers of gestures"},
+    {"check", "read all data files and list every fault in them"},
     {"doctor", "check this machine and report what is missing"},
 };
 
@@ -75,7 +77,9 @@ int dispatch(const std::vector<Command>& commands, std::vector<std::string> word
         words.insert(words.begin(), name);
         return become(others, words);
     }
-    return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
+    const auto near = did_you_mean(name, overview, &Summary::name);
+    return refuse(
+        {text("unknown command '", name, "'", near.empty() ? "; `thaum --help` lists them" : near)});
 }
 
 }  // namespace thaum::app

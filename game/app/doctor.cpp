@@ -17,6 +17,7 @@
 #include "core/processor.h"
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/content.h"
 #include "game/app/still.h"
 #include "game/command_line/arguments.h"
 #include "game/jackets/jacket.h"
@@ -91,11 +92,13 @@ Finding mathematics() {
             text("ours, for Bullet too; probe ", hex(physics::maths_probe()), " (logs carry it)"), ""};
 }
 
+/// Report on the data files. A match can be played in spite of a fault in another file than those that it reads.
 Finding data_files(const std::filesystem::path& assets, const Expected<Data>& data) {
-    if (data)
-        return {"data files", State::good, text(assets.string(), ", ", (*data)->files.size(), " files"), ""};
-    return {"data files", State::missing, data.error().message,
-            "start thaum from its folder or set THAUM_ASSETS"};
+    const auto report = check_content(assets);
+    const auto files = text(assets.string(), ", ", report.files, " files");
+    if (report.faults.empty()) return {"data files", State::good, text(files, ", no fault"), ""};
+    return {"data files", data ? State::note : State::missing, short_words(report),
+            text("correct them: ", files)};
 }
 
 Finding hands(const Expected<Data>& data) {
@@ -205,7 +208,8 @@ Finding sound(const std::filesystem::path& assets) {
     const auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return {"sound", State::note, bank.error().message, "the game is silent until this is mended"};
     if (!bank->faulty.empty())
-        return {"sound", State::note, bank->faulty[0].reason, "that sound is silent until this is mended"};
+        return {"sound", State::note, bank->faulty[0].fault.message,
+                "that sound is silent until this is mended"};
     // A mixer prepares OpenAL, as in the game.
     const auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return {"sound", State::note, mixer.error().message, "the game is silent"};

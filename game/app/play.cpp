@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/content.h"
 #include "game/app/offscreen_duel.h"
 #include "game/bots/bot.h"
 #include "game/command_line/arguments.h"
@@ -175,7 +176,7 @@ int play_in_window(const PlayOptions& options) {
     const auto assets = game::find_assets();
     std::error_code no_file;
     const bool first_start = !std::filesystem::exists(settings_file(), no_file);
-    auto [settings, settings_fault] = settings_to_play_with(settings_file(), assets);
+    auto [settings, start_fault] = settings_to_play_with(settings_file(), assets);
     auto data = options.mode() ? game::load_match_data(assets, options.data)
                                : load_last_choice(assets, options, settings.last);
     if (!data) return refuse(data.error());
@@ -194,7 +195,7 @@ int play_in_window(const PlayOptions& options) {
         std::fprintf(
             stderr, "this match is not recorded: there is no home folder; set HOME, or give --record FILE\n");
     plan.settings = std::move(settings);
-    plan.settings_fault = std::move(settings_fault);
+    plan.start_fault = start_fault.empty() ? short_words(check_content(assets)) : std::move(start_fault);
     plan.settings_file = settings_file();
     return run_live(plan);
 }

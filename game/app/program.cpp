@@ -56,6 +56,16 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
     std::_Exit(code);
 }
 
+namespace {
+
+void protect_files_in(const std::filesystem::path& folder) {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        protect_input(entry.path());
+}
+
+}  // namespace
+
 void protect_inputs(std::string_view command) {
     std::error_code unreadable;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", unreadable);
@@ -64,8 +74,13 @@ void protect_inputs(std::string_view command) {
         protect_input(self.parent_path() / program);
     const bool has_menu = command == "play" || command == "range" || command == "replay";
     if (const auto settings = settings_file(); !has_menu && !settings.empty()) protect_input(settings);
-    for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable))
-        if (entry.path().filename() != "pictures") protect_input(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable)) {
+        const auto name = entry.path().filename();
+        if (name == "gestures" && command == "gesture")
+            protect_files_in(entry.path());  // `gesture record` may put a new one beside them
+        else if (name != "pictures")
+            protect_input(entry.path());
+    }
 }
 
 bool asks_for_help(const std::vector<std::string>& words) {

@@ -14,7 +14,7 @@ using Dispatch = int (*)(std::vector<std::string> words);
 int run_program(int argc, char** argv, Dispatch dispatch);
 
 /// Protects the data files of matches and our programs from being overwritten by any command. The pictures beside
-/// the data stay writable, because this program makes them. The settings are protected from commands without a
+/// the data stay writable, because this program makes them. The command `gesture` may add files to those of gestures. The settings are protected from commands without a
 /// menu, which is where they are changed.
 void protect_inputs(std::string_view command);
 

@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/content.h"
 #include "game/bots/range.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
@@ -123,9 +124,9 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = options.seconds;
-    auto [settings, settings_fault] = settings_to_play_with(settings_file(), assets);
+    auto [settings, start_fault] = settings_to_play_with(settings_file(), assets);
     plan.settings = std::move(settings);
-    plan.settings_fault = std::move(settings_fault);
+    plan.start_fault = start_fault.empty() ? short_words(check_content(assets)) : std::move(start_fault);
     plan.settings_file = settings_file();
     return run_live(plan);
 }

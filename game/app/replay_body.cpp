@@ -21,9 +21,10 @@ Expected<ReplayBody> ReplayBody::create(const game::MatchData& data, const std::
                                         std::optional<game::FeltGroups> sounds) {
     auto body = LiveBody::load(assets);
     if (!body) return body.error();
+    if (!body->faults.empty()) return fail(body->faults[0]);
     auto effects = game::match_effects(body->effects, *data.presentation);
-    if (!effects) return effects.error();
-    auto state = std::make_unique<State>(State{std::move(*body), std::move(*effects), {}, {}, {}, {}});
+    if (!effects.missing.empty()) return fail(game::line_of(effects.missing[0]));
+    auto state = std::make_unique<State>(State{std::move(*body), std::move(effects), {}, {}, {}, {}});
     for (std::uint32_t p = 0; p < game::players; ++p) {
         state->scenes.at(p).emplace(state->effects, state->body.effects, p);
         state->scenes.at(p)->add(state->body.figure);

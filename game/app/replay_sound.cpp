@@ -13,8 +13,8 @@ Expected<ReplaySound> ReplaySound::create(const std::filesystem::path& file,
     if (!bank) return bank.error();
     auto sounds = game::match_sounds(*bank, *data.presentation);
     for (const auto& sound : bank->faulty)
-        tell_user(text("the sound '", sound.name, "' is silent: ", sound.reason));
-    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line));
+        tell_user(text("the sound '", sound.name, "' is silent: ", sound.fault.message));
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", game::line_of(line)));
     auto mixer = audio::Mixer::create(*bank, {});
     if (!mixer) return mixer.error();
     auto writer = audio::WavWriter::create(file, audio::WavFormat::whole_16);

@@ -1,8 +1,10 @@
 // thaum scenario: runs gameplay scenarios, and shows that each gives the same match again.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 #include "core/file.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -19,6 +21,7 @@ constexpr std::string_view scenario_help =
 
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
 time. The log of each is replayed and must give equal hashes. Without a name: all of them.
+What a script prints stands below its result.
 
   --json FILE   the results as JSON, replacing an older file; - for standard output
   --out DIR     folder for logs, traces and pictures; older ones are replaced
@@ -62,15 +65,27 @@ private:
     const game::MatchData* painted_ = nullptr;
 };
 
+/// Prints a result, and below it what the script has printed.
 void print_result(const game::ScenarioResult& result) {
     std::printf("%-6s %-28s %8llu ticks  %s\n", result.passed ? "passed" : "FAILED", result.name.c_str(),
                 static_cast<unsigned long long>(result.ticks), result.message.c_str());
+    constexpr std::size_t longest = 1000;
+    for (std::string_view rest = result.output; !rest.empty();) {
+        const auto end = std::min(rest.find('\n'), rest.size());
+        std::string line(rest.substr(0, end));
+        std::ranges::replace(line, '\t', ' ');  // between the values of one print
+        std::printf("       %s\n", printable(line, longest).c_str());
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
 }
 
 game::ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
     game::ScenarioOptions chosen;
     chosen.assets = game::find_assets();
     chosen.scripts = game::scenarios_beside(chosen.assets);
+    std::error_code unknown;
+    if (!std::filesystem::exists(chosen.scripts, unknown))
+        chosen.scripts = game::scenarios_beside(game::shipped_assets());
     chosen.out = arguments.value("--out").value_or("out/scenarios");
     chosen.take_picture = [&painter](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);

@@ -26,10 +26,8 @@ std::string padded(Tick tick) {
 /// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
 std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
     auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
-    auto senses = loaded ? game::Senses::create(*loaded, *data.presentation)
-                         : Expected<std::unique_ptr<game::Senses>>(loaded.error());
-    if (senses) return std::move(*senses);
-    tell_user(text("pictures show nothing that is heard or felt: ", senses.error().message));
+    if (loaded) return game::Senses::create(*loaded, *data.presentation);
+    tell_user(text("pictures show nothing that is heard or felt: ", loaded.error().message));
     return nullptr;
 }
 

@@ -6,6 +6,7 @@
 #include "audio/synth.h"
 #include "audio/wav.h"
 #include "core/file.h"
+#include "core/near_name.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -36,7 +37,9 @@ Expected<Chosen> choose(const audio::SoundBank& bank, const std::vector<std::str
     Chosen chosen;
     for (const auto& name : names) {
         const auto number = bank.find(name);
-        if (!number) return fail(text("no sound '", name, "'; `thaum sounds` lists them"));
+        if (!number)
+            return fail(text("no sound '", name, "'; `thaum sounds` lists them",
+                             did_you_mean(name, bank.sounds, &audio::Sound::name)));
         chosen.push_back(&bank.sounds[*number]);
     }
     if (names.empty()) {
@@ -87,11 +90,14 @@ int run_sounds(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     const auto out = arguments->value("--out"), sheet = arguments->value("--sheet");
     if (sheet) {
+        const auto folder = std::filesystem::path(*sheet).parent_path();
+        if (const auto made = folder.empty() ? Expected<void>() : make_folder(folder); !made)
+            return refuse(made.error());
         if (const auto free = check_output(*sheet); !free) return refuse(free.error());
     }
     const auto bank = audio::load_sounds(game::find_assets() / "sounds");
     if (!bank) return refuse(bank.error());
-    if (!bank->faulty.empty()) return refuse({bank->faulty[0].reason});
+    if (!bank->faulty.empty()) return refuse(bank->faulty[0].fault);
     const auto sounds = choose(*bank, arguments->plain());
     if (!sounds) return refuse(sounds.error());
     print_list(*sounds);

@@ -13,7 +13,7 @@ namespace {
 int dispatch_words(std::vector<std::string> words) {
     return dispatch({play_command(), range_command(), replay_command(), shots_command(), diff_command(),
                      scenario_command(), league_command(), lab_command(), bench_command(), plot_command(),
-                     sounds_command(), gesture_command(), doctor_command()},
+                     sounds_command(), gesture_command(), check_command(), doctor_command()},
                     std::move(words), "");
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/one_line.h"
 #include "core/text.h"
+#include "game/arena/placement.h"
 #include "game/arena/solids.h"
 #include "game/arena/symmetry.h"
 
@@ -48,6 +49,8 @@ void read_bowl(const ConfigTable& table, Arena& arena, Body& body) {
         table.report("thickness",
                      text("'thickness' is ", size.thickness,
                           ", and must be at most 0.2 times the height and 0.4 times the radius"));
+    if (arena.bowl || read_symmetry(table) != Symmetry::none)
+        table.report("shape", "a second bowl: only one can be the cauldron");
     if (!arena.bowl) arena.bowl = BowlPlace{table.vector("centre", place), size};
     arena.meshes.push_back(bowl(size));
 }
@@ -103,6 +106,9 @@ void read_solids(const ConfigTable& root, Arena& arena) {
         thing.position = table.vector("centre", place);
         thing.body.friction = table.number("friction", {0, 2}, 0.8);
         thing.body.layer = layer::ground;
+        if (thing.surface == Surface::orb && shape == "sphere" &&
+            (orb_of(arena) != nullptr || symmetry != Symmetry::none))
+            table.report("surface", "a second orb: only one can be looked into");
         add_thing(symmetry, arena, thing);
         if (twin_mesh && symmetry != Symmetry::none) arena.things.back().body.mesh = *twin_mesh;
     }
@@ -281,6 +287,7 @@ Arena read_arena(const Config& file) {
     read_power_ups(root, ground, arena);
     read_niches(root, ground, arena);
     read_practice(root, ground, arena);
+    if (file.is_sound()) check_placement(root, arena);
     return arena;
 }
 

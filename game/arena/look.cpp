@@ -9,9 +9,12 @@ constexpr Range far_place{-1000, 1000};
 constexpr Range near_place{-100, 100};
 constexpr Range brightness{0, 20};
 
-/// Reads a colour and its strength, `NAME` and `NAME_strength`.
+/// Reads a colour and its strength, `NAME` and `NAME_strength`. Older files have the colour as 0xRRGGBB.
 void read_tint(const ConfigTable& table, const std::string& name, Tint& tint) {
-    tint.colour = static_cast<std::uint32_t>(table.integer(name, {0, 0xFFFFFF}, tint.colour));
+    if (const auto hex = table.hex_colour(name))
+        tint.colour = *hex;
+    else
+        tint.colour = static_cast<std::uint32_t>(table.integer(name, {0, 0xFFFFFF}, tint.colour));
     tint.strength = table.number(name + "_strength", brightness, tint.strength);
 }
 

@@ -344,7 +344,7 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     const auto name = text("bots/level_", level, ".toml");
     const auto source = read_text_file(assets / name, 1U << 16U);
     if (!source) return source.error();
-    const auto file = Config::parse(*source, name, 1);
+    const auto file = Config::parse(*source, shown_path(assets, name), 1);
     if (!file) return file.error();
     const auto root = file->root();
     const Range share{0, 1}, health{0, 1000};

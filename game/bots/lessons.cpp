@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/file.h"
+#include "core/near_name.h"
 #include "core/text.h"
 #include "core/utf8.h"
 #include "game/bots/apprentice.h"
@@ -63,7 +64,9 @@ void check_keys(const ConfigTable& table) {
         const auto* companion = std::find_if(std::begin(companions), std::end(companions),
                                              [&](const auto& c) { return c.key == key; });
         if (companion == std::end(companions))
-            table.report(key, text("unknown goal '", key, "': must be one of ", all, "event, near"));
+            table.report(key,
+                         text("unknown goal '", key, "': must be one of ", all, "event, near",
+                              did_you_mean(key, number_conditions, [](const auto& c) { return c.key; })));
         else if (!table.has(companion->of))
             table.report(key, text("'", key, "' needs '", companion->of, "' beside it"));
     }
@@ -79,7 +82,8 @@ std::optional<LessonPlace> read_place(const Places& places, const ConfigTable& t
     if (!table.has(key)) return {};
     const auto name = table.string(key);
     if (!places.table.has(name)) {
-        table.report(key, text("'", key, "': no place '", name, "' in the table [place]"));
+        table.report(key, text("'", key, "': no place '", name, "' in the table [place]",
+                               did_you_mean(name, places.table.keys())));
         return {};
     }
     const auto place = places.table.table(name);
@@ -95,7 +99,9 @@ std::optional<LessonPlace> read_place(const Places& places, const ConfigTable& t
 Condition read_event(const ConfigTable& table) {
     const auto name = table.string("event");
     const auto kind = event_kind(name);
-    if (!kind || *kind == EventKind::none) table.report("event", text("unknown event '", name, "'"));
+    if (!kind || *kind == EventKind::none)
+        table.report("event", text("unknown event '", name, "'",
+                                   did_you_mean(name, event_kinds().kinds, &EventKindInfo::name)));
     return {.kind = ConditionKind::event,
             .amount = static_cast<double>(table.integer("count", {1, 1000}, 1)),
             .event = kind.value_or(EventKind::none)};
@@ -218,7 +224,7 @@ Expected<Lessons> parse_lessons(std::string_view toml, std::string name,
 Expected<Lessons> load_lessons(const std::filesystem::path& assets) {
     const auto source = read_text_file(assets / lessons_file, 1U << 16U);
     if (!source) return source.error();
-    return parse_lessons(*source, lessons_file, assets);
+    return parse_lessons(*source, shown_path(assets, lessons_file), assets);
 }
 
 }  // namespace thaum::game

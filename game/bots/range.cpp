@@ -21,7 +21,7 @@ constexpr double fills_at_once = 1e6;
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
     if (!source) return source.error();
-    const auto file = Config::parse(*source, range_file, 1);
+    const auto file = Config::parse(*source, shown_path(assets, range_file), 1);
     if (!file) return file.error();
     match.files.push_back({range_file, file->value_hash()});
     const auto root = file->root();

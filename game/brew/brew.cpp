@@ -4,12 +4,12 @@
 #include <cmath>
 #include <memory>
 
+#include "core/colour.h"
 #include "core/text.h"
 
 namespace thaum::game {
 namespace {
 
-constexpr Range share{0, 1};
 constexpr Range viscosity{0, fluid::viscosity_most};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
@@ -81,7 +81,7 @@ Ingredient read_ingredient(const ConfigTable& table, const ConfigTable& look) {
                                                "feathers", "cloud",    "cushion"};
     const auto name = table.string("name");
     return {.name = name,
-            .colour = table.vector("colour", share),
+            .colour = read_linear_colour(table, "colour"),
             .shape = static_cast<IngredientShape>(look.choice(name, shapes, 0)),
             .substance = {.viscosity = table.number("viscosity_m2_s", viscosity),
                           .weight = table.number("weight", {-1, 10}),
@@ -99,7 +99,7 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .filled = brew.number("filled", {0.3, 1}),
         .density = brew.number("density_kg_m3", {1e-3, 1e5}),
         .viscosity = brew.number("viscosity_m2_s", viscosity),
-        .colour = brew.vector("colour", share),
+        .colour = read_linear_colour(brew, "colour"),
         .surface = read_spring_surface(root.table("surface")),
         .ladle = read_ladle(root.table("ladle")),
         .aura = read_aura(root.table("aura")),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/colour.h"
+#include "core/near_name.h"
 #include "core/text.h"
 #include "game/components/potions.h"
 
@@ -15,7 +17,8 @@ RecipeIngredient read_ingredient(const ConfigTable& table, const RecipeNames& na
     const auto found = std::find_if(names.ingredients.begin(), names.ingredients.end(),
                                     [&](const Ingredient& i) { return i.name == name; });
     if (found == names.ingredients.end())
-        table.report("name", text("cauldron.toml has no ingredient '", name, "'"));
+        table.report("name", text("cauldron.toml has no ingredient '", name, "'",
+                                  did_you_mean(name, names.ingredients, &Ingredient::name)));
     const RecipeIngredient read{.ingredient = static_cast<std::uint32_t>(found - names.ingredients.begin()),
                                 .least = table.number("least", part),
                                 .most = table.number("most", part)};
@@ -29,7 +32,8 @@ RecipeStroke read_stroke(const ConfigTable& table, const RecipeNames& names) {
                       .times = static_cast<std::uint32_t>(table.integer("times", {1, 20}, 1))};
     const auto found = std::find(names.gestures.begin(), names.gestures.end(), read.gesture);
     if (found == names.gestures.end())
-        table.report("gesture", text("assets/gestures has no gesture '", read.gesture, "'"));
+        table.report("gesture", text("there is no gesture '", read.gesture, "', gestures/", read.gesture,
+                                     ".toml", did_you_mean(read.gesture, names.gestures)));
     read.sense = static_cast<CircleSense>(table.choice("turn", {"any", "clockwise", "counterclockwise"}, 0));
     read.least_force = table.number("least_n", force, 0);
     read.most_force = table.number("most_n", {0.05, force.high}, force.high);
@@ -94,7 +98,7 @@ Recipe read_recipe(const Config& file, std::string name, const RecipeNames& name
                   .fluid = read_changed_brew(root.table("fluid")),
                   .gift = read_gift(root.table("wizard"))};
     if (recipe.effect.empty()) look.report("effect", "effect must say in a few words what the potion does");
-    recipe.fluid.colour = look.vector("colour", part);
+    recipe.fluid.colour = read_linear_colour(look, "colour");
     for (const auto& table : root.tables("ingredient"))
         recipe.ingredients.push_back(read_ingredient(table, names));
     for (const auto& table : root.tables("stroke")) recipe.strokes.push_back(read_stroke(table, names));

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <type_traits>
 
+#include "core/near_name.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 
@@ -73,7 +74,8 @@ Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::sp
             continue;
         }
         const auto* option = find_option(options, word);
-        if (option == nullptr) return fail(text("unknown option '", word, "'"));
+        if (option == nullptr)
+            return fail(text("unknown option '", word, "'", did_you_mean(word, options, &Option::name)));
         if (result.has(word) && !option->repeats) return fail(text("option '", word, "' is given twice"));
         auto& values = result.given_[word];
         if (words.size() - i - 1 < option->values) {

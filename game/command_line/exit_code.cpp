@@ -6,7 +6,9 @@
 namespace thaum::app {
 
 int refuse(const Error& error) {
-    tell_user(text("thaum: ", error.message));
+    const auto more = error.more.size();
+    tell_user(text("thaum: ", error.message,
+                   more == 0 ? "" : text(" (", more, " more: thaum check, for data files)")));
     return wrong_use;
 }
 

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "core/file.h"
+#include "core/near_name.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "game/components/potions.h"
 #include "gesture/gesture_file.h"
@@ -23,32 +25,39 @@ public:
     Loader(const std::filesystem::path& assets, MatchData& data)
         : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
 
-    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`. `decides`:
-    /// the file can change a match, so the hash of its values is stored.
+    /// Reads a file with read(Config) and returns its value, or an empty one if there is no such file. All faults are kept
+    /// in `error`. `decides`: the file can change a match, so the hash of its values is stored.
     template <class Read>
     auto load(const std::string& name, Read read, bool decides = true)
         -> decltype(read(std::declval<const Config&>())) {
         using Value = decltype(read(std::declval<const Config&>()));
-        if (error) return Value{};
         auto config = open(name, decides);
-        if (!config) return keep(std::move(config.error())), Value{};
+        if (!config) {
+            keep(name, config.error());
+            return Value{};
+        }
         auto value = read(*config);
-        if (auto checked = config->check(); !checked) keep(std::move(checked.error()));
+        if (const auto checked = config->check(); !checked) keep(name, checked.error());
         return value;
     }
 
-    /// Checks one file against another. `report` reports an error at a line of `file`.
+    /// Whether the file was read without a fault.
+    bool is_sound(const std::string& name) const {
+        return std::find(faulty_.begin(), faulty_.end(), name) == faulty_.end();
+    }
+
+    /// Checks one file against another that is sound. `report` reports an error at a line of `file`.
     template <class Report>
     void check_across(const std::optional<Config>& file, Report report) {
-        if (error || !file) return;
+        if (!file) return;
         report(file->root());
-        if (auto checked = file->check(); !checked) keep(std::move(checked.error()));
+        if (const auto checked = file->check(); !checked) add_faults(error, checked.error());
     }
 
     void check_overrides() {
-        for (std::size_t i = 0; i < used_.size() && !error; ++i) {
+        for (std::size_t i = 0; i < used_.size(); ++i) {
             if (!used_[i]) {
-                keep({text(
+                refuse({text(
                     "--set ", data_.choice.overrides[i],
                     ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
             }
@@ -57,25 +66,24 @@ public:
 
     const std::filesystem::path& assets() const { return assets_; }
 
-    /// Keeps an error that is in no single file.
-    void refuse(std::string message) { keep(Error{std::move(message)}); }
+    /// Keeps an error that is in no single file, or that its reader returns.
+    void refuse(const Error& fault) { add_faults(error, fault); }
+
+    /// Name of a file in messages: "assets/orb.toml".
+    std::string shown(const std::string& name) const { return shown_path(assets_, name); }
 
     std::optional<Error> error;
 
 private:
-    void keep(Error e) {
-        if (!error) error = std::move(e);
-    }
-
-    /// Name of the folder of all data files, for messages: "assets".
-    std::filesystem::path folder_name() const {
-        return assets_.has_filename() ? assets_.filename() : assets_.parent_path().filename();
+    void keep(const std::string& name, const Error& fault) {
+        faulty_.push_back(name);
+        add_faults(error, fault);
     }
 
     Expected<Config> open(const std::string& name, bool decides) {
         const auto source = read_text_file(assets_ / name, max_data_file);
         if (!source) return source.error();
-        auto config = Config::parse(*source, (folder_name() / name).string(), 1);
+        auto config = Config::parse(*source, shown(name), 1);
         if (!config) return config;
         if (decides) data_.files.push_back({name, config->value_hash(unhashed_tables)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
@@ -94,6 +102,7 @@ private:
     const std::filesystem::path& assets_;
     MatchData& data_;
     std::vector<bool> used_;
+    std::vector<std::string> faulty_;  ///< files with a fault
 };
 
 bool plain_name(std::string_view name) {
@@ -103,12 +112,39 @@ bool plain_name(std::string_view name) {
 }
 
 constexpr std::array<std::string_view, 2> rule_sets{"thaum", "classic"};
-constexpr std::array<std::string_view, 2> match_lengths{"quick", "standard"};
-
-Expected<void> check_name(const std::array<std::string_view, 2>& known, std::string_view name,
+Expected<void> check_name(const std::vector<std::string>& known, std::string_view name,
                           std::string_view what) {
     if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-    return fail(text("there is no ", what, " '", name, "', only ", known[0], " and ", known[1]));
+    std::string all;
+    for (const auto& one : known) all += text(all.empty() ? "" : ", ", one);
+    return fail(text("there is no ", what, " '", printable(name, 64), "'; there are: ", all,
+                     did_you_mean(name, known)));
+}
+
+std::vector<std::string> stems_in(const std::filesystem::path& folder) {
+    std::vector<std::string> stems;
+    for (const auto& file : files_in(folder, ".toml").value_or({})) stems.push_back(file.stem().string());
+    return stems;
+}
+
+/// Refuses a folder that holds no data files at all: each of them would be reported as missing.
+Expected<void> check_folder(const std::filesystem::path& assets) {
+    const auto whose = std::getenv("THAUM_ASSETS") != nullptr
+                           ? std::string("set THAUM_ASSETS to the folder with the data files, or unset it")
+                           : std::string("start thaum from its folder, or set THAUM_ASSETS");
+    std::error_code error;
+    const auto state = std::filesystem::status(assets, error);
+    if (!std::filesystem::exists(state))
+        return fail(text("there is no folder ", assets.string(), " of data files: ", whose));
+    if (!std::filesystem::is_directory(state)) return fail(text(assets.string(), " is no folder: ", whose));
+    if (const auto arenas = files_in(assets / "arenas", ".toml"); !arenas)
+        return fail(text(arenas.error().message, ": ", whose));
+    return {};
+}
+
+Expected<void> check_arena_name(const std::filesystem::path& assets, const std::string& name) {
+    if (!plain_name(name)) return fail(text("'", name, "' is no name of an arena (a-z, 0-9, _)"));
+    return check_name(stems_in(assets / "arenas"), name, "arena");
 }
 
 /// Gives a wand that shares another wand's energy the same cap. `files` are the files of the wands.
@@ -143,7 +179,8 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     for (const auto& niche : arena.tables("niche")) {
         const auto name = niche.string("ingredient");
         if (std::none_of(known.begin(), known.end(), [&](const Ingredient& i) { return i.name == name; }))
-            niche.report("ingredient", text("niche: cauldron.toml has no ingredient '", name, "'"));
+            niche.report("ingredient", text("niche: cauldron.toml has no ingredient '", name, "'",
+                                            did_you_mean(name, known, &Ingredient::name)));
     }
 }
 
@@ -154,6 +191,16 @@ void check_bowl(const ConfigTable& arena, const MatchData& data) {
     for (const auto& solid : arena.tables("solid"))
         if (solid.string("shape") == "bowl")
             return solid.report("shape", text("the bowl holds no brew: ", brew.error().message));
+}
+
+/// Loads the rules of the cauldron. `arena` is the arena's file, whose niches and bowl they must suit.
+void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& loader) {
+    data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
+    if (!loader.is_sound("cauldron.toml")) return;
+    loader.check_across(arena, [&](const ConfigTable& root) {
+        check_niches(root, data.cauldron->ingredients);
+        check_bowl(root, data);
+    });
 }
 
 /// Loads the device that haptics.toml names from its own file.
@@ -168,12 +215,15 @@ void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& 
     std::error_code ignored;
     if (!std::filesystem::exists(loader.assets() / file, ignored)) {
         return loader.check_across(haptics, [&](const ConfigTable& root) {
-            root.report("device", text("device '", name, "': there is no ", file));
+            root.report("device", text("device '", name, "': there is no ", file,
+                                       near_file(name, loader.assets() / "devices", ".toml")));
         });
     }
     auto device = loader.load(file, haptics::read_device);
-    if (device) data.device = std::move(*device);
-    if (!device && !loader.error) loader.error = device.error();
+    if (device)
+        data.device = std::move(*device);
+    else if (loader.is_sound(file))
+        loader.refuse(device.error());
 }
 
 /// Wraps a reader so that the file is kept, for errors that only another file reveals.
@@ -206,13 +256,19 @@ void load_wands(MatchData& data, Loader& loader) {
             refuse_taken_slot(data.wands, wand, file);
             return wand;
         };
-        data.wands.push_back(
-            loader.load(text("wands/", kind.name, ".toml"), noting(files.emplace_back(), read)));
+        const auto path = text("wands/", kind.name, ".toml");
+        auto wand = loader.load(path, noting(files.emplace_back(), read));
+        if (loader.is_sound(path)) {
+            data.wands.push_back(std::move(wand));
+        } else {
+            files.pop_back();
+            sounds.resize(data.wands.size());
+        }
     }
-    if (!loader.error) share_energies(data, files, loader);
+    if (data.wands.size() == wand_kinds().size()) share_energies(data, files, loader);
     for (std::size_t i = 0; i < data.wands.size(); ++i) {
         const auto& wand = data.wands[i];
-        shown->wands.push_back({.name = std::string(wand_kinds()[i].name),
+        shown->wands.push_back({.name = std::string(wand.kind->name),
                                 .slot = wand.stats.slot,
                                 .look = wand.look,
                                 .sounds = i < sounds.size() ? sounds[i] : WandSounds(),
@@ -222,56 +278,68 @@ void load_wands(MatchData& data, Loader& loader) {
     data.presentation = std::move(shown);
 }
 
-/// Names of all files of a folder that end with .toml, without that ending, sorted.
-std::vector<std::string> files_in(const std::filesystem::path& folder) {
+/// Names of all data files of a folder, without .toml, sorted. Other names of such files are refused.
+std::vector<std::string> names_in(Loader& loader, const std::string& folder) {
     std::vector<std::string> names;
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        const auto& path = entry.path();
-        if (path.extension() == ".toml" && plain_name(path.stem().string()))
-            names.push_back(path.stem().string());
+    const auto files = files_in(loader.assets() / folder, ".toml");
+    if (!files) {
+        loader.refuse(files.error());
+        return names;
     }
-    std::sort(names.begin(), names.end());
+    for (const auto& file : *files) {
+        const auto name = file.stem().string();
+        if (plain_name(name))
+            names.push_back(name);
+        else
+            loader.refuse(
+                {text(loader.shown(folder), "/", printable(name, 64),
+                      ".toml: the name of a data file may have a-z, 0-9 and _, at most 64 of them")});
+    }
     return names;
 }
 
 void load_gestures(MatchData& data, Loader& loader) {
     std::vector<gesture::Gesture> gestures;
     std::vector<std::string> files;
-    for (const auto& name : files_in(loader.assets() / "gestures")) {
+    const auto names = names_in(loader, "gestures");
+    for (const auto& name : names) {
         const auto file = text("gestures/", name, ".toml");
         auto read = loader.load(file, [](const Config& config) {
             return std::optional<Expected<gesture::Gesture>>(gesture::read_gesture(config));
         });
-        if (loader.error) return;
+        if (!read) continue;
         if (!*read) {
-            loader.error = read->error();
-            return;
+            if (loader.is_sound(file)) loader.refuse(read->error());
+            continue;
         }
+        if (!loader.is_sound(file)) continue;
         const auto same = std::find_if(gestures.begin(), gestures.end(),
                                        [&](const auto& other) { return other.name == (*read)->name; });
         if (same != gestures.end()) {
             const auto& first = files.at(static_cast<std::size_t>(same - gestures.begin()));
-            loader.error = Error{text(first, " and ", file, ": both have the name '", same->name,
-                                      "'; change one, or delete a file")};
-            return;
+            loader.refuse({text(loader.shown(file), ": has the name '", same->name, "', as ",
+                                loader.shown(first), " has; change one, or delete a file")});
+            continue;
         }
         gestures.push_back(std::move(**read));
         files.push_back(file);
     }
+    // Without a faulty one, spells and recipes would seem to name gestures that do not exist.
+    if (gestures.size() < names.size()) return;
     if (const auto fault = fault_of(gestures)) {
-        loader.error = Error{text("gestures: ", *fault)};
+        loader.refuse({text(loader.shown("gestures"), ": ", *fault)});
         return;
     }
     data.gestures = std::make_shared<GestureSet>(std::move(gestures));
 }
 
 /// Refuses a spell whose gesture does not exist or belongs to another spell, or whose slot is taken.
-void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file) {
+void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file,
+                 const std::filesystem::path& assets) {
     const auto& gesture = spell.stats.gesture;
-    if (!data.gestures->number(gesture))
-        file.root().report("gesture",
-                           text("'gesture' is '", gesture, "', but there is no gestures/", gesture, ".toml"));
+    if (data.gestures && !data.gestures->number(gesture))
+        file.root().report("gesture", text("'gesture' is '", gesture, "', but there is no gestures/", gesture,
+                                           ".toml", near_file(gesture, assets / "gestures", ".toml")));
     for (const auto& other : data.spells) {
         if (other.stats.gesture == gesture)
             file.root().report("gesture",
@@ -290,17 +358,18 @@ void load_spells(MatchData& data, Loader& loader) {
                                [](const Config& file) { return std::optional(read_casting_rules(file)); });
     auto shown = begun_presentation(data);
     for (const auto& kind : spell_kinds()) {
-        if (loader.error) return;
-        data.spells.push_back(loader.load(text("spells/", kind.name, ".toml"), [&](const Config& file) {
+        const auto path = text("spells/", kind.name, ".toml");
+        auto loaded = loader.load(path, [&](const Config& file) {
             auto spell = read_spell(kind, file);
-            check_spell(data, spell, file);
+            check_spell(data, spell, file, loader.assets());
             auto& shown_spell = shown->spells.emplace_back(read_spell_presentation(kind.name, file.root()));
             shown_spell.shown = spell.stats.shown;
             shown_spell.gesture = spell.stats.gesture;
             shown_spell.slot = spell.stats.slot;
             shown_spell.focus = spell.stats.focus;
-            return spell;
-        }));
+            return std::optional(std::move(spell));
+        });
+        if (loader.is_sound(path)) data.spells.push_back(std::move(*loaded));
     }
     data.presentation = std::move(shown);
 }
@@ -323,9 +392,9 @@ void check_different(const std::vector<Recipe>& recipes, const std::optional<Con
 
 /// Loads all recipes of assets/potions.
 void load_recipes(MatchData& data, Loader& loader) {
-    const auto names = files_in(loader.assets() / "potions");
+    const auto names = names_in(loader, "potions");
     if (names.size() > most_potions)
-        return loader.refuse(text("assets/potions: more than ", most_potions, " potions"));
+        return loader.refuse({text(loader.shown("potions"), ": more than ", most_potions, " potions")});
     std::vector<std::string> gestures;
     for (const auto& one : data.gestures->gestures()) gestures.push_back(one.name);
     for (const auto& name : names) {
@@ -334,8 +403,11 @@ void load_recipes(MatchData& data, Loader& loader) {
             kept = file;
             return read_recipe(file, name, {data.cauldron->ingredients, gestures});
         };
-        data.recipes.push_back(loader.load(text("potions/", name, ".toml"), read));
-        if (!loader.error) check_different(data.recipes, kept, loader);
+        const auto path = text("potions/", name, ".toml");
+        auto recipe = loader.load(path, read);
+        if (!loader.is_sound(path)) continue;
+        data.recipes.push_back(std::move(recipe));
+        check_different(data.recipes, kept, loader);
     }
 }
 
@@ -358,6 +430,28 @@ bool has_crystal(const Arena& arena) {
                        [](const Thing& thing) { return is_crystal(thing.surface, thing.body.shape); });
 }
 
+/// Loads the tool of crystal.toml's entry `i`. `file` is crystal.toml.
+void load_crystal_tool(CrystalRules& rules, std::size_t i, const field::Materials& materials,
+                       const std::optional<Config>& file, Loader& loader) {
+    const auto& name = rules.tool_names[i];
+    const auto path = text("carving/", name, ".toml");
+    std::error_code ignored;
+    if (!plain_name(name) || !std::filesystem::exists(loader.assets() / path, ignored)) {
+        return loader.check_across(file, [&](const ConfigTable& root) {
+            root.tables("tool")[i].report("name",
+                                          text("tool '", name, "': there is no ", path,
+                                               near_file(name, loader.assets() / "carving", ".toml")));
+        });
+    }
+    auto tool = loader.load(
+        path, [&](const Config& read) { return std::optional(field::read_tool(read, materials)); });
+    if (!tool) return;
+    if (*tool)
+        rules.tools.push_back(std::move(**tool));
+    else if (loader.is_sound(path))
+        loader.refuse(tool->error());
+}
+
 /// Loads the rules of crystals and the tools that they name.
 void load_crystal(MatchData& data, Loader& loader) {
     std::optional<Config> file;
@@ -365,23 +459,15 @@ void load_crystal(MatchData& data, Loader& loader) {
     const auto materials = loader.load(
         "materials.toml", [](const Config& read) { return std::optional(field::read_materials(read)); },
         false);
-    if (!loader.error && !*materials) loader.error = materials->error();
-    for (std::size_t i = 0; i < rules.tool_names.size() && !loader.error; ++i) {
-        const auto& name = rules.tool_names[i];
-        const auto path = text("carving/", name, ".toml");
-        std::error_code ignored;
-        if (!plain_name(name) || !std::filesystem::exists(loader.assets() / path, ignored)) {
-            loader.check_across(file, [&](const ConfigTable& root) {
-                root.tables("tool")[i].report("name", text("tool '", name, "': there is no ", path));
-            });
-            return;
-        }
-        auto tool = loader.load(
-            path, [&](const Config& read) { return std::optional(field::read_tool(read, **materials)); });
-        if (!loader.error && !*tool) loader.error = tool->error();
-        if (!loader.error) rules.tools.push_back(std::move(**tool));
+    if (!materials || !*materials) {
+        if (materials && loader.is_sound("materials.toml")) loader.refuse(materials->error());
+        return;
     }
-    loader.check_across(file, [&](const ConfigTable& root) { check_crystal_tools(root, rules); });
+    if (!loader.is_sound("crystal.toml")) return;
+    for (std::size_t i = 0; i < rules.tool_names.size(); ++i)
+        load_crystal_tool(rules, i, **materials, file, loader);
+    if (rules.tools.size() == rules.tool_names.size())
+        loader.check_across(file, [&](const ConfigTable& root) { check_crystal_tools(root, rules); });
     data.crystal = std::move(rules);
 }
 
@@ -394,20 +480,51 @@ void apply_rule_set(MatchData& data) {
 
 }  // namespace
 
+std::string shown_path(const std::filesystem::path& assets, std::string_view name) {
+    const auto folder = assets.has_filename() ? assets.filename() : assets.parent_path().filename();
+    return (folder / name).string();
+}
+
+std::span<const std::string_view> rule_set_names() { return rule_sets; }
+
+std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
+    auto names = stems_in(assets / "rules");
+    std::erase_if(names, [](const auto& name) {
+        return !plain_name(name) || std::find(rule_sets.begin(), rule_sets.end(), name) != rule_sets.end();
+    });
+    return names;
+}
+
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
     const auto found = std::find_if(data.wands.begin(), data.wands.end(),
                                     [&](const auto& w) { return w.stats.slot == slot; });
     return found == data.wands.end() ? nullptr : &*found;
 }
 
-Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
-    if (!plain_name(choice.arena))
-        return fail(text("'", choice.arena, "' is no name of an arena (a-z, 0-9, _)"));
-    if (auto known = check_name(rule_sets, choice.rules, "rule set"); !known) return known.error();
-    if (auto known = check_name(match_lengths, choice.match, "match"); !known) return known.error();
+namespace {
+
+/// Refuses names that select no data.
+Expected<void> check_choice(const std::filesystem::path& assets, const DataChoice& choice) {
+    if (auto there = check_folder(assets); !there) return there.error();
+    if (auto known = check_arena_name(assets, choice.arena); !known) return known.error();
+    if (auto known = check_name({rule_sets.begin(), rule_sets.end()}, choice.rules, "rule set"); !known)
+        return known.error();
+    if (auto known = check_name(match_lengths(assets), choice.match, "match"); !known) return known.error();
     if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
-    MatchData data;
+    return {};
+}
+
+}  // namespace
+
+MatchReading read_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
+    MatchReading reading;
+    auto& data = reading.data;
     data.choice = choice;
+    data.presentation = std::make_shared<Presentation>();
+    if (const auto known = check_choice(assets, choice); !known) {
+        reading.error = known.error();
+        return reading;
+    }
     Loader loader(assets, data);
     std::optional<Config> arena_file, haptics_file;
     const auto read_whole_arena = [&](const Config& file) {
@@ -419,28 +536,28 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
     data.haptic_rules = loader.load("haptics.toml", noting(haptics_file, read_haptic_rules));
-    if (!loader.error) load_device(data, haptics_file, loader);
-    if (data.rules.cauldron && data.arena.bowl) {
-        data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
-        loader.check_across(arena_file, [&](const ConfigTable& root) {
-            check_niches(root, data.cauldron->ingredients);
-            check_bowl(root, data);
-        });
-    }
+    if (loader.is_sound("haptics.toml")) load_device(data, haptics_file, loader);
+    if (data.rules.cauldron && data.arena.bowl) load_cauldron(data, arena_file, loader);
     if (data.rules.cauldron && has_crystal(data.arena)) load_crystal(data, loader);
     load_orb(data, loader);
     load_wands(data, loader);
     load_spells(data, loader);
-    if (data.cauldron && data.gestures) load_recipes(data, loader);
-    name_brew(data);
+    if (data.gestures && loader.is_sound("cauldron.toml") && data.cauldron) load_recipes(data, loader);
     loader.check_overrides();
-    if (loader.error) return *loader.error;
+    reading.error = std::move(loader.error);
+    if (reading.error) return reading;
+    name_brew(data);
     apply_rule_set(data);
-    return data;
+    return reading;
 }
 
-std::filesystem::path find_assets() {
-    if (const char* given = std::getenv("THAUM_ASSETS")) return given;
+Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
+    auto reading = read_match_data(assets, choice);
+    if (reading.error) return std::move(*reading.error);
+    return std::move(reading.data);
+}
+
+std::filesystem::path shipped_assets() {
     std::error_code ignored;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
     // The program is build/PRESET/game/thaum in a build tree. An installed program is PREFIX/games/thaum or
@@ -451,6 +568,11 @@ std::filesystem::path find_assets() {
         if (std::filesystem::exists(candidate / "arenas", ignored)) return candidate;
     }
     return "assets";
+}
+
+std::filesystem::path find_assets() {
+    const char* given = std::getenv("THAUM_ASSETS");
+    return given != nullptr ? std::filesystem::path(given) : shipped_assets();
 }
 
 }  // namespace thaum::game

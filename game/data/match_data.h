@@ -1,6 +1,8 @@
 // game/data/match_data.h: all data that a match reads from files, loaded and checked once.
 #pragma once
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,7 @@ namespace thaum::game {
 struct DataChoice {
     std::string arena = "boiling_court";
     std::string rules = "thaum";  ///< rule set: thaum or classic
-    std::string match = "quick";  ///< length of the match: quick or standard
+    std::string match = "quick";  ///< length of the match: quick, standard or another file of assets/rules
     /// Values that replace those of files, as "bolt.shot.damage=12": file, key path, value.
     std::vector<std::string> overrides{};
 };
@@ -60,11 +62,27 @@ struct MatchData {
 /// The wand in a slot; null if the slot is empty.
 const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
 
-/// Loads and checks all data of a match. The error names file, line and key.
+/// Name of a data file in messages: that of its folder and its own, "assets/wands/bolt.toml".
+std::string shown_path(const std::filesystem::path& assets, std::string_view name);
+
+/// Names that a rule set may have.
+std::span<const std::string_view> rule_set_names();
+/// Names that the length of a match may have: those of all other files of assets/rules, sorted.
+std::vector<std::string> match_lengths(const std::filesystem::path& assets);
+
+/// Loads and checks all data of a match. The error names file, line and key, and has a line on every other fault.
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// Folder of the assets: $THAUM_ASSETS if set, else a folder relative to the program (build tree or
-/// installation), else "assets".
+/// What was read in spite of faults, for a look at what the files name. It must not be played if there is an error.
+struct MatchReading {
+    MatchData data;
+    std::optional<Error> error{};
+};
+MatchReading read_match_data(const std::filesystem::path& assets, const DataChoice& choice);
+
+/// Folder of the assets: $THAUM_ASSETS if set, else that of the program.
 std::filesystem::path find_assets();
+/// Folder of the assets that belong to the program: relative to it (build tree or installation), else "assets".
+std::filesystem::path shipped_assets();
 
 }  // namespace thaum::game

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "core/near_name.h"
 #include "core/text.h"
 #include "game/data/control_words.h"
+#include "game/data/wand.h"
 #include "game/data/words_pattern.h"
 
 namespace thaum::game {
@@ -65,7 +67,8 @@ void read_rows(const ConfigTable& table, const Known& known, EventRows& rows) {
         if (std::find(known.names.begin(), known.names.end(), key) != known.names.end())
             rows[static_cast<std::size_t>(*event_kind(key))] = read_row(table.table(key));
         else
-            table.report(key, text("'", key, "' is no event of ", known.whose, "; there are ", all));
+            table.report(key, text("'", key, "' is no event of ", known.whose, did_you_mean(key, known.names),
+                                   "; there are ", all));
     }
     for (const auto name : known.names) {
         if (!table.has(name))
@@ -80,6 +83,34 @@ bool is_hit_of_wand(const EventKindInfo& info) {
 }
 
 }  // namespace
+
+std::string line_of(const MissingName& missing) {
+    return missing.file.empty() ? missing.words
+                                : text(missing.file, ": [", missing.table, "]: ", missing.words);
+}
+
+namespace {
+
+/// The wand whose hit an event is; null if none is.
+const WandKind* wand_of_hit(EventKind kind) {
+    const auto has_it = [&](const WandKind& wand) {
+        return std::ranges::any_of(wand.hits, [&](const HitKind& hit) { return hit.name == name_of(kind); });
+    };
+    const auto& kinds = wand_kinds();
+    const auto found = std::ranges::find_if(kinds, has_it);
+    return found == kinds.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string file_of_event(EventKind kind) {
+    const auto* wand = wand_of_hit(kind);
+    return wand == nullptr ? "events.toml" : text("wands/", wand->name, ".toml");
+}
+
+std::string table_of_event(EventKind kind) {
+    return text(wand_of_hit(kind) == nullptr ? "" : "event.", name_of(kind));
+}
 
 std::vector<WordsPiece> pieces_of(std::string_view pattern) {
     return split_at_names<WordsPiece>(pattern, [](WordsPiece& piece, std::string_view name) {

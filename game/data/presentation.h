@@ -130,6 +130,23 @@ struct Presentation {
 /// Sign of a spell by its number; none for a number without a spell.
 SpellSign sign_of(const Presentation& shown, std::uint32_t spell);
 
+/// A name of a sound or an effect for which there is no file.
+struct MissingName {
+    std::string file;   ///< data file that has the name: "wands/bolt.toml"; empty: the program has it
+    std::string table;  ///< table of that file: "event.bolt_hit"
+    std::string key;
+    std::string words;  ///< what is missing, and the name that may be meant
+};
+
+/// One line on a missing name.
+std::string line_of(const MissingName& missing);
+
+/// Data file that has the row of a kind of event: events.toml, or that of the wand whose hit it is.
+std::string file_of_event(EventKind kind);
+
+/// Table of that file: "bolt_hit", or "event.bolt_hit" in a wand's file.
+std::string table_of_event(EventKind kind);
+
 /// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.
 EventRows read_event_rows(const Config& file);
 

@@ -8,6 +8,7 @@
 #include "core/config.h"
 #include "core/file.h"
 #include "core/hash.h"
+#include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
 #include "field/voxel_state.h"
@@ -282,8 +283,8 @@ Expected<VolumeLabData> load_volume_lab_data(const std::filesystem::path& assets
     VolumeLabData data;
     for (const auto& file : files_in(assets / "devices")) data.devices.push_back(file.stem().string());
     if (std::ranges::find(data.devices, device) == data.devices.end())
-        return fail(
-            text("there is no device '", printable(device, 60), "'; there are ", listed(data.devices)));
+        return fail(text("there is no device '", printable(device, 60), "'; there are ", listed(data.devices),
+                         did_you_mean(device, data.devices)));
     auto materials =
         read_config(assets / "materials.toml", field::materials_file_version, field::read_materials);
     if (!materials) return materials.error();

@@ -67,7 +67,7 @@ int countdown_of(const Live& live) {
 
 /// Words that match `number` begins with. The start screen has shown them already.
 std::string fault_at_start(const LivePlan& plan, std::uint64_t number) {
-    return number == 1 && !plan.start_screen ? plan.settings_fault : std::string();
+    return number == 1 && !plan.start_screen ? plan.start_fault : std::string();
 }
 
 /// Plays one match. The error: the simulation thread could not be started.
@@ -143,10 +143,13 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     }
 }
 
-/// Loads what is felt on the body. A fault is told, and then nothing is felt.
+/// Loads what is felt on the body. A faulty file is told and costs its own part, a missing folder all of it.
 std::optional<LiveBody> load_body(const std::filesystem::path& assets) {
     auto body = LiveBody::load(assets);
-    if (body) return std::move(*body);
+    if (body) {
+        for (const auto& fault : body->faults) tell_user(text("not felt on the body: ", fault));
+        return std::move(*body);
+    }
     tell_user(text("nothing is felt on the body: ", body.error().message));
     return std::nullopt;
 }

@@ -108,9 +108,9 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the players on a faulty settings file, on the start screen or else at the start of the first match;
+    /// words for the players on faulty settings or data files, on the start screen or else at the start of the first match;
     /// empty: there is no fault
-    std::string settings_fault{};
+    std::string start_fault{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};
     /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start

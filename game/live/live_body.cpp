@@ -11,8 +11,18 @@ namespace {
 /// Numbers of layouts in a scene.
 constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
 
-Expected<tactile::Layout> layout_of(const std::filesystem::path& assets, std::string_view name) {
-    return tactile::load_layout(assets / "tactile" / "layouts" / text(name, ".toml"));
+/// Reads a layout. One that is faulty, or has not as many actuators as the jacket has motors, is empty, and a line on it
+/// is added. `motors`: 0 for any number.
+tactile::Layout layout_of(const std::filesystem::path& assets, std::string_view name, std::size_t motors,
+                          std::vector<std::string>& faults) {
+    const auto path = assets / "tactile" / "layouts" / text(name, ".toml");
+    auto layout = tactile::load_layout(path);
+    if (layout && (motors == 0 || layout->actuators.size() == motors)) return std::move(*layout);
+    const auto lines = layout ? std::vector{text(path.string(), ": must have ", motors, " actuators, has ",
+                                                 layout->actuators.size())}
+                              : lines_of(layout.error());
+    faults.insert(faults.end(), lines.begin(), lines.end());
+    return {};
 }
 
 }  // namespace
@@ -21,20 +31,15 @@ Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
     if (!effects) return effects.error();
     LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}, .jackets = {}};
-    std::vector<std::pair<std::string_view, tactile::Layout*>> layouts{
-        {name_of(Jacket::Layout::figure), &body.figure}, {"pad", &body.pad}};
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
-        layouts.emplace_back(name_of(jacket_layouts.at(i)), &body.jackets.at(i));
-    for (const auto& [name, layout] : layouts) {
-        auto read = layout_of(assets, name);
-        if (!read) return read.error();
-        *layout = std::move(*read);
+    for (const auto& effect : body.effects.faulty) {
+        const auto lines = lines_of(effect.fault);
+        body.faults.insert(body.faults.end(), lines.begin(), lines.end());
     }
+    body.figure = layout_of(assets, name_of(Jacket::Layout::figure), 0, body.faults);
+    body.pad = layout_of(assets, "pad", 0, body.faults);
     for (std::size_t i = 0; i < jacket_layouts.size(); ++i) {
-        const auto motors = motors_of(jacket_layouts.at(i));
-        if (body.jackets.at(i).actuators.size() != motors)
-            return fail(text(assets.string(), "/tactile/layouts/", name_of(jacket_layouts.at(i)),
-                             ".toml must have ", motors, " actuators"));
+        const auto layout = jacket_layouts.at(i);
+        body.jackets.at(i) = layout_of(assets, name_of(layout), motors_of(layout), body.faults);
     }
     return body;
 }
@@ -61,12 +66,8 @@ void MatchBody::begin(const game::Simulation& match) {
     felt_sound_.reset();
     for (auto& scene : scenes_) scene.reset();
     faders_ = {};
-    auto effects = game::match_effects(body_->effects, *match.data().presentation);
-    if (!effects) {
-        tell_user(text("nothing is felt on the body: ", effects.error().message));
-        return;
-    }
-    effects_ = std::move(*effects);
+    effects_ = game::match_effects(body_->effects, *match.data().presentation);
+    for (const auto& line : effects_->missing) tell_user(text("an effect is missing: ", game::line_of(line)));
     for (std::uint32_t p = 0; p < game::players; ++p) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         const auto figure = scenes_.at(p)->add(body_->figure);

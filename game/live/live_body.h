@@ -2,7 +2,7 @@
 // each match.
 //
 // The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A faulty data
-// file costs the effects, and is told in one line.
+// file costs its own effect or layout, and is told in one line.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -26,6 +26,10 @@ struct LiveBody {
     /// Layouts that players have written for their jackets.
     std::array<std::optional<tactile::Layout>, game::players> own{};
 
+    /// Lines on faulty effects and layouts. Such an effect is left out, and such a layout has no actuators.
+    std::vector<std::string> faults{};
+
+    /// The error: the folder of effects cannot be read.
     static Expected<LiveBody> load(const std::filesystem::path& assets);
     /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
     const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;

@@ -548,7 +548,8 @@ Expected<void> LiveSession::load_chosen() {
 void LiveSession::follow_arena() {
     const auto& arenas = menu_.context().arenas;
     const auto& shown = next_.data()->choice.arena;
-    if (arenas[menu_.state().arena].name == shown) return;
+    const auto& chosen = arenas[menu_.state().arena];
+    if (chosen.name == shown || !chosen.fault.empty()) return;  // the row of a broken file tells its fault
     if (succeeds(load_chosen())) return show_arena();
     menu_.choose_arena(index_of(arenas, shown));
 }

@@ -11,17 +11,6 @@
 namespace thaum::app {
 namespace {
 
-std::string_view name_of(MenuSound sound) {
-    switch (sound) {
-        case MenuSound::none: break;
-        case MenuSound::move: return "menu_move";
-        case MenuSound::choose: return "menu_choose";
-        case MenuSound::back: return "menu_back";
-        case MenuSound::refused: return "menu_refused";
-    }
-    return {};
-}
-
 std::unique_ptr<LiveSound> silent(const Error& error) {
     tell_user(text("no sound: ", error.message));
     return nullptr;
@@ -42,7 +31,7 @@ std::unique_ptr<LiveSound> LiveSound::start(const std::filesystem::path& assets,
     auto bank = audio::load_sounds(assets / "sounds");
     if (!bank) return silent(bank.error());
     for (const auto& sound : bank->faulty)
-        tell_user(text("the sound '", sound.name, "' is silent: ", sound.reason));
+        tell_user(text("the sound '", sound.name, "' is silent: ", sound.fault.message));
     auto mixer = audio::Mixer::create(*bank, mix_settings(settings));
     if (!mixer) return silent(mixer.error());
     auto sound =
@@ -77,7 +66,7 @@ void LiveSound::apply(const Settings& settings) {
 }
 
 void LiveSound::play(MenuSound sound) {
-    if (const auto number = bank_.find(name_of(sound)))
+    if (const auto number = bank_.find(menu_sound_names.at(static_cast<std::size_t>(sound))))
         speakers_.hear(audio::Voice{.sound = *number, .at_ear = true});
 }
 
@@ -100,7 +89,7 @@ void MatchSound::listen(bool first, bool second) {
 /// Makes a scene for the match's data. Missing sounds are printed.
 void MatchSound::begin(const game::Simulation& match) {
     auto sounds = game::match_sounds(sound_->bank(), *match.data().presentation);
-    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", line));
+    for (const auto& line : sounds.missing) tell_user(text("a sound is missing: ", game::line_of(line)));
     told_ = game::told_by_sounds(sounds, sound_->bank());
     scene_.emplace(std::move(sounds));
 }

@@ -3,10 +3,12 @@
 // The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it. Without
 // sounds or a sound device all goes on in silence, with one line that says why.
 #pragma once
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "audio/speakers.h"
 #include "game/hud/picture.h"
@@ -20,6 +22,9 @@ namespace thaum::app {
 
 /// Sounds of a menu.
 enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
+/// Names of their files in assets/sounds; empty: none.
+inline constexpr std::array<std::string_view, 5> menu_sound_names{"", "menu_move", "menu_choose", "menu_back",
+                                                                  "menu_refused"};
 
 class LiveSound {
 public:

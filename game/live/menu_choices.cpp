@@ -21,43 +21,45 @@ MenuContext::Named told(const std::string& name, const game::RoundRules& rules) 
     return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock)};
 }
 
-std::optional<MenuContext::Named> rules_of(const std::filesystem::path& file) {
-    const auto source = read_text_file(file, max_data_file);
-    if (!source) return {};
-    const auto config = Config::parse(*source, file.string(), 1);
-    if (!config) return {};
+/// A file that cannot be chosen.
+MenuContext::Named broken(const std::string& name, const Error& error) {
+    return {name, text(name, ": cannot be read"), error.message};
+}
+
+Expected<Config> config_of(const std::filesystem::path& assets, const std::string& name) {
+    const auto source = read_text_file(assets / name, max_data_file);
+    if (!source) return source.error();
+    return Config::parse(*source, game::shown_path(assets, name), 1);
+}
+
+MenuContext::Named rules_of(const std::filesystem::path& assets, const std::string& name) {
+    const auto config = config_of(assets, text("rules/", name, ".toml"));
+    if (!config) return broken(name, config.error());
     const auto rules = game::read_round_rules(*config);
-    if (!config->check()) return {};
-    return told(file.stem().string(), rules);
+    if (const auto checked = config->check(); !checked) return broken(name, checked.error());
+    return told(name, rules);
 }
 
-/// Name and label of an arena; std::nullopt if the file has none. A match reports all other faults.
-std::optional<MenuContext::Named> arena_of(const std::filesystem::path& file) {
-    const auto source = read_text_file(file, max_data_file);
-    if (!source) return {};
-    const auto config = Config::parse(*source, file.string(), 1);
-    if (!config) return {};
-    auto label = config->root().string("name", "");
-    if (label.empty()) return {};
-    return MenuContext::Named{file.stem().string(), std::move(label)};
-}
-
-/// All files of a data folder that `read` accepts, sorted by name.
-template <class Read>
-std::vector<MenuContext::Named> all_in(const std::filesystem::path& folder, Read read) {
-    std::vector<MenuContext::Named> all;
-    std::error_code error;
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
-         it.increment(error)) {
-        if (it->path().extension() != ".toml") continue;
-        if (auto one = read(it->path())) all.push_back(std::move(*one));
-    }
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-    return all;
+/// Name and label of an arena. A match reports all other faults of the file.
+MenuContext::Named arena_of(const std::filesystem::path& assets, const std::string& name,
+                            const std::vector<MenuContext::Named>& before) {
+    const auto config = config_of(assets, text("arenas/", name, ".toml"));
+    if (!config) return broken(name, config.error());
+    const auto root = config->root();
+    const auto label = root.string("name", "");
+    if (label.empty())
+        return broken(name, {text(root.place("name"), ": 'name' must be a text in quotes, not empty")});
+    const auto same = std::ranges::find_if(
+        before, [&](const auto& other) { return other.label == label && other.fault.empty(); });
+    if (same != before.end())
+        return broken(name,
+                      {text(root.place("name"), ": 'name' is '", label, "', which is the name of arenas/",
+                            same->name, ".toml; give it another one")});
+    return {name, label};
 }
 
 std::vector<MenuContext::Named> all_arenas(const LivePlan& plan) {
-    auto all = all_in(plan.assets / "arenas", arena_of);
+    auto all = arena_choices(plan.assets);
     const auto& chosen = plan.data->choice.arena;
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.name == chosen; });
     if (row == all.end()) all.push_back({chosen, plan.data->arena.name});
@@ -65,7 +67,8 @@ std::vector<MenuContext::Named> all_arenas(const LivePlan& plan) {
 }
 
 std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
-    auto all = all_in(plan.assets / "rules", rules_of);
+    std::vector<MenuContext::Named> all;
+    for (const auto& name : game::match_lengths(plan.assets)) all.push_back(rules_of(plan.assets, name));
     const auto& chosen = plan.data->choice.match;
     // Rules that were chosen on the command line, with the changes of --set.
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
@@ -74,6 +77,13 @@ std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
 }
 
 }  // namespace
+
+std::vector<MenuContext::Named> arena_choices(const std::filesystem::path& assets) {
+    std::vector<MenuContext::Named> all;
+    for (const auto& file : files_in(assets / "arenas", ".toml").value_or({}))
+        all.push_back(arena_of(assets, file.stem().string(), all));
+    return all;
+}
 
 std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name) {
     const auto found = std::find_if(list.begin(), list.end(), [&](const auto& n) { return n.name == name; });
@@ -85,7 +95,7 @@ MenuContext find_menu_context(const LivePlan& plan) {
                         .arenas = all_arenas(plan),
                         .first_start = plan.first_start,
                         .ends_match = plan.start_screen,
-                        .settings_fault = plan.settings_fault};
+                        .start_fault = plan.start_fault};
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
     for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {

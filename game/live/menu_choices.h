@@ -9,6 +9,10 @@ namespace thaum::app {
 /// Choices of the menu. A match of the command line, and its arena, are among them.
 MenuContext find_menu_context(const LivePlan& plan);
 
+/// All arenas of a data folder, sorted by name. One whose file cannot be read, or that has the name of another one, is
+/// among them with its fault.
+std::vector<MenuContext::Named> arena_choices(const std::filesystem::path& assets);
+
 /// Index of a name in a list of the menu; 0 if it is missing.
 std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name);
 

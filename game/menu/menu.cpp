@@ -38,10 +38,22 @@ void join(MenuState& s, const Device& device) {
     s.note = "both seats are taken";
 }
 
+/// What is wrong with a chosen file; empty: all can be played.
+std::string fault_of_choice(const MenuState& s, const MenuContext& context) {
+    const auto& rules = context.rules[s.rules].fault;
+    return rules.empty() ? context.arenas[s.arena].fault : rules;
+}
+
+/// Requests a match, unless a file that was chosen for it is broken.
+void start(MenuState& s, MenuRequest request, const MenuContext& context) {
+    s.note = fault_of_choice(s, context);
+    if (s.note.empty()) s.request = request;
+}
+
 /// Joins with a device's first press, and starts the match with its second one.
-void join_or_start(MenuState& s, const Device& device) {
+void join_or_start(MenuState& s, const Device& device, const MenuContext& context) {
     if (seat_of(s, device))
-        s.request = MenuRequest::start;
+        start(s, MenuRequest::start, context);
     else
         join(s, device);
 }
@@ -54,9 +66,9 @@ bool only_joins(const MenuState& s, const Row& row, const MenuEvent& event) {
 }
 
 /// Requests the range or the Apprentice for one player; the other seat stays empty.
-void practise(MenuState& s, const Device& device, MenuRequest request) {
+void practise(MenuState& s, const Device& device, MenuRequest request, const MenuContext& context) {
     s.seats = {device};
-    s.request = request;
+    start(s, request, context);
 }
 
 void leave_seat(MenuState& s, const Device& device) {
@@ -82,11 +94,11 @@ void choose(MenuState& s, RowKind kind, const MenuContext& context, int way) {
     }
     if (kind == RowKind::rules) {
         turn(s.rules, context.rules, way);
-        last.match = context.rules[s.rules].name;
+        if (context.rules[s.rules].fault.empty()) last.match = context.rules[s.rules].name;
     }
     if (kind == RowKind::arena) {
         turn(s.arena, context.arenas, way);
-        last.arena = context.arenas[s.arena].name;
+        if (context.arenas[s.arena].fault.empty()) last.arena = context.arenas[s.arena].name;
     }
 }
 
@@ -279,9 +291,9 @@ void ask_about_gestures(MenuState& s, MenuRequest request) {
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
     if (only_joins(s, row, event)) return join(s, event.device);
     switch (row.kind) {
-        case RowKind::duel: join_or_start(s, event.device); break;
-        case RowKind::range: practise(s, event.device, MenuRequest::range); break;
-        case RowKind::apprentice: practise(s, event.device, MenuRequest::apprentice); break;
+        case RowKind::duel: join_or_start(s, event.device, context); break;
+        case RowKind::range: practise(s, event.device, MenuRequest::range, context); break;
+        case RowKind::apprentice: practise(s, event.device, MenuRequest::apprentice, context); break;
         case RowKind::skip_step: s.request = MenuRequest::skip_step; break;
         case RowKind::repeat_step: s.request = MenuRequest::repeat_step; break;
         case RowKind::controls: open(s, Page::sheets); break;
@@ -397,7 +409,7 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
         case Kind::confirm: confirm(s, row, event, context); break;
         case Kind::back: go_back(s, event, rows); break;
         case Kind::other:
-            if (s.pages.back().page == Page::start) join_or_start(s, event.device);
+            if (s.pages.back().page == Page::start) join_or_start(s, event.device, context);
             break;
         case Kind::point: break;
         default: move(cursor, rows.size(), event.kind); s.pages.back().middle = cursor;

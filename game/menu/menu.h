@@ -63,6 +63,7 @@ struct MenuContext {
     /// A data file: its name without folder and extension, and its label in the menu.
     struct Named {
         std::string name, label;
+        std::string fault{};  ///< what is wrong with the file; empty: it can be chosen
     };
     std::vector<int> levels{};
     std::vector<Named> rules{};
@@ -86,8 +87,8 @@ struct MenuContext {
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
     std::vector<std::string> pad_faults{};  ///< a line for each joystick that does not play
     std::string pad_question{};             ///< control that the set-up of a joystick asks for
-    /// words of the start screen on a faulty settings file; empty: there is no fault
-    std::string settings_fault{};
+    /// words of the start screen on faulty settings or data files; empty: there is no fault
+    std::string start_fault{};
 };
 
 enum class MenuRequest : std::uint8_t {

@@ -103,7 +103,7 @@ std::string words_of_delay(const MenuState& s, const MenuContext& context, const
 
 /// A fault that a page shows while there is nothing else to report; empty: none.
 std::string fault_shown(Page page, const MenuContext& context) {
-    if (page == Page::start && !context.settings_fault.empty()) return context.settings_fault;
+    if (page == Page::start && !context.start_fault.empty()) return context.start_fault;
     const bool tells = page == Page::start || page == Page::pause || page == Page::sheets;
     if (!tells || context.pad_faults.empty()) return {};
     const auto more = context.pad_faults.size() - 1;

@@ -95,6 +95,18 @@ std::string duel_label(const MenuState& s) {
     }
 }
 
+/// The row of a choice among data files. A broken file says what is wrong with it, and cannot be played.
+game::MenuRow choice_row(std::string label, const std::string& help,
+                         const std::vector<MenuContext::Named>& list, std::size_t chosen) {
+    const auto& one = list[chosen];
+    return {.label = std::move(label),
+            .help = one.fault.empty() ? help : one.fault,
+            .value = one.label,
+            .longest_value = longest_label(list),
+            .adjustable = true,
+            .dim = !one.fault.empty()};
+}
+
 void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     rows.push_back({RowKind::level,
                     0,
@@ -104,22 +116,14 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
                      .adjustable = context.levels.size() > 1,
                      .dim = joined(s) == game::players}});
     if (context.rules.size() > 1) {
-        rows.push_back({RowKind::rules,
-                        0,
-                        {.label = "Match",
-                         .help = "Sets how many kills win, and how long a round lasts.",
-                         .value = context.rules[s.rules].label,
-                         .longest_value = longest_label(context.rules),
-                         .adjustable = true}});
+        rows.push_back({RowKind::rules, 0,
+                        choice_row("Match", "Sets how many kills win, and how long a round lasts.",
+                                   context.rules, s.rules)});
     }
     if (context.arenas.size() > 1) {
-        rows.push_back({RowKind::arena,
-                        0,
-                        {.label = "Arena",
-                         .help = "Sets the place of the duel, which is shown behind this menu.",
-                         .value = context.arenas[s.arena].label,
-                         .longest_value = longest_label(context.arenas),
-                         .adjustable = true}});
+        rows.push_back({RowKind::arena, 0,
+                        choice_row("Arena", "Sets the place of the duel, which is shown behind this menu.",
+                                   context.arenas, s.arena)});
     }
 }
 

@@ -37,11 +37,11 @@ Expected<std::unique_ptr<PlaySenses>> PlaySenses::create(const std::filesystem::
                                                          bool mixed) {
     auto data = SenseData::load(assets, mixed ? audio::WithSamples::yes : audio::WithSamples::no);
     if (!data) return data.error();
-    if (!(*data)->bank.faulty.empty()) return fail((*data)->bank.faulty[0].reason);
-    auto senses = Senses::create(*data, shown);
-    if (!senses) return senses.error();
+    if (!(*data)->bank.faulty.empty()) return (*data)->bank.faulty[0].fault;
+    if (!(*data)->effects.faulty.empty()) return (*data)->effects.faulty[0].fault;
     auto out = std::make_unique<Inside>();
-    out->senses = std::move(*senses);
+    out->senses = Senses::create(*data, shown);
+    if (!out->senses->effects().missing.empty()) return fail(line_of(out->senses->effects().missing[0]));
     for (const auto& name : layouts) {
         auto layout = tactile::load_layout(assets / "tactile" / "layouts" / (name + ".toml"));
         if (!layout) return layout.error();

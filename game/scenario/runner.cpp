@@ -273,17 +273,16 @@ Expected<std::vector<std::filesystem::path>> find_scenarios(const std::vector<st
     std::vector<fs::path> found;
     std::error_code error;
     if (names.empty()) {
-        for (fs::directory_iterator it(options.scripts, error), end; !error && it != end;
-             it.increment(error)) {
-            if (it->path().extension() == ".lua") found.push_back(it->path());
-        }
-        std::sort(found.begin(), found.end());
+        auto scripts = files_in(options.scripts, ".lua");
+        if (!scripts) return scripts;
+        found = std::move(*scripts);
         if (found.empty()) return fail(text("no scenarios in ", options.scripts.string()));
     }
     for (const auto& name : names) {
         const fs::path path = name.ends_with(".lua") ? fs::path(name) : options.scripts / (name + ".lua");
         if (!fs::exists(path, error)) {
-            return fail(text("there is no scenario '", name, "' (", path.string(), ")"));
+            return fail(text("there is no scenario '", name, "' (", path.string(), ")",
+                             near_file(name, options.scripts, ".lua")));
         }
         found.push_back(path);
     }

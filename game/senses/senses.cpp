@@ -16,12 +16,10 @@ Expected<std::shared_ptr<const SenseData>> SenseData::load(const std::filesystem
         SenseData{std::move(*bank), std::move(*effects), std::move(*figure)});
 }
 
-Expected<std::unique_ptr<Senses>> Senses::create(std::shared_ptr<const SenseData> data,
-                                                 const Presentation& shown) {
+std::unique_ptr<Senses> Senses::create(std::shared_ptr<const SenseData> data, const Presentation& shown) {
     auto effects = match_effects(data->effects, shown);
-    if (!effects) return effects.error();
     auto sounds = match_sounds(data->bank, shown);
-    return std::make_unique<Senses>(std::move(data), std::move(sounds), std::move(*effects));
+    return std::make_unique<Senses>(std::move(data), std::move(sounds), std::move(effects));
 }
 
 Senses::Senses(std::shared_ptr<const SenseData> data, MatchSounds sounds, MatchEffects effects)

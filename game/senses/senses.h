@@ -17,15 +17,14 @@ struct SenseData {
     tactile::EffectBank effects;
     tactile::Layout figure;
 
-    /// The error names the first faulty file. A faulty sound is only left out.
+    /// The error names a folder that cannot be read, or a faulty figure. A faulty sound or effect is only left out.
     static Expected<std::shared_ptr<const SenseData>> load(const std::filesystem::path& assets,
                                                            audio::WithSamples samples);
 };
 
 class Senses {
 public:
-    static Expected<std::unique_ptr<Senses>> create(std::shared_ptr<const SenseData> data,
-                                                    const Presentation& shown);
+    static std::unique_ptr<Senses> create(std::shared_ptr<const SenseData> data, const Presentation& shown);
     Senses(std::shared_ptr<const SenseData> data, MatchSounds sounds, MatchEffects effects);
     Senses(const Senses&) = delete;
     Senses& operator=(const Senses&) = delete;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/near_name.h"
 #include "core/text.h"
 
 namespace thaum::game {
@@ -12,16 +13,18 @@ class Finder {
 public:
     explicit Finder(const audio::SoundBank& bank) : bank_(bank) {}
 
-    SoundNumber find(std::string_view name, std::string_view whose) {
+    /// Finds a sound that `place` names. The words of `place` are filled in if there is none.
+    SoundNumber find(std::string_view name, MissingName place) {
         if (name.empty()) return std::nullopt;
         const auto number = bank_.find(name);
-        if (!number && !is_faulty(name))
-            missing.push_back(
-                text(whose, " names the sound '", name, "', but there is no assets/sounds/", name, ".toml"));
+        if (number || is_faulty(name)) return number;
+        place.words = text("there is no sound '", name, "', sounds/", name, ".toml",
+                           did_you_mean(name, bank_.sounds, &audio::Sound::name));
+        missing.push_back(std::move(place));
         return number;
     }
 
-    std::vector<std::string> missing{};
+    std::vector<MissingName> missing{};
 
 private:
     bool is_faulty(std::string_view name) const {
@@ -38,7 +41,8 @@ void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
     for (std::size_t kind = 0; kind < rows.size(); ++kind) {
         const auto& name = rows[kind].sound;
         if (name == of_spell) continue;
-        const auto whose = text("event '", name_of(static_cast<EventKind>(kind)), "'");
+        const auto event = static_cast<EventKind>(kind);
+        const MissingName whose{file_of_event(event), table_of_event(event), "sound", ""};
         const auto at = name.find(kind_of_power_up);
         if (at == std::string::npos) {
             out.events[kind] = finder.find(name, whose);
@@ -57,18 +61,21 @@ void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
 MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown) {
     MatchSounds out;
     Finder finder(bank);
-    for (std::size_t i = 0; i < cues; ++i) out.cues.at(i) = finder.find(cue_names.at(i), "the match");
+    for (std::size_t i = 0; i < cues; ++i) out.cues.at(i) = finder.find(cue_names.at(i), {});
     find_events(shown.events, finder, out);
     for (const auto& spell : shown.spells)
-        out.spells.push_back(finder.find(spell.sound, text("assets/spells/", spell.name, ".toml")));
+        out.spells.push_back(
+            finder.find(spell.sound, {text("spells/", spell.name, ".toml"), "event", "sound", ""}));
     for (const auto& wand : shown.wands) {
-        const auto whose = text("assets/wands/", wand.name, ".toml");
+        const auto find = [&](const std::string& name, std::string key) {
+            return finder.find(name, {text("wands/", wand.name, ".toml"), "sound", std::move(key), ""});
+        };
         const auto& names = wand.sounds;
-        out.wands.push_back({.fire = finder.find(names.fire, whose),
-                             .burst = finder.find(names.burst, whose),
-                             .take = finder.find(names.take, whose),
-                             .ready = finder.find(names.ready, whose),
-                             .hold = finder.find(names.hold, whose)});
+        out.wands.push_back({.fire = find(names.fire, "fire"),
+                             .burst = find(names.burst, "burst"),
+                             .take = find(names.take, "take"),
+                             .ready = find(names.ready, "ready"),
+                             .hold = find(names.hold, "hold")});
     }
     out.missing = std::move(finder.missing);
     return out;

@@ -22,9 +22,8 @@ struct MatchSounds {
     std::array<SoundNumber, power_up_names.size()> power_ups{};
     std::vector<SoundNumber> spells;      ///< by number of the spell
     std::vector<WandSoundNumbers> wands;  ///< in the order of Presentation::wands
-    /// A line on each sound that the bank lacks, and on who names it. Faulty sounds are not among them: the bank says
-    /// why.
-    std::vector<std::string> missing{};
+    /// Sounds that the bank lacks. Faulty sounds are not among them: the bank says why.
+    std::vector<MissingName> missing{};
 };
 
 /// A missing or faulty sound is silence, and costs no other one.

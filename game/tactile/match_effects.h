@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "game/data/presentation.h"
@@ -17,11 +18,13 @@ using EffectNumber = std::optional<std::uint32_t>;
 struct MatchEffects {
     std::vector<EffectNumber> events;  ///< by EventKind; without those of spells
     std::vector<EffectNumber> spells;  ///< by number of the spell
-    std::uint32_t recoil{}, stir{}, heartbeat{}, great_work{}, walk_left{}, walk_right{};
-    std::array<std::uint32_t, felt_bands> sounds{};  ///< by band, the lowest first
+    EffectNumber recoil, stir, heartbeat, great_work, walk_left, walk_right;
+    std::array<EffectNumber, felt_bands> sounds{};  ///< by band, the lowest first
+    /// Effects that the bank lacks. Faulty effects are not among them: the bank says why.
+    std::vector<MissingName> missing{};
 };
 
-/// The error names the effect that is missing, and who names it.
-Expected<MatchEffects> match_effects(const tactile::EffectBank& bank, const Presentation& shown);
+/// A missing or faulty effect is not felt, and costs no other one.
+MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& shown);
 
 }  // namespace thaum::game

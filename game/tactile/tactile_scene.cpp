@@ -97,6 +97,13 @@ void TactileScene::feel(const BodyCue& cue, Tick now) {
     }
 }
 
+/// Feels an effect if there is one.
+void TactileScene::feel(const EffectNumber& effect, BodyCue cue, Tick now) {
+    if (!effect) return;
+    cue.effect = *effect;
+    feel(cue, now);
+}
+
 void TactileScene::feel_event(const Simulation& match, const Event& event) {
     const bool about_spell = row_of(match.data().presentation->events, event.kind).tactile == of_spell;
     const auto& effects = about_spell ? effects_.spells : effects_.events;
@@ -131,7 +138,7 @@ void TactileScene::feel_steps(const Simulation& match, ecs::Entity wizard) {
     if (!stride_.walks(world.get<Stance>(wizard), world.get<Motion>(wizard), seconds(tactile::frame_ticks)))
         return;
     left_foot_ = !left_foot_;
-    feel({.effect = left_foot_ ? effects_.walk_left : effects_.walk_right}, match.now());
+    feel(left_foot_ ? effects_.walk_left : effects_.walk_right, {}, match.now());
 }
 
 void TactileScene::feel_own(const Simulation& match) {
@@ -140,7 +147,7 @@ void TactileScene::feel_own(const Simulation& match) {
     const auto& belt = world.get<WandBelt>(wizard);
     if (fired_ != belt.fired) {
         const double kick = glm::length(world.get<HandState>(wizard).kick.peak);
-        feel({.effect = effects_.recoil, .strength = std::clamp(kick / full_recoil, 0.2, 1.0)}, match.now());
+        feel(effects_.recoil, {.strength = std::clamp(kick / full_recoil, 0.2, 1.0)}, match.now());
     }
     fired_ = belt.fired;
     if (world.has<Dead>(wizard)) return;
@@ -148,11 +155,10 @@ void TactileScene::feel_own(const Simulation& match) {
     feel_foes_work(match);
     const double health = world.get<Health>(wizard).points / match.data().wizard.health;
     if (health > 0 && health < loud_heart_health)
-        feel({.effect = effects_.heartbeat, .strength = 1 - health / loud_heart_health, .key = heart_key},
-             match.now());
+        feel(effects_.heartbeat, {.strength = 1 - health / loud_heart_health, .key = heart_key}, match.now());
     if (const auto* ladle = world.find<Ladle>(wizard)) {
         const double drag = std::min(1.0, glm::length(ladle->force) / full_drag);
-        if (drag > 0) feel({.effect = effects_.stir, .strength = drag, .key = stir_key}, match.now());
+        if (drag > 0) feel(effects_.stir, {.strength = drag, .key = stir_key}, match.now());
     }
 }
 
@@ -163,7 +169,7 @@ void TactileScene::feel_foes_work(const Simulation& match) {
     const auto held = held_both_for(world, 1 - player_, match.match().played);
     if (held == 0) return;
     const double share = seconds(held) / std::max(seconds(match.data().crystal->work_lasts), 1e-3);
-    feel({.effect = effects_.great_work, .strength = std::min(share, 1.0), .key = work_key}, match.now());
+    feel(effects_.great_work, {.strength = std::min(share, 1.0), .key = work_key}, match.now());
 }
 
 /// Sounds are felt only where no blow is: for a moment after an event they are still.
@@ -173,11 +179,11 @@ void TactileScene::feel_sound(Tick now) {
     for (std::uint32_t band = 0; band < felt_bands; ++band) {
         const double strength = quiet || sound_.at(band) < least ? 0 : sound_.at(band);
         const bool ends = strength == 0 && sounding_.at(band);
-        if (strength == 0 && !ends) continue;
+        if ((strength == 0 && !ends) || !effects_.sounds.at(band)) continue;
         sounding_.at(band) = !ends;
         for (auto& output : outputs_)
             if (output.used && output.hears)
-                output.mixer->drive(first_sound_key + band, effects_.sounds.at(band), tactile::Where::own(),
+                output.mixer->drive(first_sound_key + band, *effects_.sounds.at(band), tactile::Where::own(),
                                     strength, now);
     }
 }

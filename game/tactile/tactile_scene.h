@@ -55,6 +55,7 @@ public:
 
 private:
     void feel(const BodyCue& cue, Tick now);
+    void feel(const EffectNumber& effect, BodyCue cue, Tick now);
     void feel_events(const Simulation& match);
     void feel_event(const Simulation& match, const Event& event);
     void feel_sound(Tick now);

@@ -40,10 +40,10 @@ expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3
 expect 2 "is given twice" --seed 1 --seed 2
 expect 2 "needs 1 value" --headless --seconds
 expect 2 "must be a number" --headless --seconds nan
-expect 2 "no rule set 'quick', only thaum and classic" --headless --rules quick
-expect 2 "no match '../x', only quick and standard" --headless --match ../x
+expect 2 "no rule set 'quick'; there are: thaum, classic" --headless --rules quick
+expect 2 "no match '../x'; there are: quick, standard" --headless --match ../x
 expect 2 "no name of an arena" --headless --arena ../boiling_court
-expect 2 "cannot open" --headless --arena nowhere
+expect 2 "there is no arena 'nowhere'; there are: boiling_court, the_well" --headless --arena nowhere
 expect 2 "'damage' is -3" --headless --set bolt.shot.damage=-3
 expect 2 "has no key 'shot.damge'" --headless --set bolt.shot.damge=3
 expect 2 "--set foo=3" --headless --set foo=3
@@ -274,17 +274,26 @@ grep -q '"accuracy"' "$folder/eval.json" && grep -q '</svg>' "$folder/eval.svg" 
 # The sounds as a list, as files and as pictures. A name, a folder or a recipe that is wrong is refused in one line.
 expect 2 "no sound 'horn'; \`thaum sounds\` lists them" sounds boil horn
 expect 2 "cannot create" sounds boil --out /dev/null/out
-expect 2 "/nowhere" sounds boil --sheet /nowhere/sheet.png
+expect 2 "/dev/null" sounds boil --sheet /dev/null/sheet.png
 [[ $("$thaum" sounds | grep -c '  ') == $(( $(find "$folder/assets/sounds" -name "*.toml" | wc -l) + 1 )) ]] || { echo "failed: thaum sounds does not list each file of assets/sounds"; failures=$((failures + 1)); }
-"$thaum" sounds bolt_shot boil --out "$folder/sounds" --sheet "$folder/sheet.png" >/dev/null
+"$thaum" sounds bolt_shot boil --out "$folder/sounds" --sheet "$folder/new/sheet.png" >/dev/null
 [[ $(cd "$folder/sounds" && echo *) == "boil.png boil.wav bolt_shot.png bolt_shot.wav" ]] || { echo "failed: the files of two sounds"; failures=$((failures + 1)); }
 # 0.24 s of 48,000 samples of four bytes, after a header of 58 bytes.
-[[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46138 && -s $folder/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
+[[ $(stat -c %s "$folder/sounds/bolt_shot.wav") == 46138 && -s $folder/new/sheet.png ]] || { echo "failed: the WAV file of a sound, or the sheet"; failures=$((failures + 1)); }
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 echo 'loud = true' >>"$folder/assets/sounds/boil.toml"
 THAUM_ASSETS=$folder/assets expect 2 "sounds/boil.toml:" sounds
 
-for command in play range lab replay shots diff scenario league bench plot sounds doctor; do
+# All data files: the shipped ones have no fault. Those of another folder are listed, and make the exit code.
+"$thaum" check >"$folder/said" || { echo "failed: the shipped data files have faults: $(head -1 "$folder/said")"; failures=$((failures + 1)); }
+echo nonsense >"$folder/assets/spells/heal.toml"
+"$thaum" check "$folder/assets" >"$folder/said" && { echo "failed: check finds no fault"; failures=$((failures + 1)); }
+[[ $(grep -c "^assets/sounds/boil.toml:[0-9]*: unknown key 'parts.loud'\|^assets/spells/heal.toml: nothing reads this file" "$folder/said") == 2 ]] ||
+    { echo "failed: check does not list both faults"; failures=$((failures + 1)); }
+expect 2 "there is no such folder" check "$folder/none"
+THAUM_ASSETS=$folder/none expect 2 "there is no folder $folder/none of data files: set THAUM_ASSETS" --headless --seconds 1
+
+for command in play range lab replay shots diff scenario league bench plot sounds check doctor; do
     [[ $command != bench ]] || $benchmarks || continue
     lines=$("$thaum" "$command" --help | wc -l)
     [[ $lines -gt 2 && $lines -le 26 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }

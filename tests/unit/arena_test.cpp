@@ -87,7 +87,7 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
     faulty("[[power_up]]\nkind = \"vial\"\nposition = [0, 0, -4.1]\n", "'position' lies outside");
     faulty("[range.player]\nplace = [0, 0, 9]\nyaw_deg = 0\n", "'place' lies outside");
     EXPECT_EQ(fault_with("[range.player]\nplace = [0, 0, 1]\nyaw_deg = 0\n"),
-              "least.toml: key 'place' is missing");
+              "least.toml:14: table 'range.dummy' is missing");
     faulty(
         "[[solid]]\nshape = \"ramp\"\nsurface = \"floor\"\ncentre = [0, 1, 0]\nsize = [2, 2, 2]\nrises = "
         "\"up\"\n",
@@ -105,6 +105,22 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
     EXPECT_EQ(fault_with(bowl(0.75, 0.15)), "");
     faulty(bowl(0.74, 0.15), "least.toml:20: 'thickness' is 0.15, and must be at most 0.2 times the height");
     faulty(bowl(40, 0.61), "0.4 times the radius");
+    EXPECT_EQ(fault_with(bowl(0.75, 0.15) + bowl(0.75, 0.15)),
+              "least.toml:22: a second bowl: only one can be the cauldron");
+    const std::string wall =
+        "[[solid]]\nshape = \"box\"\nsurface = \"wall\"\ncentre = [2, 1, 2]\nsize = [1, 2, 1]\n";
+    faulty(wall +
+               "[[prop]]\nshape = \"sphere\"\nsurface = \"ball\"\nposition = [2, 1, 2]\nradius = 0.2\nmass = "
+               "5\n",
+           "least.toml:22: 'position': the prop is inside of the solid 'wall' of line 15; move it out");
+    EXPECT_EQ(fault_with(wall + "[[prop]]\nshape = \"sphere\"\nsurface = \"ball\"\nposition = [2, 2.2, 2]\n"
+                                "radius = 0.2\nmass = 5\n"),
+              "")
+        << "it lies on the wall";
+    faulty("[[pad]]\nposition = [1, 3, 1]\nfacing = [0, 0, 0]\n",
+           "least.toml:15: 'position' lies 3 m above the ground");
+    faulty(wall + "[[pad]]\nposition = [2, 0, 2]\nfacing = [0, 0, 0]\n",
+           "a wizard here is inside of the solid");
     const auto bare = Config::parse("version = 1\nname = \"Bare\"\n", "bare.toml", 1);
     ASSERT_TRUE(bare);
     read_arena(*bare);
@@ -185,7 +201,7 @@ TEST(ArenaFile, ARampRisesWhereItsNameSaysAndItsTwinWhereItMust) {
         EXPECT_GT(slope_at(mesh, ways[rise]), 0.5) << rise_names[rise];
         for (const std::string symmetry : {"mirror", "turned"}) {
             const auto arena = arena_with(
-                text("[[solid]]\nshape = \"ramp\"\nsurface = \"floor\"\ncentre = [2, 1, 1]\nsize = "
+                text("[[solid]]\nshape = \"ramp\"\nsurface = \"floor\"\ncentre = [1.5, 1, 1]\nsize = "
                      "[2, 3, 4]\nrises = \"",
                      rise_names[rise], "\"\n", symmetry, " = true\n"));
             const auto& first = arena.things[1];
@@ -214,8 +230,8 @@ TEST(ArenaFile, TheHashLeavesOutWhatNoMatchReads) {
         return data->files.front().hash;
     };
     const auto as_shipped = hash_with("", "");
-    EXPECT_EQ(as_shipped, hash_with("colour = 0xFFDCA8", "colour = 0x102030"));
-    EXPECT_EQ(as_shipped, hash_with("place = [2, 0, 6.5]", "place = [2, 0, 6]"));
+    EXPECT_EQ(as_shipped, hash_with("colour = \"#FFDCA8\"", "colour = \"#102030\""));
+    EXPECT_EQ(as_shipped, hash_with("place = [2.5, 0, 6.5]", "place = [2.5, 0, 6]"));
     EXPECT_NE(as_shipped, hash_with("mass = 40", "mass = 41"));
     std::filesystem::remove(file);
 }

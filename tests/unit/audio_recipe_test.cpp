@@ -185,10 +185,11 @@ TEST(AudioSounds, AFaultyRecipeCostsItsOwnSoundOnly) {
     EXPECT_FALSE(bank->find("bell"));
     ASSERT_EQ(bank->faulty.size(), 2U);
     EXPECT_EQ(bank->faulty[0].name, "bell");
-    EXPECT_EQ(bank->faulty[0].reason,
+    EXPECT_EQ(bank->faulty[0].fault.message,
               text(folder.path().string(), "/bell.toml:9: 'hz' is 5, must be from 20 to 20000"));
-    EXPECT_NE(bank->faulty[1].reason.find(text(folder.path().string(), "/large.toml")), std::string::npos)
-        << bank->faulty[1].reason;
+    EXPECT_NE(bank->faulty[1].fault.message.find(text(folder.path().string(), "/large.toml")),
+              std::string::npos)
+        << bank->faulty[1].fault.message;
 }
 
 TEST(AudioSounds, WithoutSamplesASoundHasAllElse) {

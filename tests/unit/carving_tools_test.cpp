@@ -141,10 +141,12 @@ TEST(CarvingTools, AToolOnTheSurfaceCannotMoveTheSurface) {
 
 TEST(CarvingTools, FaultsNameTheLine) {
     const std::string start = "method = \"constant\"\nextent = \"sphere\"\nradius = 3\n";
-    EXPECT_EQ(fault(start + "properties = \"density\"\ndensity = 1\nspeed = 3\n"),
-              "t.toml:9: unknown key 'operation.speed'");
-    EXPECT_EQ(fault(start + "properties = \"density\"\ndensity = 1\nrate = 3\n"),
-              "t.toml:9: unknown key 'operation.rate'");
+    EXPECT_EQ(fault(start + "properties = \"density\"\ndensity = 1\nspeed = 3\n")
+                  .find("t.toml:9: unknown key 'operation.speed'"),
+              0U);
+    EXPECT_EQ(fault(start + "properties = \"density\"\ndensity = 1\nrate = 3\n")
+                  .find("t.toml:9: unknown key 'operation.rate'"),
+              0U);
     EXPECT_EQ(fault(start + "properties = \"density\"\ndensity = 1.5\n"),
               "t.toml:8: 'density' is 1.5, must be from 0 to 1");
     EXPECT_EQ(fault(start + "properties = \"weight\"\n"),
@@ -157,8 +159,9 @@ TEST(CarvingTools, FaultsNameTheLine) {
               "t.toml:8: there is no material 'cheese'");
     EXPECT_EQ(fault("method = \"constant\"\nextent = \"sphere\"\nradius = 0\nproperties = \"density\"\n"),
               "t.toml:6: 'radius' is 0, must be from 1e-06 to 1000");
-    EXPECT_EQ(fault("method = \"constant\"\nextent = \"cone\"\n"),
-              "t.toml:5: 'extent' must be one of: sphere, box, gaussian, plate, stamp");
+    EXPECT_EQ(
+        fault("method = \"constant\"\nextent = \"cone\"\n"),
+        "t.toml:5: 'extent' must be one of: sphere, box, gaussian, plate, stamp; it is the text \"cone\"");
     EXPECT_EQ(tool_from("version = 1\nname = \"t\"\n").error().message,
               "t.toml:2: the tool has no [[operation]]; add one");
     EXPECT_EQ(tool_from("version = 1\nname = \"\"\n").error().message, "t.toml:2: 'name' must not be empty");

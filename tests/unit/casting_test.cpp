@@ -328,7 +328,7 @@ TEST(Casting, TwoGesturesOfOneNameAreRefusedWithTheirFiles) {
     const auto loaded = load_match_data(fs::path(folder) / "assets", {});
     ASSERT_FALSE(loaded.has_value());
     EXPECT_EQ(loaded.error().message,
-              "gestures/circle.toml and gestures/ring.toml: both have the name 'circle'; "
+              "assets/gestures/ring.toml: has the name 'circle', as assets/gestures/circle.toml has; "
               "change one, or delete a file");
     fs::remove_all(folder);
 }

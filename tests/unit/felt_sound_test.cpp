@@ -147,9 +147,7 @@ struct JacketRig {
         EXPECT_TRUE(bank && x40);
         effects = std::move(*bank);
         jacket = std::move(*x40);
-        auto found = match_effects(effects, *match.data().presentation);
-        EXPECT_TRUE(found);
-        numbers = std::move(*found);
+        numbers = match_effects(effects, *match.data().presentation);
         scene.emplace(numbers, effects, 0);
         scene->set_hears(scene->add(jacket), true);
         scene->add(jacket);  // does not hear
@@ -199,7 +197,7 @@ TEST(FeltSoundOnAJacket, EachToneLightsItsRowInFrontAndAtTheBack) {
 
 TEST(FeltSoundOnAJacket, TheRowFollowsTheStrengthAndIsSilentSoonAfterTheSound) {
     JacketRig rig;
-    const auto& effect = rig.effects.effects[rig.numbers.sounds[0]];
+    const auto& effect = rig.effects.effects[rig.numbers.sounds[0].value()];
     for (int i = 0; i < 100; ++i) {
         const double wanted = 0.5 - 0.45 * std::cos(2 * pi * i / 50);
         rig.play({wanted, 0, 0});

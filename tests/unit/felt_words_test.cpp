@@ -22,7 +22,7 @@ const std::shared_ptr<const SenseData>& sense_data() {
 struct WordsRig {
     explicit WordsRig(std::shared_ptr<const SenseData> data = sense_data())
         : match(duel_data(), two_hands()),
-          senses(Senses::create(std::move(data), *match.data().presentation).value()) {
+          senses(Senses::create(std::move(data), *match.data().presentation)) {
         senses->follow(match);
         play(ticks(2));  // until the words of the start are gone
     }
@@ -93,7 +93,7 @@ std::vector<Source> all_sources(const Presentation& shown, const MatchSounds& so
             hear("wand", number);
     for (const auto number : {effects.recoil, effects.stir, effects.heartbeat, effects.great_work,
                               effects.walk_left, effects.walk_right})
-        feel("state", number);
+        feel("state", number.value());
     for (const auto& force : force_words) all.push_back({"force", std::string(force.verb)});
     return all;
 }
@@ -102,7 +102,7 @@ TEST(FeltWords, CaptionsCoverEveryEvent) {
     const auto data = duel_data();
     const auto& shown = *data->presentation;
     const auto sounds = match_sounds(sense_data()->bank, shown);
-    const auto effects = match_effects(sense_data()->effects, shown).value();
+    const auto effects = match_effects(sense_data()->effects, shown);
     const auto sources = all_sources(shown, sounds, effects);
     EXPECT_GT(sources.size(), 70U);
     for (const auto& source : sources) EXPECT_FALSE(source.words.empty()) << source.name << " has no words";

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "audio/synth.h"
+#include "core/file.h"
 #include "game/live/body_trial.h"
 #include "unit/felt_output_rig.h"
 #include "unit/game_duel.h"
@@ -141,6 +142,34 @@ TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
         EXPECT_EQ(picture.wizards[1].since_felt_s, 1e6);
     }
     EXPECT_TRUE(seen);
+}
+
+/// One faulty file ends no other feeling. A layout without actuators, which stands in for a faulty one, feels nothing.
+TEST(LiveBody, AFaultyFileCostsItselfAlone) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(game::test::assets() / "tactile", folder.path() / "tactile",
+                          std::filesystem::copy_options::recursive);
+    ASSERT_TRUE(write_text_file(folder.path() / "tactile/layouts/x40.toml", "version = 1\n"));
+    ASSERT_TRUE(write_text_file(folder.path() / "tactile/effects/stir.toml", "version = 1\npurpos = 3\n"));
+    const auto body = LiveBody::load(folder.path());
+    ASSERT_TRUE(body);
+    EXPECT_FALSE(body->faults.empty());
+    EXPECT_FALSE(body->effects.find("stir"));
+    EXPECT_TRUE(body->effects.find("bolt_hit"));
+    EXPECT_FALSE(body->figure.actuators.empty());
+    const auto* jacket = body->jacket_of(0, "x40");
+    ASSERT_NE(jacket, nullptr);
+    EXPECT_TRUE(jacket->actuators.empty());
+    tactile::TactileMixer mixer(*jacket, body->effects);
+    for (std::uint32_t effect = 0; effect < body->effects.effects.size(); ++effect) {
+        mixer.start(effect, tactile::Where::from({0, 0, 1}, 1.2), 1, 0);
+        for (Tick now = 0; now < 80; now += tactile::frame_ticks) {
+            const auto frame = mixer.mix(now);
+            EXPECT_EQ(frame.count, 0U);
+            EXPECT_TRUE(frame.is_silent());
+        }
+        mixer.stop();
+    }
 }
 
 }  // namespace

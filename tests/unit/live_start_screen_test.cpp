@@ -69,15 +69,15 @@ TEST_F(LiveStartScreenTest, TheResultOffersTheMenuOnlyIfThereIsOne) {
 
 TEST_F(LiveStartScreenTest, AFaultOfTheSettingsFileIsSaid) {
     EXPECT_EQ(screen().menu.note, "");
-    plan_.settings_fault =
+    plan_.start_fault =
         "settings.toml:5: 'fov_deg' is 5, must be from 60 to 130; defaults replace wrong values";
     session_.emplace(shared_, plan_);
     session_->open_start_screen(now_);
     step_start();
-    EXPECT_EQ(screen().menu.note, plan_.settings_fault);
+    EXPECT_EQ(screen().menu.note, plan_.start_fault);
     press("down");
     step_start();
-    EXPECT_EQ(screen().menu.note, plan_.settings_fault) << "it stays after a press";
+    EXPECT_EQ(screen().menu.note, plan_.start_fault) << "it stays after a press";
 }
 
 TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {

@@ -155,11 +155,17 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml", folder / "arenas/yard.toml");
     ASSERT_TRUE(write_text_file(folder / "arenas" / "broken.toml", "version = 1\nname = \n"));
     const auto after = find_menu_context(plan);
-    EXPECT_EQ(arena_labels(after), (std::vector<std::string>{"Boiling Court", "The Well", "Yard"}));
+    EXPECT_EQ(arena_labels(after),
+              (std::vector<std::string>{"Boiling Court", "broken: cannot be read", "The Well", "Yard"}));
     EXPECT_EQ(after.levels, before.levels);
-    ASSERT_EQ(after.rules.size(), before.rules.size() + 1);
+    ASSERT_EQ(after.rules.size(), before.rules.size() + 2);
     EXPECT_EQ(after.rules[0].name, "a_long_one");
     EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
+    EXPECT_TRUE(game::load_match_data(folder, {.match = "a_long_one"})) << "and it can be played";
+    EXPECT_EQ(after.rules[1].name, "broken");
+    EXPECT_EQ(after.rules[1].fault.find("thaum_menu_assets/rules/broken.toml:2: 'kills' must be"), 0U)
+        << after.rules[1].fault;
+    EXPECT_EQ(after.arenas[1].fault.find("thaum_menu_assets/arenas/broken.toml:2: "), 0U);
 }
 
 TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
@@ -184,6 +190,26 @@ TEST(StartScreen, RemembersItsChoicesInTheSettings) {
     for (const std::size_t row : {1UL, 2UL, 3UL})
         s = step(s, {.kind = Kind::right, .device = keyboard, .row = row}, two);
     EXPECT_EQ(s.settings.last, (LastChoice{.bot_level = 2, .match = "standard", .arena = "the_well"}));
+}
+
+TEST(StartScreen, ABrokenFileStaysInItsRowAndIsNotPlayed) {
+    auto broken = context();
+    const std::string fault = "assets/rules/odd.toml:2: 'kills' is wrong";
+    broken.rules = {broken.rules[0], {"odd", "odd: cannot be read", fault}};
+    constexpr std::size_t match_row = 2;
+    auto s = step(start_page(), {.kind = Kind::right, .device = keyboard, .row = match_row}, broken);
+    const auto row = picture_of(s, broken).rows[match_row];
+    EXPECT_EQ(row.value, "odd: cannot be read");
+    EXPECT_EQ(row.help, fault);
+    EXPECT_TRUE(row.dim);
+    EXPECT_EQ(s.settings.last.match, start_page().settings.last.match) << "it is not remembered";
+    for (int press = 0; press < 2; ++press)
+        s = step(s, {.kind = Kind::confirm, .device = keyboard, .row = 0}, broken);
+    EXPECT_EQ(s.request, MenuRequest::none);
+    EXPECT_EQ(s.note, fault);
+    s = step(s, {.kind = Kind::right, .device = keyboard, .row = match_row}, broken);
+    EXPECT_EQ(step(s, {.kind = Kind::confirm, .device = keyboard, .row = 0}, broken).request,
+              MenuRequest::start);
 }
 
 // ---- the pause --------------------------------------------------------------------------------------------

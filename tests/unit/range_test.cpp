@@ -342,8 +342,8 @@ protected:
     RangeFilesTest() {
         fs::remove_all(folder_);
         fs::create_directories(folder_);
-        for (const auto* part :
-             {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures", "spells", "carving"})
+        for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures",
+                                 "potions", "spells", "carving"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
         for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml", "casting.toml",
                                  "crystal.toml", "events.toml", "materials.toml", "orb.toml"})
@@ -490,7 +490,7 @@ TEST_F(RangeFilesTest, EveryNumberOfTheRangeIsChecked) {
     const std::string range = "range.toml", arena = "arenas/boiling_court.toml";
     for (const auto& [file, from, to, said] :
          {std::array<std::string, 4>{range, "stride_m = 2.2", "stride_m = -1", "range.toml:6: 'stride_m'"},
-          {range, "burst_s = 0.4", "burst_m = 0.4", "range.toml:8: key 'burst_s' is missing"},
+          {range, "burst_s = 0.4", "burst_m = 0.4", "did you mean 'burst_s'?"},
           {arena, "yaw_deg = 0", "yaw_deg = 900", "'yaw_deg' is 900"}}) {
         const auto whole = text_of(file);
         replace(file, from, to);

@@ -26,7 +26,7 @@ inline Layout shipped_layout(const std::string& name) {
 
 inline EffectBank shipped_effects() {
     auto bank = load_effects(tactile_assets / "effects");
-    EXPECT_TRUE(bank.has_value()) << (bank ? "" : bank.error().message);
+    EXPECT_TRUE(bank.has_value() && bank->faulty.empty()) << (bank ? "" : bank.error().message);
     return bank ? *bank : EffectBank{};
 }
 

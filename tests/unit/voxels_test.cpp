@@ -227,8 +227,9 @@ TEST(MaterialFiles, FaultsNameTheLine) {
     EXPECT_EQ(materials_from(twice).error().message,
               "m.toml:9: material 'skin' stands here for the second time");
     EXPECT_EQ(materials_from("version = 1\n").error().message, "m.toml:1: there is no [[material]]; add one");
-    EXPECT_EQ(materials_from(once + "hardness = 3\n").error().message,
-              "m.toml:8: unknown key 'material.hardness'");
+    EXPECT_EQ(
+        materials_from(once + "hardness = 3\n").error().message,
+        "m.toml:8: unknown key 'material.hardness'; known here: colour, name, opacity, stiffness, viscosity");
     std::string part = once;
     part.replace(part.find("224"), 3, "2.5");
     EXPECT_EQ(materials_from(part).error().message, "m.toml:7: 'colour' must be three whole numbers");

@@ -102,8 +102,7 @@ void tick_duel_felt(const Options& options, Report& report) {
     const auto& shown = *other->match->data().presentation;
     auto sounds = game::match_sounds(senses->bank, shown);
     auto effects = game::match_effects(senses->effects, shown);
-    if (!there(effects, "tick/duel_felt")) return;
-    Sensed sensed(*senses, std::move(sounds), std::move(*effects));
+    Sensed sensed(*senses, std::move(sounds), std::move(effects));
     measure(*plain, *other, sensed, 1000);  // until all memory is there
     const auto measured = measure(*plain, *other, sensed, options.quick ? 2'500 : 15'000);
     report.rows.push_back(

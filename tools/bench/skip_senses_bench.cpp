@@ -150,13 +150,13 @@ void skip_senses(const Options& options, Report& report) {
         const auto& shown = *c.match.data().presentation;
         const auto effects = game::match_effects(loaded->data->effects, shown);
         auto mixer = audio::Mixer::create(loaded->data->bank, {.music = 0});  // the score is never silent
-        if (!there(effects, "skip/jacket") || !there(mixer, "skip/sound")) return;
+        if (!there(mixer, "skip/sound")) return;
         SkippedSound hearing;
         if (c.present) {
             hearing.scene.emplace(game::match_sounds(loaded->data->bank, shown));
             hearing.mixer.emplace(std::move(*mixer));
         }
-        SkippedJacket jacket(*loaded->data, *effects, loaded->jacket);
+        SkippedJacket jacket(*loaded->data, effects, loaded->jacket);
         jacket.set_used(c.present);
         measure_senses(c.match, 200, hearing, jacket, c.run);  // until all memory is there
         const auto measured = measure_senses(c.match, frames, hearing, jacket, c.run);

@@ -138,9 +138,7 @@ std::string begin_match(const Course& course, Soaked& soaked, std::optional<game
     if (!made) return made.error().message;
     duel.emplace(std::move(*made));
     if (!course.senses) return {};
-    auto sensed = game::Senses::create(course.senses, *course.data->presentation);
-    if (!sensed) return sensed.error().message;
-    senses = std::move(*sensed);
+    senses = game::Senses::create(course.senses, *course.data->presentation);
     return {};
 }
 

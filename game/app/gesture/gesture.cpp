@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/near_name.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/program.h"
@@ -53,7 +54,9 @@ int run_gesture(const std::vector<std::string>& words) {
         std::printf("%s", std::string(gesture_help).c_str());
         return done;
     }
-    const std::string what = words.empty() ? "no action" : text("unknown action '", words[0], "'");
+    const std::string what = words.empty() ? "no action"
+                                           : text("unknown action '", words[0], "'",
+                                                  did_you_mean(words[0], actions, &Action::name));
     return refuse({text(what, "; `thaum gesture --help` lists them")});
 }
 

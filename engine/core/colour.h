@@ -1,0 +1,14 @@
+// core/colour.h: colours in data files. People write them as sRGB, "#RRGGBB"; pictures compute with linear light.
+#pragma once
+#include "core/config.h"
+#include "core/maths.h"
+
+namespace thaum {
+
+/// Linear light, 0 to 1, of an sRGB colour 0xRRGGBB (IEC 61966-2-1).
+vec3 linear_colour(std::uint32_t hex);
+
+/// Reads a colour as linear light: "#RRGGBB", or three shares of linear light, as older files have it.
+vec3 read_linear_colour(const ConfigTable& table, std::string_view key);
+
+}  // namespace thaum

@@ -1,0 +1,29 @@
+// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the usual slips, for messages on
+// lines that cannot be read.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace thaum::detail {
+
+/// Most dots in one line, decimal points not counted. toml++ destroys nested tables recursively, and a key
+/// such as a.a.a... nests one table per dot.
+inline constexpr std::size_t most_dots = 200;
+
+/// Number of the first line with too many dots, counted from 1; 0 if there is none.
+std::size_t overdotted_line(std::string_view source);
+
+/// What is probably wrong with a line of a file that is no TOML, as the end of a message: "; write a text in quotes". Empty
+/// if it is none of the usual slips. `line` counts from 1.
+std::string toml_hint(std::string_view source, std::size_t line);
+
+/// The colour "#RRGGBB" as 0xRRGGBB; std::nullopt for another text.
+std::optional<std::uint32_t> parse_colour(std::string_view words);
+
+/// What to change where a text stands in the place of a number: "; write 1.5". Empty if the text is no number.
+std::string number_hint(std::string_view words);
+
+}  // namespace thaum::detail

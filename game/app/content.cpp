@@ -1,0 +1,276 @@
+#include "game/app/content.h"
+
+#include <algorithm>
+#include <set>
+
+#include "audio/synth.h"
+#include "core/config.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "field/carving_tools.h"
+#include "field/materials.h"
+#include "game/app/content_names.h"
+#include "game/bots/apprentice.h"
+#include "game/bots/bot.h"
+#include "game/bots/range.h"
+#include "game/live/live_body.h"
+#include "game/live/live_sound.h"
+#include "game/live/menu_choices.h"
+#include "game/settings/settings.h"
+#include "game/sound/sound_names.h"
+#include "game/tactile/match_effects.h"
+#include "haptics/device.h"
+
+namespace thaum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_bytes = 1U << 20U;
+
+/// Names of sounds or effects that something uses.
+using UsedNames = std::set<std::string, std::less<>>;
+
+class Check {
+public:
+    explicit Check(const fs::path& assets) : assets_(assets) {}
+
+    ContentReport run() {
+        const auto known = check_file_names(assets_);
+        read_matches();
+        if (!has_data_) return {known.files, std::move(faults_)};  // there is no such folder
+        read_practice();
+        read_tools();
+        read_single_files();
+        const bool whole = faults_.empty();
+        compare_sounds(whole);
+        compare_effects(whole);
+        read_layouts();
+        if (whole) find_unused_gestures();
+        for (const auto& fault : known.faults) add(fault);
+        return {known.files, std::move(faults_)};
+    }
+
+private:
+    /// Adds a line, with the short form of the folder's path.
+    void add(std::string line) {
+        const auto folder = assets_.string() + "/";
+        if (line.starts_with(folder)) line = game::shown_path(assets_, line.substr(folder.size()));
+        // A file that needs a faulty one tells the fault once more, behind words of its own.
+        const auto is_told = [&](const std::string& other) { return line.ends_with(other); };
+        if (std::ranges::none_of(faults_, is_told)) faults_.push_back(std::move(line));
+    }
+    void add(const Error& error) {
+        for (auto& line : lines_of(error)) add(std::move(line));
+    }
+    template <class T>
+    void add_fault_of(const Expected<T>& read) {
+        if (!read) add(read.error());
+    }
+
+    /// Each arena with the rules of most matches, and the first one with the other rules, too.
+    void read_matches() {
+        std::vector<game::DataChoice> choices;
+        for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({}))
+            choices.push_back({.arena = arena.stem().string()});
+        if (choices.empty()) choices.emplace_back();
+        const auto first = choices[0];
+        for (const auto rules : game::rule_set_names())
+            if (rules != first.rules)
+                choices.push_back({.arena = first.arena, .rules = std::string(rules), .match = first.match});
+        for (const auto& match : game::match_lengths(assets_))
+            if (match != first.match)
+                choices.push_back({.arena = first.arena, .rules = first.rules, .match = match});
+        for (const auto& choice : choices) {
+            auto reading = game::read_match_data(assets_, choice);
+            if (reading.error) add(*reading.error);
+            has_data_ = has_data_ || !reading.data.files.empty();
+            readings_.push_back(std::move(reading.data));
+        }
+        for (const auto& arena : arena_choices(assets_))
+            if (!arena.fault.empty()) add(arena.fault);
+    }
+
+    void read_practice() {
+        for (int level = game::easiest_bot; level <= game::hardest_bot; ++level)
+            add_fault_of(game::load_bot_skill(assets_, level));
+        add_fault_of(game::load_range(assets_, readings_[0].choice));
+        add_fault_of(game::load_lessons(assets_));
+    }
+
+    /// Reads a file and parses it as version 1. The error is added.
+    std::optional<Config> config_of(const std::string& name) {
+        const auto words = read_text_file(assets_ / name, most_bytes);
+        if (!words) return add(words.error()), std::nullopt;
+        auto config = Config::parse(*words, game::shown_path(assets_, name), 1);
+        if (!config) return add(config.error()), std::nullopt;
+        return std::move(*config);
+    }
+
+    /// Files of a folder; the error is added.
+    std::vector<fs::path> toml_in(const std::string& folder) {
+        auto files = files_in(assets_ / folder, ".toml");
+        add_fault_of(files);
+        return files ? std::move(*files) : std::vector<fs::path>();
+    }
+
+    /// Tools and devices that no match uses: the lab has them.
+    void read_tools() {
+        for (const auto& file : toml_in("devices")) {
+            const auto config = config_of(text("devices/", file.filename().string()));
+            if (config) add_fault_of(haptics::read_device(*config));
+        }
+        const auto config = config_of("materials.toml");
+        if (!config) return;
+        const auto materials = field::read_materials(*config);
+        add_fault_of(materials);
+        if (!materials) return;
+        for (const auto& file : toml_in("carving")) add_fault_of(field::load_tool(file, *materials));
+    }
+
+    void read_single_files() {
+        add_fault_of(game::load_felt_bands(assets_ / "tactile" / "sound.toml"));
+        const auto words = read_text_file(assets_ / "settings.toml", most_bytes);
+        if (!words) return add(words.error());
+        const auto settings = read_settings(*words, game::shown_path(assets_, "settings.toml"));
+        add_fault_of(settings);
+        if (settings && settings->fault) add(*settings->fault);
+    }
+
+    void read_layouts() {
+        for (const auto& file : toml_in("tactile/layouts")) add_fault_of(tactile::load_layout(file));
+        const auto body = LiveBody::load(assets_);
+        add_fault_of(body);
+        if (!body) return;
+        for (const auto& fault : body->faults) add(fault);
+    }
+
+    /// Place of a name in a file: "assets/wands/bolt.toml:12: 'sound'".
+    std::string place_of(const game::MissingName& missing) {
+        auto shown = game::shown_path(assets_, missing.file);
+        const auto words = read_text_file(assets_ / missing.file, most_bytes);
+        const auto config = words ? Config::parse(*words, shown, 1) : Expected<Config>(words.error());
+        if (!config) return shown;
+        auto table = config->root();
+        for (std::string_view rest = missing.table; !rest.empty();) {
+            const auto dot = std::min(rest.find('.'), rest.size());
+            table = table.table(rest.substr(0, dot));
+            rest.remove_prefix(std::min(dot + 1, rest.size()));
+        }
+        return text(table.place(missing.key), ": '", missing.key, "'");
+    }
+
+    /// `folder`: that of the files which the program itself needs.
+    void add_missing(const std::vector<game::MissingName>& all, std::string_view folder) {
+        for (const auto& missing : all)
+            add(missing.file.empty()
+                    ? text(game::shown_path(assets_, folder), ": ", missing.words, "; the program needs it")
+                    : text(place_of(missing), ": ", missing.words));
+    }
+
+    /// Sounds that are missing, and, if all else is right, those that nothing uses.
+    void compare_sounds(bool whole) {
+        const auto bank = audio::load_sounds(assets_ / "sounds", audio::WithSamples::no);
+        if (!bank) return add(bank.error());
+        for (const auto& sound : bank->faulty) add(sound.fault);
+        UsedNames used;
+        for (const auto name : menu_sound_names) {
+            used.emplace(name);
+            const bool faulty =
+                std::ranges::any_of(bank->faulty, [&](const LeftOut& one) { return one.name == name; });
+            if (!name.empty() && !bank->find(name) && !faulty)
+                add_missing({{.words = text("there is no sound '", name, "', sounds/", name, ".toml")}},
+                            "sounds");
+        }
+        for (const auto& reading : readings_) {
+            const auto sounds = game::match_sounds(*bank, *reading.presentation);
+            add_missing(sounds.missing, "sounds");
+            for (const auto number : numbers_of(sounds))
+                if (number) used.insert(bank->sounds[*number].name);
+        }
+        for (const auto& sound : bank->sounds)
+            if (whole && !used.contains(sound.name)) add_unused("sounds", sound.name, "event, wand or spell");
+    }
+
+    static std::vector<game::SoundNumber> numbers_of(const game::MatchSounds& sounds) {
+        std::vector<game::SoundNumber> all(sounds.cues.begin(), sounds.cues.end());
+        all.insert(all.end(), sounds.events.begin(), sounds.events.end());
+        all.insert(all.end(), sounds.power_ups.begin(), sounds.power_ups.end());
+        all.insert(all.end(), sounds.spells.begin(), sounds.spells.end());
+        for (const auto& wand : sounds.wands)
+            all.insert(all.end(), {wand.fire, wand.burst, wand.take, wand.ready, wand.hold});
+        return all;
+    }
+
+    void compare_effects(bool whole) {
+        const auto bank = tactile::load_effects(assets_ / "tactile" / "effects");
+        if (!bank) return add(bank.error());
+        for (const auto& effect : bank->faulty) add(effect.fault);
+        UsedNames used;
+        for (const auto& reading : readings_) {
+            const auto effects = game::match_effects(*bank, *reading.presentation);
+            add_missing(effects.missing, "tactile/effects");
+            for (const auto number : numbers_of(effects))
+                if (number) used.insert(bank->effects[*number].name);
+        }
+        if (!whole || !bank->faulty.empty()) return;
+        for (const auto& effect : bank->effects)
+            if (!used.contains(effect.name)) add_unused("tactile/effects", effect.name, "event or spell");
+        find_unused_clips(*bank);
+    }
+
+    static std::vector<game::EffectNumber> numbers_of(const game::MatchEffects& effects) {
+        std::vector<game::EffectNumber> all(effects.events.begin(), effects.events.end());
+        all.insert(all.end(), effects.spells.begin(), effects.spells.end());
+        all.insert(all.end(), effects.sounds.begin(), effects.sounds.end());
+        all.insert(all.end(), {effects.recoil, effects.stir, effects.heartbeat, effects.great_work,
+                               effects.walk_left, effects.walk_right});
+        return all;
+    }
+
+    void find_unused_clips(const tactile::EffectBank& bank) {
+        for (const auto& file : files_in(assets_ / "tactile" / "effects", ".tact").value_or({})) {
+            const auto name = file.filename().string();
+            if (std::ranges::none_of(bank.effects, [&](const auto& e) { return e.clip_file == name; }))
+                add(text(file.string(), ": nothing uses this file: no effect names it as its clip"));
+        }
+    }
+
+    void find_unused_gestures() {
+        UsedNames used;
+        for (const auto& reading : readings_) {
+            for (const auto& spell : reading.spells) used.insert(spell.stats.gesture);
+            for (const auto& recipe : reading.recipes)
+                for (const auto& stroke : recipe.strokes) used.insert(stroke.gesture);
+        }
+        const auto found =
+            std::ranges::find_if(readings_, [](const auto& reading) { return reading.gestures != nullptr; });
+        if (found == readings_.end()) return;
+        for (const auto& gesture : found->gestures->gestures())
+            if (!used.contains(gesture.name))
+                add(text(game::shown_path(assets_, "gestures"), ": nothing uses the gesture '", gesture.name,
+                         "': no spell and no potion names it"));
+    }
+
+    void add_unused(std::string_view folder, std::string_view name, std::string_view who) {
+        add(text(game::shown_path(assets_, text(folder, "/", name, ".toml")), ": nothing uses this file: no ",
+                 who, " names '", name, "'"));
+    }
+
+    const fs::path& assets_;
+    std::vector<std::string> faults_;
+    std::vector<game::MatchData> readings_;
+    bool has_data_ = false;
+};
+
+}  // namespace
+
+ContentReport check_content(const fs::path& assets) { return Check(assets).run(); }
+
+std::string short_words(const ContentReport& report) {
+    if (report.faults.empty()) return "";
+    const auto more = report.faults.size() - 1;
+    return text(report.faults[0], more == 0 ? "; all: thaum check" : text("; ", more, " more: thaum check"));
+}
+
+}  // namespace thaum::app

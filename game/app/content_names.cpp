@@ -1,0 +1,139 @@
+#include "game/app/content_names.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "core/near_name.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "game/bots/bot.h"
+#include "game/data/match_data.h"
+#include "game/data/spell.h"
+
+namespace thaum::app {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+constexpr std::size_t longest_shown = 200;
+
+/// What a folder may hold.
+struct FolderRule {
+    Names endings;                     ///< endings of its files
+    std::vector<std::string> names{};  ///< names without ending; empty: any
+    std::string_view what{};           ///< what has such a name, for messages
+};
+
+std::vector<std::string> bot_levels() {
+    std::vector<std::string> names;
+    for (int level = game::easiest_bot; level <= game::hardest_bot; ++level)
+        names.push_back(text("level_", level));
+    return names;
+}
+
+template <class Kinds>
+std::vector<std::string> names_of(const Kinds& kinds) {
+    std::vector<std::string> names;
+    for (const auto& kind : kinds) names.emplace_back(kind.name);
+    return names;
+}
+
+/// Folders by their path within the folder of all data files; "" is that folder itself.
+std::map<std::string, FolderRule> folder_rules() {
+    const Names data{".toml"};
+    return {{"",
+             {data,
+              {"apprentice", "casting", "cauldron", "crystal", "events", "haptics", "materials", "orb",
+               "range", "settings"},
+              "file of rules"}},
+            {"arenas", {data}},
+            {"bots", {data, bot_levels(), "level of bots"}},
+            {"carving", {data}},
+            {"devices", {data}},
+            {"gestures", {data}},
+            {"pictures", {{".png"}}},
+            {"potions", {data}},
+            {"rules", {data}},
+            {"scenarios", {{".lua"}}},
+            {"shaders", {{".vert", ".frag", ".glsl"}}},
+            {"sounds", {{".toml", ".md"}}},
+            {"spells", {data, names_of(game::spell_kinds()), "spell of this program"}},
+            {"tactile", {data, {"sound"}, "file about the body"}},
+            {"tactile/effects", {{".toml", ".tact"}}},
+            {"tactile/layouts", {data}},
+            {"wands", {data, names_of(game::wand_kinds()), "wand of this program"}},
+            {"wizards", {data, {"wizard"}, "wizard"}}};
+}
+
+Names views_of(const std::vector<std::string>& names) { return {names.begin(), names.end()}; }
+
+std::string listed(const Names& names) {
+    std::string all;
+    for (const auto name : names) all += text(all.empty() ? "" : ", ", name);
+    return all;
+}
+
+class Walk {
+public:
+    explicit Walk(const std::filesystem::path& assets) : assets_(assets), rules_(folder_rules()) {}
+
+    KnownFiles walk() {
+        look_into(assets_, "");
+        std::sort(found_.faults.begin(), found_.faults.end());
+        return std::move(found_);
+    }
+
+private:
+    std::string shown(const std::string& name) const {
+        return printable(game::shown_path(assets_, name), longest_shown);
+    }
+
+    void look_into(const std::filesystem::path& folder, const std::string& name) {
+        std::error_code error;
+        std::filesystem::directory_iterator it(folder, error);
+        for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error))
+            look_at(it->path(), name);
+        if (error)
+            found_.faults.push_back(text(shown(name), ": the folder cannot be read: ", error.message()));
+    }
+
+    void look_at(const std::filesystem::path& path, const std::string& folder) {
+        const auto file = path.filename().string();
+        if (file.starts_with('.') || file.ends_with('~')) return;  // an editor's own
+        const auto name = folder.empty() ? file : text(folder, "/", file);
+        std::error_code unknown;
+        if (!std::filesystem::is_directory(path, unknown)) return check_file(path, folder, name);
+        if (rules_.contains(name)) return look_into(path, name);
+        Names folders;
+        for (const auto& [known, rule] : rules_) folders.push_back(known);
+        found_.faults.push_back(
+            text(shown(name), ": nothing reads this folder", did_you_mean(name, folders)));
+    }
+
+    void check_file(const std::filesystem::path& path, const std::string& folder, const std::string& name) {
+        ++found_.files;
+        const auto& rule = rules_.at(folder);
+        const auto ending = path.extension().string(), stem = path.stem().string();
+        if (std::ranges::find(rule.endings, ending) == rule.endings.end()) {
+            found_.faults.push_back(text(shown(name), ": nothing reads this file: files here end with ",
+                                         listed(rule.endings), did_you_mean(ending, rule.endings)));
+            return;
+        }
+        if (rule.names.empty() || std::ranges::find(rule.names, stem) != rule.names.end()) return;
+        const auto names = views_of(rule.names);
+        found_.faults.push_back(text(shown(name), ": nothing reads this file: there is no ", rule.what, " '",
+                                     printable(stem, 64), "', only ", listed(names),
+                                     did_you_mean(stem, names)));
+    }
+
+    const std::filesystem::path& assets_;
+    std::map<std::string, FolderRule> rules_;
+    KnownFiles found_;
+};
+
+}  // namespace
+
+KnownFiles check_file_names(const std::filesystem::path& assets) { return Walk(assets).walk(); }
+
+}  // namespace thaum::app

@@ -1,0 +1,17 @@
+// game/app/content_names.h: which files the folder of data files may have.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace thaum::app {
+
+/// Files of the folder, and a line on each that nothing reads because of its name, ending or folder.
+struct KnownFiles {
+    std::size_t files{};
+    std::vector<std::string> faults;
+};
+
+KnownFiles check_file_names(const std::filesystem::path& assets);
+
+}  // namespace thaum::app
