@@ -195,7 +195,8 @@ int play_in_window(const PlayOptions& options) {
         std::fprintf(
             stderr, "this match is not recorded: there is no home folder; set HOME, or give --record FILE\n");
     plan.settings = std::move(settings);
-    plan.start_fault = start_fault.empty() ? short_words(check_content(assets)) : std::move(start_fault);
+    plan.start_fault = std::move(start_fault);
+    plan.read_all_data = [assets] { return short_words(check_content(assets)); };
     plan.settings_file = settings_file();
     return run_live(plan);
 }

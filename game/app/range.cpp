@@ -126,7 +126,8 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.seconds = options.seconds;
     auto [settings, start_fault] = settings_to_play_with(settings_file(), assets);
     plan.settings = std::move(settings);
-    plan.start_fault = start_fault.empty() ? short_words(check_content(assets)) : std::move(start_fault);
+    plan.start_fault = std::move(start_fault);
+    plan.read_all_data = [assets] { return short_words(check_content(assets)); };
     plan.settings_file = settings_file();
     return run_live(plan);
 }

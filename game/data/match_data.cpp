@@ -457,8 +457,7 @@ void load_crystal(MatchData& data, Loader& loader) {
     std::optional<Config> file;
     auto rules = loader.load("crystal.toml", noting(file, read_crystal_rules));
     const auto materials = loader.load(
-        "materials.toml", [](const Config& read) { return std::optional(field::read_materials(read)); },
-        false);
+        "materials.toml", [](const Config& read) { return std::optional(field::read_materials(read)); });
     if (!materials || !*materials) {
         if (materials && loader.is_sound("materials.toml")) loader.refuse(materials->error());
         return;

@@ -182,6 +182,17 @@ void fill_report(LiveShared& shared, LiveReport& report) {
     report.tick_us_p99 = shared.ticks.at(0.99);
 }
 
+/// Body of the thread that reads all data files. It must not take time from the first pictures.
+void look_at_data(const LivePlan& plan, LiveShared& shared, render::Window& window) {
+    shared.started.wait(false);
+    if (shared.stop || !plan.read_all_data) return;
+    auto words = plan.read_all_data();
+    if (words.empty()) return;
+    tell_user(words);
+    shared.data_fault.put(std::move(words));
+    window.wake();
+}
+
 }  // namespace
 
 std::string told(const input::TickReport& arm) {
@@ -209,12 +220,15 @@ int run_live(const LivePlan& plan) {
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
     if (!drawing) return refuse(drawing.error());
+    auto reading = start_thread([&] { look_at_data(plan, shared, *window); });
     // Sounds are made while the other thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
     Live live{plan, shared, session, {*window, pads, plan.settings.fullscreen}};
     const auto played = play_matches(live);
     shared.stop = true;
+    shared.say_started();
     drawing->join();
+    if (reading) reading->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
     follow_arms(shared.arms);  // tells of changes during the last wait for events
     for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);

@@ -11,6 +11,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -108,9 +109,12 @@ struct LivePlan {
         logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    /// words for the players on faulty settings or data files, on the start screen or else at the start of the first match;
-    /// empty: there is no fault
+    /// words for the players on a faulty settings file, on the start screen or else at the start of the first match; empty:
+    /// there is no fault
     std::string start_fault{};
+    /// Reads all data files and returns words on their faults for terminal and start screen. It is called after the first
+    /// pictures, by a thread of its own; null: they are not looked at.
+    std::function<std::string()> read_all_data{};
     /// file that receives changed settings; empty: changes last for this run only
     std::filesystem::path settings_file{};
     /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start

@@ -98,6 +98,10 @@ public:
     void set_gestures(const game::GestureSet* gestures);
     /// The gesture that the player of the range draws anew at present: its number plus 1; 0: none.
     void set_drawn_gesture(std::uint32_t number) { context_.drawn_gesture = number; }
+    /// Words of the start screen on faulty data files; those on a faulty settings file come first.
+    void add_start_fault(std::string words) {
+        if (context_.start_fault.empty()) context_.start_fault = std::move(words);
+    }
     void set_pause(PauseWords words);
     void set_note(std::string note) { state_.note = std::move(note); }
     /// Sets the largest force that a player has found by feel (% of the device's peak), as the mixer's page does.

@@ -148,9 +148,10 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
 }
 
 /// Warms one quality up after each of the first pictures, which therefore come as early as they can.
-void warm_up_next(render::Renderer& renderer, RenderState& state) {
+void warm_up_next(render::Renderer& renderer, LiveShared& shared, RenderState& state) {
     if (state.warm_qualities == render::qualities) return;
     renderer.warm_up(static_cast<render::Quality>(state.warm_qualities++));
+    if (state.warm_qualities == render::qualities) shared.say_started();
 }
 
 /// Times that the render thread reports when it ends.
@@ -203,7 +204,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window
         renderer.draw(frame_of(state, screen, size));
         window.present();
         count_picture(begun_ns, shared, state, times);
-        warm_up_next(renderer, state);
+        warm_up_next(renderer, shared, state);
     }
     shared.report.frame_ms_median = times.frames.at(0.5);
     shared.report.frame_ms_p99 = times.frames.at(0.99);

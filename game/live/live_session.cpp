@@ -515,6 +515,7 @@ void LiveSession::open_start_screen(std::int64_t now_ns) {
 bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {
     look_at_pads(pads, now_ns);
     menu_.name_pads(pads);
+    if (auto words = shared_.data_fault.take()) menu_.add_start_fault(std::move(*words));
     follow_arms(shared_.arms);
     name_arms();
     menu_.repeat(now_ns);

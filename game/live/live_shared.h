@@ -108,6 +108,11 @@ struct LiveShared {
     explicit LiveShared(LiveTactile::MakeOutput make_motors = input::rumble_output)
         : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
 
+    void say_started() {
+        started = true;
+        started.notify_all();
+    }
+
     TakenSeats seats;  ///< changed only while no simulation thread runs
     /// Effects on the body; std::nullopt: nothing is felt. Set before the first match.
     std::optional<LiveBody> body;
@@ -125,6 +130,10 @@ struct LiveShared {
 
     std::atomic<bool> ready{false};  ///< true: pictures can be drawn, and the match may begin
     std::atomic<bool> stop{false};   ///< true: all threads must end
+    /// true: the first pictures are shown, or the session ends without them; what can wait begins now
+    std::atomic<bool> started{false};
+    /// Words on faulty data files, from the thread that reads them all; taken by the main thread.
+    HandOver<std::string> data_fault{};
     MatchRequests requests{};
     MatchProgress progress{};
     ReplayRequests replay{};  ///< requests of the viewer of a replay

@@ -94,6 +94,27 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
               std::string::npos);
 }
 
+TEST(GameMatchLog, AnotherDataFileIsRefusedAndOnlyMaterialsMayBeUnnamed) {
+    const auto data = load_match_data(assets(), {});
+    ASSERT_TRUE(data);
+    const auto header = log_header(*data, {.seed = 1}, {"a", "b"});
+    const auto named = [](input::LogHeader& log, std::string_view name) {
+        return std::ranges::find(log.files, name, &input::DataFile::name);
+    };
+    for (const auto& file : header.files) {
+        auto changed = header;
+        ++named(changed, file.name)->hash;
+        EXPECT_EQ(match_of_log(changed, assets()).error().message,
+                  text("data file ", file.name, " has changed since the recording"));
+    }
+    auto older = header;
+    older.files.erase(named(older, "materials.toml"));
+    EXPECT_TRUE(match_of_log(older, assets())) << "logs of this rules version do not name it";
+    older.files.erase(named(older, "crystal.toml"));
+    EXPECT_EQ(match_of_log(older, assets()).error().message,
+              "data file crystal.toml did not exist when this was recorded");
+}
+
 TEST(Match, TheResultNamesTheWinnerIfTheNameIsKnown) {
     auto duel =
         make_bot_duel(assets(), duel_data({"bolt.shot.damage=100", "quick.kills=1"}), {3, 3}, 5).value();

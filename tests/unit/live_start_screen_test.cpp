@@ -78,6 +78,18 @@ TEST_F(LiveStartScreenTest, AFaultOfTheSettingsFileIsSaid) {
     press("down");
     step_start();
     EXPECT_EQ(screen().menu.note, plan_.start_fault) << "it stays after a press";
+    shared_.data_fault.put("bolt.toml:3: a fault");
+    step_start();
+    EXPECT_EQ(screen().menu.note, plan_.start_fault) << "settings come first";
+}
+
+TEST_F(LiveStartScreenTest, AFaultOfTheDataFilesIsSaidOnceTheyAreRead) {
+    session_->open_start_screen(now_);
+    step_start();
+    EXPECT_EQ(screen().menu.note, "");
+    shared_.data_fault.put("bolt.toml:3: a fault");
+    step_start();
+    EXPECT_EQ(screen().menu.note, "bolt.toml:3: a fault");
 }
 
 TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {

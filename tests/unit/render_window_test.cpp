@@ -66,7 +66,6 @@ TEST(WindowTest, CanBeOpenedAgain) {
         window->capture_cursor(true);
         window->poll({});
         window->capture_cursor(false);
-        for (const auto& pad : window->pads()) EXPECT_EQ(pad.present, !pad.name.empty());
     }
 }
 
