@@ -275,8 +275,9 @@ const toml::node* ask(Config::State& state, const void* table, std::string_view 
     return node;
 }
 
-/// Numbers nearer to 0 are slips, and to divide by them makes infinities.
-constexpr double least_magnitude = 1e-12;
+/// A quantity nearer to 0 is a slip, and to divide by it makes infinities. Lists and numbers of either sign are often
+/// computed, so they may have any value.
+constexpr double least_quantity = 1e-12;
 
 std::optional<double> number_in(Config::State& state, const toml::node& node, std::string_view key,
                                 Range range) {
@@ -285,12 +286,6 @@ std::optional<double> number_in(Config::State& state, const toml::node& node, st
         state.report(
             &node, FaultKind::value, key,
             text("'", key, "' must be ", in_range_words("a number", range), ", not ", words_of(node)));
-        return std::nullopt;
-    }
-    if (*value != 0 && std::abs(*value) < least_magnitude) {
-        state.report(&node, FaultKind::value, key,
-                     text("'", key, "' is ", *value, ", must be 0 or at least ", least_magnitude,
-                          " away from it, ", range_text(range)));
         return std::nullopt;
     }
     if (!in_range(*value, range)) {  // NaN is outside every range
@@ -460,7 +455,15 @@ double ConfigTable::number(std::string_view key, Range range) const {
 
 double ConfigTable::number(std::string_view key, Range range, double fallback) const {
     const auto* node = ask(*state_, table_, key);
-    return node == nullptr ? fallback : number_in(*state_, *node, key, range).value_or(fallback);
+    if (node == nullptr) return fallback;
+    const auto value = number_in(*state_, *node, key, range);
+    if (value && range.low >= 0 && *value > 0 && *value < least_quantity) {
+        state_->report(node, FaultKind::value, key,
+                       text("'", key, "' is ", *value, ", must be 0 or at least ", least_quantity, ", ",
+                            range_text(range)));
+        return fallback;
+    }
+    return value.value_or(fallback);
 }
 
 std::int64_t ConfigTable::integer(std::string_view key, Range range) const {

@@ -186,7 +186,7 @@ TEST(CoreConfig, RangesHoldAtBothEnds) {
     EXPECT_EQ(number_fault("x = 10.5"), "wand.toml:2: 'x' is 10.5, must be from 0 to 10");
     EXPECT_EQ(number_fault("x = -1e-9"), "wand.toml:2: 'x' is -1e-09, must be from 0 to 10");
     EXPECT_EQ(number_fault("x = 1e-300"),
-              "wand.toml:2: 'x' is 1e-300, must be 0 or at least 1e-12 away from it, from 0 to 10");
+              "wand.toml:2: 'x' is 1e-300, must be 0 or at least 1e-12, from 0 to 10");
     EXPECT_EQ(number_fault("x = nan"), "wand.toml:2: 'x' is nan, must be from 0 to 10");
     EXPECT_NE(number_fault("x = nan", {}), "");
     EXPECT_NE(number_fault("x = inf", {}), "");

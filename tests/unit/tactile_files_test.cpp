@@ -146,7 +146,7 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
         {bolt, "amplitude_mm", "amplitude_mm = { weakest = nan, strongest = 0.3 }", "weakest"},
         {bolt, "amplitude_mm", "amplitude_mm = 0.3", "amplitude_mm"},
         {bolt, "wavelength_ms", "wavelength_ms = 0", "wavelength_ms"},
-        {bolt, "wavelength_ms", "wave_ms = 12", "wavelength_ms"},
+        {bolt, "wavelength_ms", "wave_ms = 12", "unknown key 'wave_ms'"},
         {bolt, "hold_ms", "hold_ms = -1", "hold_ms"},
         {bolt, "decay_ms", "decay_ms = 1e9", "decay_ms"},
         {bolt, "attack_ms", "swell_ms = 9", "unknown key 'envelope."},

@@ -4,12 +4,16 @@
 #include <charconv>
 
 #include "core/config.h"
+#include "core/one_line.h"
 #include "core/text.h"
 
 namespace thaum::detail {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
+
+/// A part of the source for a message of one line.
+std::string shown(std::string_view words) { return printable(words, 60); }
 
 std::string_view trimmed(std::string_view words) {
     const auto first = words.find_first_not_of(blanks);
@@ -85,13 +89,13 @@ std::string_view without_comment(std::string_view line) {
 
 std::string hint_of_value(std::string_view value) {
     if (value.empty()) return "; write a value after '='";
-    if (const auto number = with_point(value); !number.empty()) return text("; write ", number);
+    if (const auto number = with_point(value); !number.empty()) return text("; write ", shown(number));
     if (value.ends_with(',') || value.ends_with(';'))
         return text("; leave out the '", value.substr(value.size() - 1), "' at the end");
     if (value == "True" || value == "False" || value == "yes" || value == "no" || value == "TRUE")
         return "; write true or false";
     if (value[0] == '.' || value.ends_with('.')) return "; a number has digits before and after its point";
-    if (is_letter(value[0])) return text("; a text stands in quotes: \"", value, "\"");
+    if (is_letter(value[0])) return text("; a text stands in quotes: \"", shown(value), "\"");
     if (const auto digits = digits_of(value); digits > 0 && digits < value.size()) {
         const char next = value[digits];
         if (next == ' ' || (is_letter(next) && next != 'e' && next != 'E' && next != 'x'))
@@ -141,12 +145,12 @@ std::string toml_hint(std::string_view source, std::size_t line) {
 
 std::string number_hint(std::string_view words) {
     const auto plain = trimmed(words);
-    if (const auto number = with_point(plain); !number.empty()) return text("; write ", number);
+    if (const auto number = with_point(plain); !number.empty()) return text("; write ", shown(number));
     const auto whole = digits_of(plain);
     if (whole == 0) return "";
     auto rest = plain.substr(whole);
     if (rest.starts_with('.')) rest = rest.substr(1 + digits_of(rest.substr(1)));
-    return rest.empty() ? text("; write ", plain, " without quotes") : "";
+    return rest.empty() ? text("; write ", shown(plain), " without quotes") : "";
 }
 
 std::optional<std::uint32_t> parse_colour(std::string_view words) {
