@@ -15,13 +15,18 @@ namespace {
 constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_shown = 40;          // bytes of a cell in an error
 constexpr std::size_t most_titles_shown = 200;  // bytes of all titles in an error
+constexpr std::size_t most_looked_at = 64;      // bytes at the start that tell what a file is
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::string_view separator_line = "sep=";
 
-/// Tests whether a text is UTF-16, in which some spreadsheets save "Unicode text".
-bool is_utf16(std::string_view text) {
-    return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") ||
-           text.substr(0, 4).find('\0') != std::string_view::npos;
+/// What a file is that cannot be a table; empty: it may be one.
+std::string_view no_table(std::string_view text) {
+    constexpr std::array<std::string_view, 3> archives{"PK\x03\x04", "\x1f\x8b", "\xd0\xcf\x11\xe0"};
+    if (std::ranges::any_of(archives, [&](auto start) { return text.starts_with(start); }))
+        return "a workbook or an archive";
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "UTF-16";
+    if (text.substr(0, most_looked_at).find('\0') != std::string_view::npos) return "UTF-16, or no text";
+    return {};
 }
 
 std::string_view without_end(std::string_view line) {
@@ -29,27 +34,38 @@ std::string_view without_end(std::string_view line) {
     return line;
 }
 
-/// The separator of a table by its first line: a comma, or if there is none outside of quotes, a semicolon or tab.
-char separator_of(std::string_view line) {
-    std::array<bool, 3> found{};
+/// The separator of a table by its first line: the one that stands there most often outside of quotes. In a line of numbers,
+/// whose points may be commas, it is the one that makes as many cells as there are usual titles.
+char separator_of(std::string_view line, std::string_view usual_titles) {
     static constexpr std::string_view separators = ",;\t";
+    std::array<std::ptrdiff_t, 3> count{};
     bool quoted = false;
     for (const char c : line) {
         if (c == '"') quoted = !quoted;
         const auto at = separators.find(c);
-        if (!quoted && at != std::string_view::npos) found.at(at) = true;
+        if (!quoted && at != std::string_view::npos) ++count.at(at);
     }
-    for (std::size_t i = 0; i < found.size(); ++i)
-        if (found.at(i)) return separators[i];
-    return ',';
+    const auto commas = std::ranges::count(usual_titles, ',');
+    if (!usual_titles.empty() && count[0] != commas)
+        for (const std::size_t other : {1U, 2U})
+            if (count.at(other) == commas) return separators[other];
+    return separators[static_cast<std::size_t>(std::ranges::max_element(count) - count.begin())];
+}
+
+bool has_comma(std::string_view word) { return word.find(',') != std::string_view::npos; }
+
+/// The same title, whatever the case of its letters.
+bool same_title(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
 }
 
 }  // namespace
 
 TableReader::TableReader(std::string_view csv, std::string_view name, std::string_view usual_titles)
     : rest_(csv), name_(printable(name, 200)) {
-    if (is_utf16(csv)) {
-        report("this is UTF-16; save the table as CSV in UTF-8");
+    if (const auto other = no_table(csv); !other.empty()) {
+        report(text("this is ", other, "; save the table as CSV in UTF-8"));
         return;
     }
     if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
@@ -60,7 +76,7 @@ TableReader::TableReader(std::string_view csv, std::string_view name, std::strin
 void TableReader::read_titles(std::string_view usual_titles) {
     auto first = without_end(rest_.substr(0, end_of_line()));
     const bool named = first.size() == separator_line.size() + 1 && first.starts_with(separator_line);
-    separator_ = named ? first.back() : separator_of(first);
+    separator_ = named ? first.back() : separator_of(first, usual_titles);
     if (named) {
         rest_.remove_prefix(std::min(end_of_line() + 1, rest_.size()));
         ++lines_read_;
@@ -80,8 +96,9 @@ void TableReader::read_titles(std::string_view usual_titles) {
 }
 
 std::size_t TableReader::column(std::string_view title, bool required) {
-    const auto found = std::ranges::find(titles_, title);
-    if (std::ranges::count(titles_, title) > 1) report(text("two columns have the title '", title, "'"));
+    const auto is_it = [&](std::string_view other) { return same_title(other, title); };
+    const auto found = std::ranges::find_if(titles_, is_it);
+    if (std::ranges::count_if(titles_, is_it) > 1) report(text("two columns have the title '", title, "'"));
     if (found != titles_.end()) return static_cast<std::size_t>(found - titles_.begin());
     if (!required) return no_column;
     std::string all;
@@ -111,8 +128,22 @@ double TableReader::number(std::size_t column) {
     if (!value && word.empty())
         report(text("no number in the column '", titles_[column], "'"));
     else if (!value)
-        report(text("'", printable(word, most_shown), "' is not a finite number"));
+        report(text("'", printable(word, most_shown), "' in the column '", titles_[column],
+                    "' is not a finite number",
+                    separator_ == ',' && has_comma(word) ? "; write a point for the comma" : ""));
+    else if (separator_ != ',')
+        check_point(word);
     return value.value_or(0);
+}
+
+/// One sign alone may be the point of all numbers: the other one could separate thousands.
+void TableReader::check_point(std::string_view word) {
+    const auto at = word.find_first_of(",.");
+    if (at == std::string_view::npos) return;
+    if (point_ == 0) point_ = word[at];
+    if (word[at] != point_)
+        report(text("'", printable(word, most_shown),
+                    "' has another sign for the point than the numbers before it"));
 }
 
 std::optional<double> TableReader::number_in(std::string_view word) const {

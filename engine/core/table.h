@@ -1,7 +1,7 @@
 // core/table.h: reads and writes tables of text (CSV, RFC 4180), and reads what spreadsheets make of them.
 //
-// The first line names the columns, in any order. Commas stand between cells; in a file without a comma in that line,
-// semicolons or tabs, and then a number may have a comma for its point. These make no difference: a byte order mark, lines
+// The first line names the columns, in any order. Commas stand between cells; if that line has more semicolons or tabs, these,
+// and then all numbers may have a comma for their point. These make no difference: capitals in titles, a byte order mark, lines
 // that end in CRLF, blanks round a cell, quotes round a cell, a first line "sep=;", rows and titles without content at the
 // end, and a plus before a number. A cell in quotes may hold separators and ends of lines; two quotes in it stand for one.
 #pragma once
@@ -42,6 +42,7 @@ public:
     Error fault() const { return fail(*fault_); }
 
 private:
+    void check_point(std::string_view word);
     void read_titles(std::string_view usual_titles);
     void read_cells();
     std::string_view read_plain();
@@ -57,6 +58,7 @@ private:
     std::size_t line_ = 1;        ///< line in which the present row begins, from 1
     std::size_t lines_read_ = 0;  ///< lines up to the end of the present row
     char separator_ = ',';
+    char point_ = 0;  ///< of the numbers so far, where it may be a comma; 0: not yet known
     char line_end_ = '\n';
     bool first_row_pending_ = false;  ///< true: the first line was no titles and is the first row
     std::vector<std::string> titles_{};

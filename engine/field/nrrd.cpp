@@ -155,6 +155,7 @@ Expected<void> append_numbers(const NrrdHeader& header, FileOfSamples file, Byte
     if (file.samples > rest.size() / 2 + 1)
         return too_few(file, "numbers", file.samples, rest.size() / 2 + 1);
     constexpr std::string_view between = " \t\r\n,";
+    std::size_t changed = 0;
     for (std::size_t n = 0; n < file.samples; ++n) {
         rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(between)));
         const auto word = rest.substr(0, rest.find_first_of(between));
@@ -163,12 +164,25 @@ Expected<void> append_numbers(const NrrdHeader& header, FileOfSamples file, Byte
         if (std::isnan(value) && in_lower_case(word).find("nan") == std::string::npos)
             return fail_file(file.path,
                              text("'", printable(word, 40), "' at place ", n + 1, " is no number"));
-        if (header.type < SampleType::float32) value = std::trunc(value);
+        if (header.type < SampleType::float32) {
+            const auto [low, high] = limits_of(header.type);
+            const double whole = std::clamp(std::trunc(value), low, high);
+            if (whole != value && changed++ == 0)
+                notes.push_back(
+                    in_one_line(text("samples such as ", printable(word, 40), " are no numbers of the type '",
+                                     name_of(header.type), "', and are made so")));
+            value = whole;
+        }
         const auto bytes = std::as_bytes(std::span(&value, 1));
         out.insert(out.end(), bytes.begin(), bytes.end());
         rest.remove_prefix(word.size());
     }
-    if (rest.find_first_not_of(between) != std::string_view::npos) note_more(header, file, notes);
+    const auto more = rest.find_first_not_of(between);
+    if (more != std::string_view::npos && rest.find(',') != std::string_view::npos)
+        return fail_file(file.path,
+                         text("there are more than the ", file.samples,
+                              " numbers that the header promises; numbers have points, not commas"));
+    if (more != std::string_view::npos) note_more(header, file, notes);
     return {};
 }
 

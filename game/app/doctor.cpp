@@ -23,6 +23,7 @@
 #include "game/jackets/jacket.h"
 #include "game/live/live_shared.h"
 #include "game/live/pad_setup.h"
+#include "game/settings/own_pads.h"
 #include "game/settings/settings.h"
 #include "haptics/safety.h"
 #include "input/locked_sticks.h"
@@ -270,7 +271,11 @@ void add_pads(std::vector<Finding>& findings) {
         return text(printable(name, most_of_name_shown), " (", path, ")");
     };
     const auto before = findings.size();
-    input::PadReader reader;
+    auto own = load_own_pads(own_pads_file(settings_file()));
+    if (!own)
+        findings.push_back({"pad", State::missing, in_one_line(own.error().message),
+                            "correct or delete this file of the pads that were set up"});
+    input::PadReader reader(own ? std::move(*own) : std::vector<std::string>());
     const auto pads = reader.poll();
     if (!reader.fault().empty())
         findings.push_back({"pad", State::missing, reader.fault(), "reinstall libsdl2-2.0-0"});

@@ -32,8 +32,8 @@ RecipeStroke read_stroke(const ConfigTable& table, const RecipeNames& names) {
                       .times = static_cast<std::uint32_t>(table.integer("times", {1, 20}, 1))};
     const auto found = std::find(names.gestures.begin(), names.gestures.end(), read.gesture);
     if (found == names.gestures.end())
-        table.report("gesture", text("there is no gesture '", read.gesture, "', gestures/", read.gesture,
-                                     ".toml", did_you_mean(read.gesture, names.gestures)));
+        table.report("gesture", text("no file of gestures has the name '", read.gesture, "'",
+                                     did_you_mean(read.gesture, names.gestures)));
     read.sense = static_cast<CircleSense>(table.choice("turn", {"any", "clockwise", "counterclockwise"}, 0));
     read.least_force = table.number("least_n", force, 0);
     read.most_force = table.number("most_n", {0.05, force.high}, force.high);

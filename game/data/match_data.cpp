@@ -334,12 +334,12 @@ void load_gestures(MatchData& data, Loader& loader) {
 }
 
 /// Refuses a spell whose gesture does not exist or belongs to another spell, or whose slot is taken.
-void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file,
-                 const std::filesystem::path& assets) {
+void check_spell(const MatchData& data, const LoadedSpell& spell, const Config& file) {
     const auto& gesture = spell.stats.gesture;
     if (data.gestures && !data.gestures->number(gesture))
-        file.root().report("gesture", text("'gesture' is '", gesture, "', but there is no gestures/", gesture,
-                                           ".toml", near_file(gesture, assets / "gestures", ".toml")));
+        file.root().report("gesture",
+                           text("'gesture' is '", gesture, "', but no file of gestures has this name",
+                                did_you_mean(gesture, data.gestures->gestures(), &gesture::Gesture::name)));
     for (const auto& other : data.spells) {
         if (other.stats.gesture == gesture)
             file.root().report("gesture",
@@ -361,7 +361,7 @@ void load_spells(MatchData& data, Loader& loader) {
         const auto path = text("spells/", kind.name, ".toml");
         auto loaded = loader.load(path, [&](const Config& file) {
             auto spell = read_spell(kind, file);
-            check_spell(data, spell, file, loader.assets());
+            check_spell(data, spell, file);
             auto& shown_spell = shown->spells.emplace_back(read_spell_presentation(kind.name, file.root()));
             shown_spell.shown = spell.stats.shown;
             shown_spell.gesture = spell.stats.gesture;

@@ -67,10 +67,8 @@ Expected<HandPath> hand_path(std::string_view word) {
     if (word == "rest") return HandPath{HandWay::rest, {}, {}};
     if (word == "press") return HandPath{HandWay::press, {}, {}};
     if (word == "circle") return HandPath{HandWay::circle, {}, {}};
-    if (!word.ends_with(".csv"))
-        return fail(text("'", word, "': must be rest, press, circle or a .csv file"));
     const auto csv = read_text_file(word, trace_most);
-    if (!csv) return csv.error();
+    if (!csv) return fail(text("takes rest, press, circle or a table: ", csv.error().message));
     TableReader table(*csv, word, stir_path_titles);
     const bool is_trace = table.column("x_m", false) == TableReader::no_column;
     if (is_trace && table.column("tip_x_m", false) != TableReader::no_column) return read_hand_trace(table);

@@ -7,7 +7,7 @@
 namespace thaum::app {
 
 /// Words that tell a player how to bring a lost pad back.
-inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on another pad";
+inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad";
 
 /// Players whose devices have just gone or come back.
 struct HandNews {

@@ -288,6 +288,18 @@ void ask_about_gestures(MenuState& s, MenuRequest request) {
     s.pause_row = s.pages.back().cursor;
 }
 
+void open_sheet(MenuState& s, std::size_t sheet) {
+    s.sheet = sheet;
+    open(s, Page::bindings);
+}
+
+/// Opens the page that asks for the controls of a joystick.
+void set_up_pad(MenuState& s, std::size_t stick) {
+    s.stick = stick;
+    s.request = MenuRequest::set_up_pad;
+    open(s, Page::pad_setup);
+}
+
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
     if (only_joins(s, row, event)) return join(s, event.device);
     switch (row.kind) {
@@ -303,15 +315,8 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::go_on: s.request = MenuRequest::go_on; break;
         case RowKind::restart: s.request = MenuRequest::restart; break;
         case RowKind::leave: s.request = MenuRequest::leave; break;
-        case RowKind::sheet:
-            s.sheet = row.index;
-            open(s, Page::bindings);
-            break;
-        case RowKind::set_up_pad:
-            s.stick = row.index;
-            s.request = MenuRequest::set_up_pad;
-            open(s, Page::pad_setup);
-            break;
+        case RowKind::sheet: open_sheet(s, row.index); break;
+        case RowKind::set_up_pad: set_up_pad(s, row.index); break;
         case RowKind::skip_control: s.request = MenuRequest::skip_control; break;
         case RowKind::action: s.waiting = Slot{s.sheet, row.index}; break;
         case RowKind::defaults: reset_page(s); break;

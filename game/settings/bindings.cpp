@@ -114,7 +114,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> keypad_si
 
 std::string label_of_key(int code) {
     // Letters as the user's keyboard has them; other keys by the names that the settings file has, such as "Left shift".
-    if (const auto label = render::key_label(code); label != render::key_name(code)) return label;
+    if (auto label = render::key_label(code); label != render::key_name(code)) return label;
     auto words = capitalised_words(key_name_of(code));
     if (words == "Escape") return "Esc";
     if (!words.starts_with("Kp ")) return words;

@@ -36,9 +36,12 @@ TEST(Table, WhatSpreadsheetsWriteIsRead) {
              "sep=|\nt|x\n0.5|a\n-2|b c\n",
              "\"t\";\"x\";\"1,2\"\n0.5;a;\n-2;b c;\n",
              "also,t,x,also\n?,0.5,a,?\n?,-2,b c,?\n",
+             "T,X\n0.5,a\n-2,b c\n",
+             "t;x;note, remark\n0,5;a;\n-2;b c;\n",
          })
         EXPECT_EQ(read(csv), right) << csv;
     EXPECT_EQ(read("0.5,a\n-2,b c\n", "t,x"), right);
+    EXPECT_EQ(read("0,5;a\n-2;b c\n", "t,x"), right);
     EXPECT_EQ(read("t,x\n0.5,a\n-2,b c\n", "t,x"), right);
 }
 
@@ -59,7 +62,7 @@ TEST(Table, FaultsNameTheLineInWhichTheRowBegins) {
     EXPECT_EQ(read(""), "f:1: the file is empty");
     EXPECT_EQ(read("\n , \n"), "f:2: the file is empty");
     EXPECT_EQ(read("\xff\xfet\0,\0x\0"), "f:1: this is UTF-16; save the table as CSV in UTF-8");
-    EXPECT_EQ(read("T,x\n1,2\n"), "f:1: no column 't'; there are: T, x");
+    EXPECT_EQ(read("u,x\n1,2\n"), "f:1: no column 't'; there are: u, x");
     EXPECT_EQ(read("t,x,t\n1,2,3\n"), "f:1: two columns have the title 't'");
     EXPECT_EQ(read("t,x\n1,2,3\n"), "f:2: the number of cells is 3, that of titles 2");
     EXPECT_EQ(read("t,x\n1,2\n3\n"), "f:3: the number of cells is 1, that of titles 2");
@@ -67,8 +70,15 @@ TEST(Table, FaultsNameTheLineInWhichTheRowBegins) {
     EXPECT_EQ(read("t,x\n1,\"2\n3\n"), "f:2: a quote is opened and not closed");
     EXPECT_EQ(read("t,x\n1,\"2\"3\n"), "f:2: text behind a closing quote");
     for (const char* word : {"one", "1.5.2", "nan", "inf", "1e999", "0x10", "++1", "+-1", "1 2"})
-        EXPECT_EQ(read(text("t,x\n", word, ",2\n")), text("f:2: '", word, "' is not a finite number"));
-    EXPECT_EQ(read(text("t;x\n1,5,5;2\n")), "f:2: '1,5,5' is not a finite number");
+        EXPECT_EQ(read(text("t,x\n", word, ",2\n")),
+                  text("f:2: '", word, "' in the column 't' is not a finite number"));
+    EXPECT_EQ(read("t;x\n1,5,5;2\n"), "f:2: '1,5,5' in the column 't' is not a finite number");
+    EXPECT_EQ(read("t,x\n\"0,5\",2\n"),
+              "f:2: '0,5' in the column 't' is not a finite number; write a point for the comma");
+    EXPECT_EQ(read("t;x\n0,5;a\n1.234;b\n"),
+              "f:3: '1.234' has another sign for the point than the numbers before it");
+    EXPECT_EQ(read("T,x,t\n1,2,3\n"), "f:1: two columns have the title 't'");
+    EXPECT_EQ(read("PK\x03\x04..."), "f:1: this is a workbook or an archive; save the table as CSV in UTF-8");
     EXPECT_EQ(read(text("t,x\n", std::string(1000, ','), "\n")), "f:2: more than 1000 columns");
 }
 
@@ -79,7 +89,7 @@ TEST(Table, TheFirstFaultCountsAndEndsTheRows) {
     EXPECT_EQ(table.number(TableReader::no_column), 0);
     table.report("another");
     EXPECT_FALSE(table.next());
-    EXPECT_EQ(table.fault().message, "f:2: 'one' is not a finite number");
+    EXPECT_EQ(table.fault().message, "f:2: 'one' in the column 't' is not a finite number");
 }
 
 }  // namespace

@@ -61,6 +61,32 @@ TEST_F(VolumeFiles, AxesOfOtherKindsAreRefusedByName) {
                    "'kinds' does not tell what the 7 samples of axis 0 are");
 }
 
+TEST_F(VolumeFiles, OfNumbersInWordsEachChangeIsTold) {
+    const auto read_ascii = [&](std::string_view type, std::string_view numbers) {
+        return read(text("type: ", type, "\ndimension: 3\nsizes: 2 2 1\nencoding: ascii"), numbers);
+    };
+    const auto cut = read_ascii("short", "1 2.7 40000 -40000\n");
+    ASSERT_TRUE(cut) << cut.error().message;
+    EXPECT_EQ(cut->samples, (std::vector<float>{1, 2, 32767, -32768}));
+    EXPECT_EQ(cut->notes, std::vector<std::string>{
+                              "samples such as 2.7 are no numbers of the type 'int16', and are made so"});
+    const auto right = read_ascii("short", "1, 2, 3, -4\n");
+    ASSERT_TRUE(right);
+    EXPECT_TRUE(right->notes.empty());
+    expect_refused(read_ascii("float", "100,5 107,5 1,5 2,5\n"), "numbers have points, not commas");
+}
+
+TEST_F(VolumeFiles, ThreeSamplesOfAnUntoldKindAreAVectorWithALine) {
+    const std::string head = "type: uint8\ndimension: 4\nencoding: raw\nsizes: 3 2 2 2";
+    const auto untold = read(head, std::string(24, 'x'));
+    ASSERT_TRUE(untold);
+    EXPECT_EQ(untold->components, 3);
+    EXPECT_EQ(untold->notes.size(), 1U);
+    const auto told = read(head + "\nkinds: vector domain domain domain", std::string(24, 'x'));
+    ASSERT_TRUE(told);
+    EXPECT_TRUE(told->notes.empty());
+}
+
 TEST_F(VolumeFiles, WhatIsNotGivenIsLikeMissing) {
     const char* space = "space: left-posterior-superior\n";
     for (const char* place :

@@ -253,11 +253,11 @@ TEST(StirPath, AFileIsFollowedAndItsFaultsAreNamed) {
         return found ? "" : found.error().message;
     };
     EXPECT_EQ(fault("1,2,3\n"), "f:1: the number of cells is 3, that of titles 4");
-    EXPECT_EQ(fault("1,2,3,x\n"), "f:1: 'x' is not a finite number");
+    EXPECT_EQ(fault("1,2,3,x\n"), "f:1: 'x' in the column 'z_m' is not a finite number");
     EXPECT_EQ(fault("1,0,0,0\n1,0,0,0\n"), "f:2: times must rise");
     EXPECT_NE(fault("-1,0,0,0\n").find("f:1: times are"), std::string::npos);
     EXPECT_NE(fault("1,101,0,0\n").find("f:1: times are"), std::string::npos);
-    EXPECT_EQ(fault("1,inf,0,0\n"), "f:1: 'inf' is not a finite number");
+    EXPECT_EQ(fault("1,inf,0,0\n"), "f:1: 'inf' in the column 'x_m' is not a finite number");
     EXPECT_EQ(fault("time_s,x_m,y_m,z_m\n"), "f:1: no places in it");
     EXPECT_EQ(fault(""), "f:1: the file is empty");
     EXPECT_FALSE(stir_path("square").has_value());

@@ -48,7 +48,7 @@ TEST(PauseWordsTest, NameThePlayerOrTheLostPad) {
     EXPECT_EQ(pause_words({.paused_by = 0}), (PauseWords{"Paused", "by Ember"}));
     EXPECT_EQ(pause_words({.paused_by = 1, .names = {"", "Zoë"}}), (PauseWords{"Paused", "by Zoë"}));
     EXPECT_EQ(pause_words({}), (PauseWords{"Paused", ""}));
-    const std::string help = "plug it in and press a button on it or on another pad";
+    const std::string help = "plug it in and press a button on it or on a free pad";
     EXPECT_EQ(pause_words({.lost_pad = {2, std::nullopt}}),
               (PauseWords{"Pad 3 of Ember is not plugged in", help}));
     EXPECT_EQ(

@@ -41,7 +41,7 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_TRUE(shared_.pad_lost[1]);
     EXPECT_FALSE(shared_.pad_lost[0]);
     EXPECT_EQ(screen().hud.device_messages[1],
-              "pad lost: plug it in and press a button on it or on another pad");
+              "pad lost: plug it in and press a button on it or on a free pad");
     EXPECT_EQ(screen().menu, game::MenuPicture{}) << "the match has not paused yet";
     pause(1);
     step();

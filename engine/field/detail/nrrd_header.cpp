@@ -130,7 +130,7 @@ void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader
 
 /// Finds the axis beyond space whose kind the header does not tell: the one without a direction, or one of 1 or 3
 /// samples: the first, as most programs write.
-void find_component_axis(NrrdFields& fields, Axes& axes) {
+void find_component_axis(NrrdFields& fields, Axes& axes, NrrdHeader& header) {
     std::size_t at = 0;
     if (fields.has("spacedirections")) {
         const auto directions = fields.vectors("spacedirections", axes.all.size());
@@ -142,6 +142,9 @@ void find_component_axis(NrrdFields& fields, Axes& axes) {
     if (axis.size != 1 && axis.size != 3)
         fields.report("sizes", text("'kinds' does not tell what the ", axis.size, " samples of axis ", at,
                                     " are; only scalars and vectors of 3 can be read without it"));
+    if (axis.size == 3)
+        header.notes.push_back(text("'kinds' does not tell what the 3 samples of axis ", at,
+                                    " are; they are taken as the parts of a vector"));
     axis.role = Role::component;
 }
 
@@ -161,7 +164,7 @@ Axes read_axes(NrrdFields& fields, std::size_t limit, NrrdHeader& header) {
         }
     }
     const auto count = [&](Role role) { return std::ranges::count(axes.all, role, &Axis::role); };
-    if (count(Role::space) == 4 && any_unknown) find_component_axis(fields, axes);
+    if (count(Role::space) == 4 && any_unknown) find_component_axis(fields, axes, header);
     if (count(Role::space) != 3 || count(Role::component) > 1 || count(Role::time) > 1)
         fields.report(fields.has("kinds") ? "kinds" : "dimension",
                       "a volume has three axes of space, and may have one of components and one of time");

@@ -57,6 +57,15 @@ T stored_value(float sample) {
 
 }  // namespace
 
+std::pair<double, double> limits_of(SampleType type) {
+    std::pair<double, double> limits;
+    with_type(type, [&]<class T>(T) {
+        limits = {static_cast<double>(std::numeric_limits<T>::lowest()),
+                  static_cast<double>(std::numeric_limits<T>::max())};
+    });
+    return limits;
+}
+
 std::size_t size_of(SampleType type) {
     std::size_t size = 0;
     with_type(type, [&](auto sample) { size = sizeof(sample); });

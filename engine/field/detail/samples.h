@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/bytes.h"
@@ -16,6 +17,8 @@ std::size_t size_of(SampleType type);
 
 /// Name of a type in our files: "int8", "uint8", "int16" to "uint64", "float", "double".
 std::string_view name_of(SampleType type);
+/// Smallest and largest number of a type.
+std::pair<double, double> limits_of(SampleType type);
 std::span<const std::string_view> sample_type_names();  ///< in the order of SampleType
 
 /// Order of stored samples: where the samples of a volume lie in a file, counted in samples.

@@ -1,8 +1,11 @@
 // thaum gesture spot: how well gestures are found in continuous motion, without a button.
 #include <cstdio>
+#include <set>
 
 #include "core/file.h"
 #include "core/json.h"
+#include "core/near_name.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
@@ -120,6 +123,27 @@ void print_spotting(const SpotPlan& plan, const gesture::Spotting& r) {
                 fixed(100 * r.skipped, 1).c_str());
 }
 
+/// Tells of labels that count for nothing, because no session has their user or no stroke their gesture.
+void tell_unused_labels(const std::vector<gesture::SessionLabel>& labels, const gesture::SessionSet& sessions,
+                        const std::vector<gesture::Stroke>& strokes) {
+    std::set<std::string_view> users, gestures;
+    for (const auto& session : sessions.sessions) users.insert(session.user);
+    for (const auto& stroke : strokes) gestures.insert(stroke.gesture);
+    std::size_t unused = 0;
+    std::string first;
+    for (const auto& label : labels) {
+        const bool has_user = users.contains(label.user), has_gesture = gestures.contains(label.gesture);
+        if (has_user && has_gesture) continue;
+        ++unused;
+        if (!first.empty()) continue;
+        first = has_user
+                    ? text("no stroke has the gesture '", label.gesture, "'",
+                           did_you_mean(label.gesture, gestures))
+                    : text("no session has the user '", label.user, "'", did_you_mean(label.user, users));
+    }
+    if (unused > 0) tell_user(text(unused, " of ", labels.size(), " labels are left out: ", first));
+}
+
 Expected<gesture::Spotting> measure_spotting(SpotPlan& plan) {
     const auto sessions = load_sessions(plan.sessions);
     if (!sessions) return sessions.error();
@@ -132,6 +156,7 @@ Expected<gesture::Spotting> measure_spotting(SpotPlan& plan) {
     }
     const auto strokes = load_strokes(plan.strokes);
     if (!strokes) return strokes.error();
+    tell_unused_labels(*labels, *sessions, strokes->strokes);
     const auto channels = choose_channels(plan.channels, sessions->has_depth && strokes->has_depth,
                                           sessions->has_force && strokes->has_force);
     if (!channels) return channels.error();
