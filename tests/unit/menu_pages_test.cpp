@@ -331,8 +331,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
 std::vector<MenuState> all_pages() {
     auto pause = opened({}, Page::pause);
     pause.head = "Pad 1 of Ember and pad 2 of WWWWWWWWWWWWWWWW are not plugged in";
-    pause.line =
-        "plug it in and press a button on it or on a free pad, or Keypad 0 for half of the keyboard";
+    pause.line = "plug it in and press a button on it or on a free pad, or Keypad 0 for half of the keyboard";
     std::vector<MenuState> all{start_page(),
                                with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard),
                                pause,
