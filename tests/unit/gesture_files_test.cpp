@@ -63,9 +63,12 @@ TEST(GestureCsv, FaultsNameFileAndLine) {
     EXPECT_EQ(fault_of("user,gesture,sample,t,x\n"),
               "file.csv:1: no column 'y'; there are: user, gesture, sample, t, x");
     EXPECT_EQ(fault_of(title + "1,o,0,0,1\n"), "file.csv:2: the number of cells is 5, that of titles 6");
-    EXPECT_EQ(fault_of(title + "1,o,0,0,1,nan\n"), "file.csv:2: 'nan' in the column 'y' is not a finite number");
-    EXPECT_EQ(fault_of(title + "1,o,0,0,1,1e999\n"), "file.csv:2: '1e999' in the column 'y' is not a finite number");
-    EXPECT_EQ(fault_of(title + "1,o,0,0,1,two\n"), "file.csv:2: 'two' in the column 'y' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,nan\n"),
+              "file.csv:2: 'nan' in the column 'y' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,1e999\n"),
+              "file.csv:2: '1e999' in the column 'y' is not a finite number");
+    EXPECT_EQ(fault_of(title + "1,o,0,0,1,two\n"),
+              "file.csv:2: 'two' in the column 'y' is not a finite number");
     EXPECT_EQ(fault_of(title + "1,o,0,1,1,1\n1,o,0,0.5,1,1\n"),
               "file.csv:3: time runs backwards, from 1 to 0.5 s");
     EXPECT_EQ(fault_of(title + "1,,0,0,1,1\n"), "file.csv:2: a name must have 1 to 200 characters");
