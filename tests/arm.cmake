@@ -7,6 +7,7 @@ foreach(name fake_hd fake_hd_old)
         drivers/fake_hd/scheduler.cpp drivers/fake_hd/script.cpp
         ${PROJECT_SOURCE_DIR}/engine/core/assert.cpp
         ${PROJECT_SOURCE_DIR}/engine/core/maths.cpp
+        ${PROJECT_SOURCE_DIR}/engine/core/powers.cpp
         ${PROJECT_SOURCE_DIR}/engine/haptics/oscillator.cpp
         ${PROJECT_SOURCE_DIR}/engine/haptics/simulated.cpp)
     set_target_properties(${name} PROPERTIES CXX_VISIBILITY_PRESET hidden)

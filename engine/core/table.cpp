@@ -46,7 +46,7 @@ char separator_of(std::string_view line, std::string_view usual_titles) {
         if (!quoted && at != std::string_view::npos) ++count.at(at);
     }
     const auto commas = std::ranges::count(usual_titles, ',');
-    if (!usual_titles.empty() && count[0] != commas)
+    if (!usual_titles.empty())
         for (const std::size_t other : {1U, 2U})
             if (count.at(other) == commas) return separators[other];
     return separators[static_cast<std::size_t>(std::ranges::max_element(count) - count.begin())];

@@ -68,6 +68,8 @@ Expected<HandPath> hand_path(std::string_view word) {
     if (word == "press") return HandPath{HandWay::press, {}, {}};
     if (word == "circle") return HandPath{HandWay::circle, {}, {}};
     const auto csv = read_text_file(word, trace_most);
+    const bool names_file = word.find_first_of("./") != std::string_view::npos;
+    if (!csv && names_file) return csv.error();
     if (!csv) return fail(text("takes rest, press, circle or a table: ", csv.error().message));
     TableReader table(*csv, word, stir_path_titles);
     const bool is_trace = table.column("x_m", false) == TableReader::no_column;

@@ -466,7 +466,7 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
         << "a potion without words for what it does";
     EXPECT_NE(refused("[[ingredient]]\nname = \"sand\"\nleast = 0\nmost = 1\n").find("no ingredient 'sand'"),
               std::string::npos);
-    EXPECT_NE(refused("[[stroke]]\ngesture = \"loop\"\n").find("no gesture 'loop'"), std::string::npos);
+    EXPECT_NE(refused("[[stroke]]\ngesture = \"loop\"\n").find("the name 'loop'"), std::string::npos);
     EXPECT_NE(refused("colour_of_foam = 1\n").find("colour_of_foam"), std::string::npos);
     EXPECT_NE(refused("[[ingredient]]\nname = \"salt\"\nleast = 0\nmost = 1\n").find("may come once"),
               std::string::npos);
