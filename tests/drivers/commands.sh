@@ -5,9 +5,6 @@ set -uo pipefail
 thaum=$(readlink -f "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# SDL keeps what it noted for its thread, and D-Bus, which it starts, some memory to the end.
-printf 'leak:%s\n' libdbus libSDL2 >"$folder/leaks"
-export LSAN_OPTIONS=suppressions=$folder/leaks:print_suppressions=0
 unset DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 failures=0
