@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/letters.h"
 #include "core/text.h"
 
 namespace thaum {
@@ -10,10 +11,7 @@ namespace {
 
 constexpr std::size_t longest_word = 64;  // bytes; the work grows with the square
 
-char plain(char c) {
-    if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
-    return c == '-' ? '_' : c;
-}
+char plain(char c) { return c == '-' ? '_' : lower_case(c); }
 
 /// Smallest number of changes that make one word of the other (optimal string alignment).
 std::size_t changes_between(std::string_view a, std::string_view b) {

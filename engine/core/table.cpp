@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/letters.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -19,7 +20,7 @@ constexpr std::size_t most_looked_at = 64;      // bytes at the start that tell 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::string_view separator_line = "sep=";
 
-/// What a file is that cannot be a table; empty: it may be one.
+/// Names the kind of a file that cannot be a table; empty if it may be one.
 std::string_view no_table(std::string_view text) {
     constexpr std::array<std::string_view, 3> archives{"PK\x03\x04", "\x1f\x8b", "\xd0\xcf\x11\xe0"};
     if (std::ranges::any_of(archives, [&](auto start) { return text.starts_with(start); }))
@@ -53,12 +54,6 @@ char separator_of(std::string_view line, std::string_view usual_titles) {
 }
 
 bool has_comma(std::string_view word) { return word.find(',') != std::string_view::npos; }
-
-/// The same title, whatever the case of its letters.
-bool same_title(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-    return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 }  // namespace
 
@@ -96,7 +91,7 @@ void TableReader::read_titles(std::string_view usual_titles) {
 }
 
 std::size_t TableReader::column(std::string_view title, bool required) {
-    const auto is_it = [&](std::string_view other) { return same_title(other, title); };
+    const auto is_it = [&](std::string_view other) { return same_word(other, title); };
     const auto found = std::ranges::find_if(titles_, is_it);
     if (std::ranges::count_if(titles_, is_it) > 1) report(text("two columns have the title '", title, "'"));
     if (found != titles_.end()) return static_cast<std::size_t>(found - titles_.begin());

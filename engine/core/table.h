@@ -58,7 +58,8 @@ private:
     std::size_t line_ = 1;        ///< line in which the present row begins, from 1
     std::size_t lines_read_ = 0;  ///< lines up to the end of the present row
     char separator_ = ',';
-    char point_ = 0;  ///< of the numbers so far, where it may be a comma; 0: not yet known
+    char point_ =
+        0;  ///< sign that is the point of all numbers so far, if it may be a comma; 0: not yet known
     char line_end_ = '\n';
     bool first_row_pending_ = false;  ///< true: the first line was no titles and is the first row
     std::vector<std::string> titles_{};

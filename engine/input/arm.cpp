@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/letters.h"
 #include "core/text.h"
 #include "input/frame.h"
 
 namespace thaum::input {
 namespace {
-
-// Only the 26 letters, whatever the locale.
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
@@ -36,10 +34,7 @@ std::array<std::uint32_t, 3> box_um(const ArmFacts& facts) {
 }
 
 bool is_called(const ArmFacts& facts, std::string_view word) {
-    const auto is = [&](std::string_view name) {
-        return !name.empty() && std::equal(name.begin(), name.end(), word.begin(), word.end(),
-                                           [](char a, char b) { return lower(a) == lower(b); });
-    };
+    const auto is = [&](std::string_view name) { return !name.empty() && same_word(name, word); };
     return is("arm") || is(facts.family) || is(facts.spec.name) || is(facts.serial) || is(name_of(facts));
 }
 

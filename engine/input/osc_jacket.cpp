@@ -26,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int messages_of_silence = 8;
 constexpr std::chrono::milliseconds between_silences{50};
 constexpr std::size_t most_of_host_shown = 60;  ///< bytes of a host's name in messages
-constexpr std::size_t most_addresses = 8;       ///< of a host that messages go to
+constexpr std::size_t most_addresses = 8;       ///< most addresses of one host to which messages go
 
 struct FreeAddresses {
     void operator()(addrinfo* list) const { ::freeaddrinfo(list); }

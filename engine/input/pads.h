@@ -27,7 +27,7 @@ public:
     /// States of the pads now. The first call waits until the look for pads has ended.
     const Pads& poll();
 
-    // As `poll` has found them:
+    // What the last `poll` has found:
     /// Joysticks that are no pads.
     const std::vector<Stick>& sticks() const;
     /// Why there are no pads at all, or which mapping is faulty; empty: all is well.

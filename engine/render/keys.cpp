@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 
+#include "core/letters.h"
 #include "core/utf8.h"
 #include "render/context.h"
 #include "render/detail/key_labels.h"
@@ -137,13 +138,6 @@ constexpr Sign signs[] = {{U'\'', "Apostrophe"}, {U',', "Comma"},       {U'-', "
                           {U'=', "Equal"},       {U'[', "LeftBracket"}, {U']', "RightBracket"},
                           {U'\\', "Backslash"},  {U'`', "Grave"}};
 
-constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-bool same_name(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
-
 /// Characters of the layout that differ from a US keyboard's, by the key's code.
 struct LayoutLabels {
     std::mutex mutex;  // guards by_key
@@ -210,7 +204,7 @@ std::string_view key_name(int code) {
 
 std::optional<int> key_code(std::string_view name) {
     const auto* found =
-        std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return same_name(k.name, name); });
+        std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return same_word(k.name, name); });
     if (found == std::end(keys)) return std::nullopt;
     return found->code;
 }

@@ -18,7 +18,7 @@ using Names = std::vector<std::string_view>;
 
 constexpr std::size_t longest_shown = 200;
 
-/// What a folder may hold.
+/// The files that a folder may hold.
 struct FolderRule {
     Names endings;                     ///< endings of its files
     std::vector<std::string> names{};  ///< names without ending; empty: any

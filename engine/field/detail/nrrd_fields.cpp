@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/letters.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -118,9 +119,7 @@ bool take_vector(std::string_view& s, std::optional<vec3>& out) {
 
 std::string in_lower_case(std::string_view s) {
     std::string out(s);
-    for (char& c : out) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    std::ranges::transform(out, out.begin(), lower_case);
     return out;
 }
 

@@ -22,7 +22,7 @@ struct UnsavedQuestion {
 /// A volume to open.
 struct NextVolume {
     std::string name{};       ///< as on the command line
-    std::int64_t moment = 1;  ///< of a file with time
+    std::int64_t moment = 1;  ///< number of the moment, from 1, if the file has time
 };
 
 /// What a person has set in the panels, and what they ask for.
@@ -36,7 +36,7 @@ struct VolumePanelState {
     std::string device{};                             ///< model of the arm that is shown
     std::optional<std::string> next_device{};         ///< model that was chosen in place of it
     std::optional<NextVolume> open{};                 ///< volume to open
-    std::optional<int> moment{};                      ///< where the slider of a file with time is pulled to
+    std::optional<int> moment{};                      ///< moment to which the slider is being pulled
     bool saves = false, saves_session = false;
     bool hand_held = false;  ///< the hand stays where it is, whatever the mouse does
     UnsavedQuestion question{};
