@@ -13,6 +13,7 @@
 #include "game/bots/apprentice.h"
 #include "game/bots/bot.h"
 #include "game/bots/range.h"
+#include "game/data/name_finder.h"
 #include "game/live/live_body.h"
 #include "game/live/live_sound.h"
 #include "game/live/menu_choices.h"
@@ -176,9 +177,7 @@ private:
         UsedNames used;
         for (const auto name : menu_sound_names) {
             used.emplace(name);
-            const bool faulty =
-                std::ranges::any_of(bank->faulty, [&](const LeftOut& one) { return one.name == name; });
-            if (!name.empty() && !bank->find(name) && !faulty)
+            if (!name.empty() && !bank->find(name) && !game::is_left_out(*bank, name))
                 add_missing({{.words = text("there is no sound '", name, "', sounds/", name, ".toml")}},
                             "sounds");
         }

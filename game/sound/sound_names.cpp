@@ -1,39 +1,14 @@
 #include "game/sound/sound_names.h"
 
-#include <algorithm>
+#include <utility>
 
-#include "core/near_name.h"
 #include "core/text.h"
+#include "game/data/name_finder.h"
 
 namespace thaum::game {
 namespace {
 
-/// Finds sounds, and notes the missing ones.
-class Finder {
-public:
-    explicit Finder(const audio::SoundBank& bank) : bank_(bank) {}
-
-    /// Finds a sound that `place` names. The words of `place` are filled in if there is none.
-    SoundNumber find(std::string_view name, MissingName place) {
-        if (name.empty()) return std::nullopt;
-        const auto number = bank_.find(name);
-        if (number || is_faulty(name)) return number;
-        place.words = text("there is no sound '", name, "', sounds/", name, ".toml",
-                           did_you_mean(name, bank_.sounds, &audio::Sound::name));
-        missing.push_back(std::move(place));
-        return number;
-    }
-
-    std::vector<MissingName> missing{};
-
-private:
-    bool is_faulty(std::string_view name) const {
-        return std::any_of(bank_.faulty.begin(), bank_.faulty.end(),
-                           [&](const auto& faulty) { return faulty.name == name; });
-    }
-
-    const audio::SoundBank& bank_;
-};
+using Finder = NameFinder<audio::SoundBank, audio::Sound>;
 
 void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
     constexpr std::string_view kind_of_power_up = "{power_up}";
@@ -60,7 +35,7 @@ void find_events(const EventRows& rows, Finder& finder, MatchSounds& out) {
 
 MatchSounds match_sounds(const audio::SoundBank& bank, const Presentation& shown) {
     MatchSounds out;
-    Finder finder(bank);
+    Finder finder(bank, bank.sounds, "sound", "sounds");
     for (std::size_t i = 0; i < cues; ++i) out.cues.at(i) = finder.find(cue_names.at(i), {});
     find_events(shown.events, finder, out);
     for (const auto& spell : shown.spells)

@@ -1,45 +1,15 @@
 #include "game/tactile/match_effects.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "core/near_name.h"
 #include "core/text.h"
+#include "game/data/name_finder.h"
 
 namespace thaum::game {
-namespace {
-
-/// Finds effects, and notes the missing ones.
-class Finder {
-public:
-    explicit Finder(const tactile::EffectBank& bank) : bank_(bank) {}
-
-    /// Finds an effect that `place` names. The words of `place` are filled in if there is none.
-    EffectNumber find(std::string_view name, MissingName place) {
-        if (name.empty()) return std::nullopt;
-        const auto number = bank_.find(name);
-        if (number || is_faulty(name)) return number;
-        place.words = text("there is no effect '", name, "', tactile/effects/", name, ".toml",
-                           did_you_mean(name, bank_.effects, &tactile::Effect::name));
-        missing.push_back(std::move(place));
-        return number;
-    }
-
-    std::vector<MissingName> missing{};
-
-private:
-    bool is_faulty(std::string_view name) const {
-        return std::ranges::any_of(bank_.faulty, [&](const LeftOut& faulty) { return faulty.name == name; });
-    }
-
-    const tactile::EffectBank& bank_;
-};
-
-}  // namespace
 
 MatchEffects match_effects(const tactile::EffectBank& bank, const Presentation& shown) {
     MatchEffects out;
-    Finder finder(bank);
+    NameFinder finder(bank, bank.effects, "effect", "tactile/effects");
     out.events.resize(shown.events.size());
     for (std::size_t kind = 0; kind < shown.events.size(); ++kind) {
         const auto& name = shown.events[kind].tactile;

@@ -1,0 +1,52 @@
+// game/data/name_finder.h: finds the sounds or effects that data files name, and notes those that are missing.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "core/near_name.h"
+#include "core/text.h"
+#include "game/data/presentation.h"
+
+namespace thaum::game {
+
+/// Whether a bank leaves out the file of this name because of its faults, which are told elsewhere.
+template <class Bank>
+bool is_left_out(const Bank& bank, std::string_view name) {
+    return std::ranges::any_of(bank.faulty, [&](const LeftOut& faulty) { return faulty.name == name; });
+}
+
+/// Looks names up in a bank of sounds or effects, `things` of which each has a name.
+template <class Bank, class Thing>
+class NameFinder {
+public:
+    /// `kind` and `folder` are for messages: "sound", "sounds". All must outlive the finder.
+    NameFinder(const Bank& bank, const std::vector<Thing>& things, std::string_view kind,
+               std::string_view folder)
+        : bank_(bank), things_(things), kind_(kind), folder_(folder) {}
+
+    /// Finds what `place` names. The words of `place` are filled in if there is none.
+    std::optional<std::uint32_t> find(std::string_view name, MissingName place) {
+        if (name.empty()) return std::nullopt;
+        const auto number = bank_.find(name);
+        if (number || is_left_out(bank_, name)) return number;
+        place.words = text("there is no ", kind_, " '", name, "', ", folder_, "/", name, ".toml",
+                           did_you_mean(name, things_, &Thing::name));
+        missing.push_back(std::move(place));
+        return number;
+    }
+
+    std::vector<MissingName> missing{};
+
+private:
+    const Bank& bank_;
+    const std::vector<Thing>& things_;
+    std::string_view kind_, folder_;
+};
+
+}  // namespace thaum::game
