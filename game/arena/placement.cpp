@@ -12,7 +12,8 @@ namespace {
 constexpr double slack = 0.03;        ///< depth in a solid that rounding, or a thing at rest, may have (m)
 constexpr double deepest_drop = 0.5;  ///< fall of a wizard who appears (m)
 constexpr double step_up = 0.1;       ///< ground above the feet of a wizard who appears (m)
-constexpr double standing_radius = 0.25, lowest_probe = 0.2, highest_probe = 1.5;  ///< of a wizard (m)
+// Radius of a standing wizard, and the heights between which its body is looked for in solids (m).
+constexpr double standing_radius = 0.25, lowest_probe = 0.2, highest_probe = 1.5;
 
 /// Line of a table in its file: "12".
 std::string line_of(const ConfigTable& table, std::string_view key) {

@@ -52,7 +52,7 @@ constexpr std::array unit_forms{UnitForm{"", mm},     UnitForm{"mm", mm},   Unit
 struct ExtraForm {
     const char* kind;
     int size;        ///< 0: any
-    int components;  ///< of what is read
+    int components;  ///< number of components of what is read: 1 or 3
 };
 constexpr std::array extra_forms{ExtraForm{"", 1, 1},          ExtraForm{"time", 0, 1},
                                  ExtraForm{"RGB-color", 3, 1}, ExtraForm{"vector", 3, 3},
