@@ -99,6 +99,16 @@ void PlayerHands::feed(std::uint32_t player, const input::PadState& pad, bool me
     seats_[player].hands->pad(pad);
 }
 
+HandNews PlayerHands::take_plugged_pads(const Settings& settings) {
+    HandNews news;
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (!is_plugged_again(p)) continue;
+        holds_[p].let_go_first = true;
+        rejoin(p, settings, news);
+    }
+    return news;
+}
+
 /// Gives the player's hands the bindings of the new device, and reports when no player is without one.
 void PlayerHands::rejoin(std::uint32_t player, const Settings& settings, HandNews& news) {
     holds_[player].lost = false;
@@ -120,18 +130,25 @@ bool PlayerHands::half_is_free() const {
     return true;
 }
 
-std::optional<HandNews> PlayerHands::take_half(int key, const Settings& settings) {
+std::optional<std::uint32_t> PlayerHands::heir_of_half() const {
     if (!half_is_free()) return {};
-    if (!is_bound(settings.bindings_of(DeviceKind::keyboard_half).of(Action::fire), key)) return {};
-    for (std::uint32_t p = 0; p < game::players; ++p) {
-        auto& hold = holds_[p];
-        if (!has_pad(seats_[p]) || hold.seen || hold.half) continue;
-        hold.half = true;
-        HandNews news;
-        rejoin(p, settings, news);
-        return news;
-    }
+    for (std::uint32_t p = 0; p < game::players; ++p)
+        if (has_pad(seats_[p]) && !holds_[p].seen && !holds_[p].half) return p;
     return {};
+}
+
+std::optional<HandNews> PlayerHands::take_half(int key, const Settings& settings) {
+    const bool asks = is_bound(settings.bindings_of(DeviceKind::keyboard_half).of(Action::fire), key);
+    return asks ? take_half(settings) : std::nullopt;
+}
+
+std::optional<HandNews> PlayerHands::take_half(const Settings& settings) {
+    const auto player = heir_of_half();
+    if (!player) return {};
+    holds_[*player].half = true;
+    HandNews news;
+    rejoin(*player, settings, news);
+    return news;
 }
 
 // Questions -------------------------------------------------------------------------------------------------
@@ -142,6 +159,12 @@ bool PlayerHands::pauses(int key, const Settings& settings) const {
             return true;
     }
     return false;
+}
+
+std::optional<std::uint32_t> PlayerHands::first_lost() const {
+    for (std::uint32_t p = 0; p < game::players; ++p)
+        if (is_lost(p)) return p;
+    return {};
 }
 
 bool PlayerHands::any_pad() const { return std::any_of(seats_.begin(), seats_.end(), has_pad); }

@@ -6,8 +6,9 @@
 
 namespace thaum::app {
 
-/// Words that tell a player how to bring a lost pad back.
-inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad";
+/// Words that tell a player how to bring a lost pad back, and one that is plugged in again.
+inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad",
+                                  press_to_rejoin = "press a button on it to go on";
 
 /// Players whose devices have just gone or come back.
 struct HandNews {
@@ -45,13 +46,23 @@ public:
     /// Handles the pads of the players. While a menu is open, pads do not act in the match.
     HandNews look(const Pads& pads, const Settings& settings, bool menu_open);
     /// Gives half of the keyboard to a player without a pad, who asks with that half's key for the wand.
-    /// Returns std::nullopt if the key does not ask, nobody needs that half, or another player has it.
+    /// Returns std::nullopt if the key does not ask, or nobody can take that half.
     std::optional<HandNews> take_half(int key, const Settings& settings);
+    /// Gives half of the keyboard to the player who can take it. Returns std::nullopt if nobody can.
+    std::optional<HandNews> take_half(const Settings& settings);
+    /// Brings all players back whose lost pads are plugged in again.
+    HandNews take_plugged_pads(const Settings& settings);
 
     /// The device that the player uses now.
     input::DeviceKind device_of(std::uint32_t player) const;
     /// Whether the player's pad is unplugged and the player has no other device.
     bool is_lost(std::uint32_t player) const { return holds_[player].lost; }
+    /// Whether the player's lost pad is plugged in again, and waits for a press.
+    bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
+    /// A player who has no device; std::nullopt: none.
+    std::optional<std::uint32_t> first_lost() const;
+    /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs it, or it is taken.
+    std::optional<std::uint32_t> heir_of_half() const;
     /// Whether a player's own binding of the key pauses the match.
     bool pauses(int key, const Settings& settings) const;
     bool any_pad() const;

@@ -39,6 +39,7 @@ void LiveMenu::close() {
     state_.pages.clear();
     state_.waiting.reset();
     state_.typing.reset();
+    context_.missing.clear();
 }
 
 namespace {
@@ -264,6 +265,8 @@ void LiveMenu::set_gestures(const game::GestureSet* gestures) {
 void LiveMenu::set_pause(PauseWords words) {
     state_.head = std::move(words.head);
     state_.line = std::move(words.line);
+    context_.missing = std::move(words.missing);
+    context_.half_for = std::move(words.half_for);
 }
 
 void LiveMenu::turn_split() {

@@ -47,9 +47,11 @@ private:
     std::int64_t since_ns_ = 0;  ///< time of the round's end; 0: the round goes on
 };
 
-/// Title and reason of the pause.
+/// What the pause says.
 struct PauseWords {
-    std::string head, line;
+    std::string head{}, line{};  ///< title and reason
+    std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can
+    std::string half_for{};      ///< player who may go on with half of the keyboard; empty: nobody
     bool operator==(const PauseWords&) const = default;
 };
 
@@ -57,7 +59,9 @@ struct PauseWords {
 struct PauseFacts {
     std::uint32_t paused_by = game::no_player;  ///< player who pressed the button; game::no_player: nobody
     bool focus_lost = false;                    ///< the session pressed it, because the window lost the focus
-    std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's unplugged pad
+    std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's lost pad
+    std::array<bool, game::players> plugged_again{};           ///< lost pads that wait for a press only
+    std::uint32_t heir_of_half = game::no_player;              ///< player who can take half of the keyboard
     game::PlayerNames names{};
     /// key that takes half of the keyboard instead of a pad; empty: it is not free
     std::string key_for_half{};

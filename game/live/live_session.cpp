@@ -203,6 +203,7 @@ void LiveSession::begin_match(const Pads& pads) {
 void LiveSession::step_match(const std::optional<Pads>& pads, std::int64_t now_ns) {
     pause_without_focus(now_ns);
     if (pads) look_at_pads(*pads, now_ns);
+    wait_for_lost_pads();
     follow_arms(shared_.arms);
     name_arms();
     follow_match(now_ns);
@@ -223,6 +224,12 @@ void LiveSession::pause_without_focus(std::int64_t now_ns) {
     focus_.handled();
     paused_by_focus_ = shared_.progress.state == PlayState::playing;
     shared_.requests.pause = *person;
+}
+
+/// Pauses while a player has no device. A pad may also be pulled out between two rounds, which cannot be paused.
+void LiveSession::wait_for_lost_pads() {
+    const auto lost = hands_.first_lost();
+    if (lost && shared_.progress.state.load() == PlayState::playing) shared_.requests.pause = *lost;
 }
 
 void LiveSession::look_at_pads(const Pads& pads, std::int64_t now_ns) {
@@ -304,8 +311,11 @@ void LiveSession::follow_match(std::int64_t now_ns) {
 PauseFacts LiveSession::pause_facts() const {
     PauseFacts facts{
         .paused_by = shared_.progress.paused_by, .focus_lost = paused_by_focus_, .names = names()};
-    for (std::uint32_t p = 0; p < game::players; ++p)
+    for (std::uint32_t p = 0; p < game::players; ++p) {
         if (hands_.is_lost(p)) facts.lost_pad[p] = shared_.seats[p].seat.pad;
+        facts.plugged_again[p] = hands_.is_plugged_again(p);
+    }
+    facts.heir_of_half = hands_.heir_of_half().value_or(game::no_player);
     if (hands_.half_is_free()) {
         facts.key_for_half = control_names(menu_.settings(), input::DeviceKind::keyboard_half).fire;
     }
@@ -386,6 +396,9 @@ void LiveSession::carry_out_request() {
         case MenuRequest::restart: return restart();
         case MenuRequest::leave:
         case MenuRequest::quit: return leave_match();
+        case MenuRequest::take_half:
+            if (const auto news = hands_.take_half(menu_.settings())) report(*news);
+            return;
         case MenuRequest::go_on: break;
         case MenuRequest::skip_step: ++requests.lesson_skips; break;
         case MenuRequest::repeat_step: ++requests.lesson_repeats; break;
@@ -405,7 +418,9 @@ void LiveSession::carry_out_request() {
         case MenuRequest::skip_control:
         case MenuRequest::apprentice: return;  // they belong to the start screen, or are done
     }
-    requests.go_on = first_person(shared_.seats).value_or(0);
+    report(hands_.take_plugged_pads(menu_.settings()));
+    // A pad may have gone since the menu asked.
+    if (!hands_.first_lost()) requests.go_on = first_person(shared_.seats).value_or(0);
 }
 
 /// Ends the match, after which another one begins with the same players. The range reads its files again; while one
@@ -491,7 +506,9 @@ Screen LiveSession::screen() const {
     for (auto& controls : screen.hud.controls)
         if (viewer_) controls.wands = control_names(settings, input::DeviceKind::keyboard_mouse).wands;
     for (std::uint32_t p = 0; p < game::players; ++p)
-        if (hands_.is_lost(p)) messages[p] = text("pad lost: ", how_to_rejoin);
+        if (hands_.is_lost(p))
+            messages[p] = hands_.is_plugged_again(p) ? text("pad is back: ", press_to_rejoin)
+                                                     : text("pad lost: ", how_to_rejoin);
     return screen;
 }
 

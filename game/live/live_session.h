@@ -88,6 +88,7 @@ private:
     template <class F>
     void give_hands(std::int64_t now_ns, F&& f);
     void report(const HandNews& news);
+    void wait_for_lost_pads();
     void look_at_pads(const Pads& pads, std::int64_t now_ns);
     bool leaves_by_pad(const Pads& before, const Pads& pads) const;
     void share_motors();

@@ -313,6 +313,7 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::sound: open(s, Page::sound); break;
         case RowKind::quit: s.request = MenuRequest::quit; break;
         case RowKind::go_on: s.request = MenuRequest::go_on; break;
+        case RowKind::take_half: s.request = MenuRequest::take_half; break;
         case RowKind::restart: s.request = MenuRequest::restart; break;
         case RowKind::leave: s.request = MenuRequest::leave; break;
         case RowKind::sheet: open_sheet(s, row.index); break;
@@ -421,6 +422,28 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
     }
 }
 
+/// Whether a request also ends the pause.
+bool ends_pause(MenuRequest request) {
+    switch (request) {
+        case MenuRequest::go_on:
+        case MenuRequest::skip_step:
+        case MenuRequest::repeat_step:
+        case MenuRequest::find_force:
+        case MenuRequest::feel_force:
+        case MenuRequest::draw_gesture:
+        case MenuRequest::stop_drawing:
+        case MenuRequest::forget_gesture: return true;
+        default: return false;
+    }
+}
+
+/// Refuses a request that would end the pause while a player has no device.
+void keep_pause(MenuState& s, const MenuContext& context) {
+    if (context.missing.empty() || !ends_pause(s.request)) return;
+    s.request = MenuRequest::none;
+    s.note = text("cannot go on: ", context.missing);
+}
+
 }  // namespace
 
 MenuState opened(MenuState state, Page page) {
@@ -450,6 +473,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
         type_name(state, event);
     } else {
         act(state, event, context);
+        keep_pause(state, context);
     }
     return state;
 }

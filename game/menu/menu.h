@@ -76,6 +76,8 @@ struct MenuContext {
     bool apprentice = false;   ///< true: the pause belongs to the Apprentice, which is played on the range
     bool first_start = false;  ///< true: the start screen offers the Apprentice first
     bool ends_match = false;   ///< true: leaving the pause opens the start screen; false: it ends the program
+    std::string missing{};     ///< why the pause cannot end: whose pad is not plugged in; empty: it can
+    std::string half_for{};    ///< player who may go on with half of the keyboard; empty: nobody
     std::string sound{};       ///< state of the loudspeakers, or why nothing is heard
     std::array<std::string, game::players>
         jackets{};                        ///< state of each player's jacket; empty: the player has none
@@ -97,6 +99,7 @@ enum class MenuRequest : std::uint8_t {
     range,
     apprentice,
     go_on,
+    take_half,
     skip_step,
     repeat_step,
     find_force,

@@ -57,7 +57,7 @@ std::string line_of(const MenuState& s, const MenuContext& context, const Row& r
     }
 }
 
-std::string hint_of(const MenuState& s, const Row& row) {
+std::string hint_of(const MenuState& s, const MenuContext& context, const Row& row) {
     if (s.waiting) {
         return esc_ends_waiting(s) ? "press the new key or button    Esc: leave it as it is"
                                    : "press the new key or button";
@@ -71,7 +71,8 @@ std::string hint_of(const MenuState& s, const Row& row) {
             return "choose: arrows, W and S    join: Enter, click, any pad button, keypad 0    "
                    "give up a seat: Esc, B, keypad *";
         case Page::pause:
-            return "choose: arrows, W and S, mouse or pad    confirm: Enter, A, click    go on: Esc, Start";
+            return text("choose: arrows, W and S, mouse or pad    confirm: Enter, A, click",
+                        context.missing.empty() ? "    go on: Esc, Start" : "");
         case Page::cauldron:
             return "less, more: arrows    off, on: Enter, A, click on its name    back: Esc, B, right button";
         case Page::mixer:
@@ -141,7 +142,7 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
     picture.middle = std::min(s.pages.back().middle, rows.size() - 1);
     picture.line = line_of(s, context, rows[picture.cursor]);
-    picture.hint = hint_of(s, rows[picture.cursor]);
+    picture.hint = hint_of(s, context, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
     if (s.note.empty()) picture.note = words_of_delay(s, context, rows[picture.cursor]);

@@ -214,15 +214,27 @@ std::string_view name_of_play(const MenuContext& context) {
     return context.practice ? "range" : "match";
 }
 
-void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
-    const bool match = !context.apprentice && !context.practice;
+std::string_view help_of_go_on(const MenuContext& context) {
+    if (!context.missing.empty()) return "Is possible once every player has a device.";
+    if (context.apprentice || context.practice) return "Closes this menu and plays on for everybody.";
+    return "Plays on for everybody. Hold Stir at the cauldron, at the orb below the violet light, or at a "
+           "crystal below a blue light.";
+}
+
+void add_go_on_rows(const MenuContext& context, Rows& rows) {
     rows.push_back(
         {RowKind::go_on,
          0,
-         {.label = "Go on",
-          .help = match ? "Plays on for everybody. Hold Stir at the cauldron, at the orb below the violet "
-                          "light, or at a crystal below a blue light."
-                        : "Closes this menu and plays on for everybody."}});
+         {.label = "Go on", .help = std::string(help_of_go_on(context)), .dim = !context.missing.empty()}});
+    if (context.half_for.empty()) return;
+    rows.push_back({RowKind::take_half,
+                    0,
+                    {.label = text("Keypad and arrows for ", context.half_for),
+                     .help = "Gives this player half of the keyboard until a button of a pad is pressed."}});
+}
+
+void add_pause_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    add_go_on_rows(context, rows);
     if (context.apprentice)
         add_lesson_rows(rows);
     else if (context.practice) {

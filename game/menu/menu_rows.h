@@ -22,6 +22,7 @@ enum class RowKind : std::uint8_t {
     sound,
     quit,
     go_on,
+    take_half,
     restart,
     leave,
     sheet,

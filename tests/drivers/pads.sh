@@ -48,6 +48,11 @@ ends() {
 starts --version 0599 --felt "$folder/felt" -- --vs --hands pad,pad
 eventually "the match does not wait for the missing pad" pause_menu
 picture missing
+presses Escape
+eventually "no word on what Esc waits for" paused
+sleep 0.5
+picture refused
+paused || failed "the match goes on without the second pad"
 presses KP_0
 eventually "the keypad does not take the second seat" no_pause_menu
 pad lx 32767

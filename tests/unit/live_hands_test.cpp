@@ -106,6 +106,22 @@ TEST_F(PlayerHandsTest, HalfOfTheKeyboardTakesOverForALostPad) {
     EXPECT_FALSE(look(unplugged_).lost) << "the player has a device";
 }
 
+TEST_F(PlayerHandsTest, APluggedPadCanBeTakenForItsPlayerWithoutAPress) {
+    look(unplugged_);
+    EXPECT_EQ(hands_.first_lost(), 1U);
+    EXPECT_EQ(hands_.heir_of_half(), 1U);
+    EXPECT_FALSE(hands_.is_plugged_again(1));
+    EXPECT_FALSE(hands_.take_plugged_pads(settings_).all_back);
+    EXPECT_TRUE(hands_.is_lost(1)) << "it is not plugged in";
+    look(idle_);
+    EXPECT_TRUE(hands_.is_plugged_again(1));
+    EXPECT_FALSE(hands_.heir_of_half()) << "the player has the pad";
+    EXPECT_EQ(hands_.take_plugged_pads(settings_).all_back, 1U);
+    EXPECT_FALSE(hands_.first_lost());
+    look(full_trigger_);
+    EXPECT_EQ(sample().counts[input::hand::trigger], 255);
+}
+
 TEST_F(PlayerHandsTest, ThePadTakesItsPlayerBackFromTheHalf) {
     look(unplugged_);
     hands_.take_half(keypad_zero_, settings_);

@@ -50,12 +50,24 @@ TEST(PauseWordsTest, NameThePlayerOrTheLostPad) {
     EXPECT_EQ(pause_words({}), (PauseWords{"Paused", ""}));
     const std::string help = "plug it in and press a button on it or on a free pad";
     EXPECT_EQ(pause_words({.lost_pad = {2, std::nullopt}}),
-              (PauseWords{"Pad 3 of Ember is not plugged in", help}));
-    EXPECT_EQ(
-        pause_words({.lost_pad = {std::nullopt, 0}, .names = {"", "Zoë"}, .key_for_half = "Keypad 0"}),
-        (PauseWords{"Pad 1 of Zoë is not plugged in", help + ", or Keypad 0 for half of the keyboard"}));
+              (PauseWords{"Pad 3 of Ember is not plugged in", help, "pad 3 of Ember is not plugged in", ""}));
+    EXPECT_EQ(pause_words({.lost_pad = {std::nullopt, 0},
+                           .heir_of_half = 1,
+                           .names = {"", "Zoë"},
+                           .key_for_half = "Keypad 0"}),
+              (PauseWords{"Pad 1 of Zoë is not plugged in", help + ", or Keypad 0 for half of the keyboard",
+                          "pad 1 of Zoë is not plugged in", "Zoë"}));
     EXPECT_EQ(pause_words({.focus_lost = true, .lost_pad = {0, 1}}).head,
               "Pad 1 of Ember and pad 2 of Tide are not plugged in");
+}
+
+TEST(PauseWordsTest, APadThatIsPluggedInAgainIsNotMissing) {
+    EXPECT_EQ(pause_words({.lost_pad = {0, std::nullopt}, .plugged_again = {true, false}}),
+              (PauseWords{"Pad 1 of Ember is plugged in again", "press a button on it to go on"}));
+    EXPECT_EQ(pause_words({.lost_pad = {0, 1}, .plugged_again = {true, false}}).head,
+              "Pad 2 of Tide is not plugged in");
+    EXPECT_EQ(pause_words({.lost_pad = {0, 1}, .plugged_again = {true, true}}).head,
+              "Pad 1 of Ember and pad 2 of Tide are plugged in again");
 }
 
 TEST(PauseWordsTest, SayThatTheWindowLostTheFocus) {

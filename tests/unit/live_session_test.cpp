@@ -49,7 +49,8 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_TRUE(screen().hud.menu);
     pads_[0] = rig::pad_with();
     step();
-    EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 0}}).head);
+    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide is plugged in again");
+    EXPECT_EQ(screen().hud.device_messages[1], "pad is back: press a button on it to go on");
     EXPECT_EQ(requests().go_on, game::no_player);
     pads_[0] = rig::pad_with({PadButton::a});
     step();
@@ -86,6 +87,84 @@ TEST_F(LiveSessionTest, AMatchWithoutAPlayersPadBeginsPausedAndSaysWhosePadIsMis
     step();
     EXPECT_TRUE(shared_.pad_lost[0] && shared_.pad_lost[1]);
     EXPECT_LT(requests().pause, game::players);
+}
+
+TEST_F(LiveSessionTest, NobodyGoesOnWithoutTheLostPad) {
+    plan_.seats = {rig::first_pad_seat, rig::first_pad_seat};
+    const Pads one{rig::pad_with()}, both{rig::pad_with(), rig::pad_with()};
+    begin(both);
+    pads_ = one;
+    step();
+    pause(1);
+    step();
+    requests().pause = game::no_player;
+    const auto refused = [&] {
+        step();
+        return requests().go_on == game::no_player && session_->menu().is_open() &&
+               screen().menu.note == "cannot go on: pad 2 of Tide is not plugged in";
+    };
+    press("escape");
+    EXPECT_TRUE(refused()) << screen().menu.note;
+    choose("Go on");
+    press("enter");
+    EXPECT_TRUE(refused());
+    pads_[0] = rig::pad_with({PadButton::start});
+    step();
+    EXPECT_TRUE(refused()) << "the other player's pad";
+    pads_ = both;
+    step();
+    press("escape");
+    step();
+    EXPECT_LT(requests().go_on, game::players) << "it is plugged in again";
+    EXPECT_FALSE(shared_.pad_lost[1]);
+}
+
+TEST_F(LiveSessionTest, AWishToGoOnComesTooLateForAPadThatLeaves) {
+    begin({rig::pad_with()});
+    pause(0);
+    step();
+    press("escape");
+    pads_ = {};
+    step();
+    EXPECT_EQ(requests().go_on, game::no_player);
+    EXPECT_EQ(screen().menu.title, "Pad 1 of Tide is not plugged in");
+}
+
+TEST_F(LiveSessionTest, ARoundThatBeginsWithoutAPadPauses) {
+    begin({rig::pad_with()});
+    shared_.progress.state = PlayState::over;
+    pads_ = {};
+    step();
+    requests().pause = game::no_player;  // there is nothing to pause between two rounds
+    step();
+    EXPECT_EQ(requests().pause, game::no_player);
+    shared_.progress.state = PlayState::playing;
+    step();
+    EXPECT_EQ(requests().pause, 1U);
+}
+
+TEST_F(LiveSessionTest, ThePauseWithoutAPadOffersTheKeypadAndAWayOut) {
+    begin({rig::pad_with()});
+    pads_ = {};
+    step();
+    pause(1);
+    step();
+    choose("Keypad and arrows for Tide");
+    press("enter");
+    step();
+    EXPECT_EQ(requests().go_on, 1U);
+    shared_.progress.state = PlayState::playing;
+    step();
+    session_->key(rig::key("kp_8"), true, now_);
+    EXPECT_EQ(sample(1).counts[input::hand::forward], 127);
+    // Nobody is locked in: the row at the end leaves.
+    begin(Pads{});
+    pause(1);
+    step();
+    choose("Quit");
+    press("enter");
+    step();
+    EXPECT_TRUE(shared_.stop);
 }
 
 TEST_F(LiveSessionTest, TheKeypadStandsInForALostPad) {
