@@ -10,30 +10,32 @@ namespace {
 
 struct Question {
     std::string_view field;  ///< name of the control in a mapping
+    std::string_view name;   ///< name of the control for people
     std::string_view words;
-    bool stick = false;  ///< a whole axis must answer, moved to its positive side
+    bool stick = false;   ///< a whole axis must answer, moved to its positive side
+    bool needed = false;  ///< a duel cannot be played without it
 };
 constexpr std::array questions{
-    Question{"a", "press A, the lowest of the four buttons on the right"},
-    Question{"b", "press B, the rightmost of the four"},
-    Question{"x", "press X, the leftmost of the four"},
-    Question{"y", "press Y, the highest of the four"},
-    Question{"leftx", "push the left stick to the right", true},
-    Question{"lefty", "push the left stick down, towards you", true},
-    Question{"rightx", "push the right stick to the right", true},
-    Question{"righty", "push the right stick down, towards you", true},
-    Question{"righttrigger", "press RT, the right trigger, to its end"},
-    Question{"lefttrigger", "press LT, the left trigger, to its end"},
-    Question{"rightshoulder", "press RB, the button above the right trigger"},
-    Question{"leftshoulder", "press LB, the button above the left trigger"},
-    Question{"start", "press Start"},
-    Question{"back", "press Back"},
-    Question{"leftstick", "press the left stick in"},
-    Question{"rightstick", "press the right stick in"},
-    Question{"dpup", "press the cross up"},
-    Question{"dpright", "press the cross to the right"},
-    Question{"dpdown", "press the cross down"},
-    Question{"dpleft", "press the cross to the left"},
+    Question{"a", "A", "press A, the lowest of the four buttons on the right", false, true},
+    Question{"b", "B", "press B, the rightmost of the four"},
+    Question{"x", "X", "press X, the leftmost of the four"},
+    Question{"y", "Y", "press Y, the highest of the four"},
+    Question{"leftx", "left stick", "push the left stick to the right", true, true},
+    Question{"lefty", "left stick", "push the left stick down, towards you", true, true},
+    Question{"rightx", "right stick", "push the right stick to the right", true, true},
+    Question{"righty", "right stick", "push the right stick down, towards you", true, true},
+    Question{"righttrigger", "RT", "press RT, the right trigger, to its end", false, true},
+    Question{"lefttrigger", "LT", "press LT, the left trigger, to its end"},
+    Question{"rightshoulder", "RB", "press RB, the button above the right trigger"},
+    Question{"leftshoulder", "LB", "press LB, the button above the left trigger"},
+    Question{"start", "Start", "press Start", false, true},
+    Question{"back", "Back", "press Back"},
+    Question{"leftstick", "left stick's press", "press the left stick in"},
+    Question{"rightstick", "right stick's press", "press the right stick in"},
+    Question{"dpup", "cross up", "press the cross up"},
+    Question{"dpright", "cross right", "press the cross to the right"},
+    Question{"dpdown", "cross down", "press the cross down"},
+    Question{"dpleft", "cross left", "press the cross to the left"},
 };
 
 constexpr int axis_end = 32767;
@@ -106,12 +108,17 @@ bool PadAssignment::follow(const StickState& now) {
     return true;
 }
 
-void PadAssignment::skip() {
-    if (!asks().empty()) ++number_;
+bool PadAssignment::needs_answer() const {
+    return number_ < questions.size() && questions.at(number_).needed;
 }
 
-Expected<std::string> PadAssignment::mapping() const {
-    if (answers_.empty()) return fail("no control was assigned");
+void PadAssignment::skip() {
+    if (asks().empty() || needs_answer()) return;
+    skipped_ += text(skipped_.empty() ? "" : ", ", questions.at(number_).name);
+    ++number_;
+}
+
+std::string PadAssignment::mapping() const {
     return text(guid_, ",", name_, ",", answers_, "platform:Linux,");
 }
 

@@ -4,12 +4,12 @@
 //
 //     GUID,NAME,a:b0,leftx:a0,lefttrigger:a4,dpup:h0.1,platform:Linux,
 //
-// A part that rests at one end of its way, as triggers do, is asked for like a button. No part answers twice.
+// A part that rests at one end of its way, as triggers do, is asked for like a button. No part answers twice. Both sticks,
+// A, RT and Start cannot be left out: who cannot move, look, use a wand or pause cannot play.
 #pragma once
 #include <optional>
 #include <set>
 
-#include "core/error.h"
 #include "input/pad_state.h"
 
 namespace thaum::input {
@@ -27,11 +27,17 @@ public:
 
     /// Looks at the joystick. Returns whether the present question was answered.
     bool follow(const StickState& now);
-    /// Leaves the present control out.
+    /// Whether a duel cannot be played without the present control.
+    bool needs_answer() const;
+    /// Leaves the present control out, unless it is needed.
     void skip();
+    /// Names of the controls that were left out: "B, LT"; empty: none.
+    const std::string& skipped() const { return skipped_; }
 
-    /// The mapping of all answers. The error: no control was answered.
-    Expected<std::string> mapping() const;
+    /// Whether all was asked for, and the part of the last answer was let go of.
+    bool is_done() const { return asks().empty() && !let_go_first_; }
+    /// The mapping of all answers.
+    std::string mapping() const;
 
 private:
     std::optional<std::string> moved_part(const StickState& now) const;
@@ -42,7 +48,7 @@ private:
     StickState rest_;
     std::size_t number_ = 0;
     bool let_go_first_ = false;  ///< the part of the last answer is still held
-    std::string answers_{};
+    std::string answers_{}, skipped_{};
     std::set<std::string> taken_{};  ///< parts that have answered
 };
 

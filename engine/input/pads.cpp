@@ -12,6 +12,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "input/detail/pad_places.h"
+#include "input/pad_mapping.h"
 
 // Why SDL is used as it is here:
 //
@@ -110,15 +111,18 @@ struct PadReader::State {
     std::jthread start{};  ///< begins SDL; ended by `wait`
     bool began = false;
     std::string fault{};
+    std::vector<std::string> mappings{};  ///< those of the program, in the order in which SDL takes them
     PadPlaces places{};
     Pads pads{};
     std::array<OpenPad, std::tuple_size_v<Pads>> open{};
+    std::vector<std::string> left_over{};
     std::vector<Stick> sticks{};
     std::vector<OpenStick> open_sticks{};
     std::vector<std::pair<SDL_JoystickID, bool>>
         plugged{};  ///< joysticks of the last look, and which are pads
 
-    void begin(const std::vector<std::string>& mappings);
+    void begin();
+    bool has_own_mapping(const std::string& model) const;
     void wait() {
         if (start.joinable()) start.join();
     }
@@ -127,7 +131,16 @@ struct PadReader::State {
     void open_sticks_anew();
 };
 
-void PadReader::State::begin(const std::vector<std::string>& mappings) {
+bool is_for(const std::string& mapping, const std::string& model) {
+    return same_pad_model(std::string_view(mapping).substr(0, mapping.find(',')), model);
+}
+
+bool PadReader::State::has_own_mapping(const std::string& model) const {
+    return std::any_of(mappings.begin(), mappings.end(),
+                       [&](const auto& mapping) { return is_for(mapping, model); });
+}
+
+void PadReader::State::begin() {
     SDL_SetHintWithPriority(SDL_HINT_NO_SIGNAL_HANDLERS, "1", SDL_HINT_OVERRIDE);
     SDL_SetHintWithPriority(SDL_HINT_JOYSTICK_HIDAPI, "0", SDL_HINT_OVERRIDE);
     // SDL has no window, so none of its windows ever has the focus.
@@ -158,6 +171,10 @@ void PadReader::State::open_pads() {
     for (std::size_t i = 0; i < plugged.size(); ++i)
         if (plugged[i].second) now.push_back({plugged[i].first, guid_of(static_cast<int>(i))});
     place_pads(places, now);
+    left_over.clear();
+    for (const auto& pad : now)
+        if (std::none_of(places.begin(), places.end(), [&](const auto& place) { return place.id == pad.id; }))
+            left_over.push_back(in_words(SDL_JoystickNameForIndex(index_of(pad.id))));
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open.at(i).id == places.at(i).id) continue;
         open.at(i) = {places.at(i).id, Controller(nullptr, SDL_GameControllerClose)};
@@ -189,8 +206,8 @@ void PadReader::State::open_sticks_anew() {
 PadReader::PadReader(std::vector<std::string> mappings) : state_(std::make_unique<State>()) {
     THAUM_ASSERT(!alive, "there is a reader of pads already");
     alive = true;
-    auto started =
-        start_thread([state = state_.get(), mappings = std::move(mappings)] { state->begin(mappings); });
+    state_->mappings = std::move(mappings);
+    auto started = start_thread([state = state_.get()] { state->begin(); });
     if (started)
         state_->start = std::move(*started);
     else
@@ -224,6 +241,8 @@ const Pads& PadReader::poll() {
 
 const std::vector<Stick>& PadReader::sticks() const { return state_->sticks; }
 
+const std::vector<std::string>& PadReader::left_over() const { return state_->left_over; }
+
 const std::string& PadReader::fault() const {
     state_->wait();
     return state_->fault;
@@ -232,7 +251,38 @@ const std::string& PadReader::fault() const {
 Expected<void> PadReader::add(const std::string& mapping) {
     state_->wait();
     if (!state_->began) return fail(state_->fault);
-    return add_mapping(mapping);
+    auto added = add_mapping(mapping);
+    if (added) state_->mappings.push_back(mapping);
+    return added;
+}
+
+std::vector<Stick> PadReader::own() const {
+    std::vector<Stick> sticks;
+    for (std::size_t i = 0; i < state_->pads.size(); ++i) {
+        const auto& pad = state_->pads.at(i);
+        const auto& model = state_->places.at(i).model;
+        if (!pad.present || !state_->has_own_mapping(model)) continue;
+        sticks.push_back({.name = pad.name, .path = pad.path, .guid = model});
+        read_stick(SDL_GameControllerGetJoystick(state_->open.at(i).controller.get()), sticks.back().state);
+    }
+    return sticks;
+}
+
+// SDL has no call that takes a mapping back.
+void PadReader::forget(const std::string& model) {
+    auto& s = *state_;
+    s.wait();
+    std::erase_if(s.mappings, [&](const auto& mapping) { return is_for(mapping, model); });
+    if (!s.began) return;
+    for (auto& pad : s.open) pad = {};
+    for (auto& place : s.places) place.id = -1;  // SDL may count its pads anew
+    s.pads = {};
+    s.sticks.clear();
+    s.open_sticks.clear();
+    s.plugged.clear();
+    SDL_Quit();
+    s.fault.clear();
+    s.begin();
 }
 
 }  // namespace thaum::input

@@ -30,11 +30,19 @@ public:
     // What the last `poll` has found:
     /// Joysticks that are no pads.
     const std::vector<Stick>& sticks() const;
+    /// Names of pads that cannot play, since Pads has no place for them.
+    const std::vector<std::string>& left_over() const;
     /// Why there are no pads at all, or which mapping is faulty; empty: all is well.
     const std::string& fault() const;
 
+    /// Pads that play by a mapping of the constructor or of `add`, as joysticks. Their parts are those that such a mapping
+    /// names.
+    std::vector<Stick> own() const;
+
     /// Adds a mapping, which makes pads of the joysticks of its model. The error says what is wrong with it.
     Expected<void> add(const std::string& mapping);
+    /// Takes the added mappings of a joystick's model back. All pads are looked for again, which takes some milliseconds.
+    void forget(const std::string& model);
 
 private:
     struct State;

@@ -272,10 +272,10 @@ void add_pads(std::vector<Finding>& findings) {
     };
     const auto before = findings.size();
     auto own = load_own_pads(own_pads_file(settings_file()));
-    if (!own)
-        findings.push_back({"pad", State::missing, in_one_line(own.error().message),
-                            "correct or delete this file of the pads that were set up"});
-    input::PadReader reader(own ? std::move(*own) : std::vector<std::string>());
+    for (const auto& fault : own.faults)
+        findings.push_back({"pad", State::missing, in_one_line(fault),
+                            "correct this file of the pads that were set up, or delete what is faulty"});
+    input::PadReader reader(std::move(own.mappings));
     const auto pads = reader.poll();
     if (!reader.fault().empty())
         findings.push_back({"pad", State::missing, reader.fault(), "reinstall libsdl2-2.0-0"});

@@ -165,14 +165,6 @@ void tell_arm(const LiveArm& arm, bool name_it) {
                    arm.keeper->losses(), " times; ", faults.differing, " forces differ from the match's"));
 }
 
-/// Mappings of pads that players have made. A fault is told, and then there are none.
-std::vector<std::string> own_mappings(const std::filesystem::path& settings_file) {
-    auto mappings = load_own_pads(own_pads_file(settings_file));
-    if (mappings) return std::move(*mappings);
-    tell_user(text("pads that were set up are not known: ", mappings.error().message));
-    return {};
-}
-
 void fill_report(LiveShared& shared, LiveReport& report) {
     report = shared.report;
     report.late_us_median = shared.late.at(0.5);
@@ -204,7 +196,8 @@ std::string told(const input::TickReport& arm) {
 
 int run_live(const LivePlan& plan) {
     // Begins first, since its look for pads runs beside all that follows.
-    input::PadReader pads(own_mappings(plan.settings_file));
+    auto own_pads = load_own_pads(own_pads_file(plan.settings_file));
+    input::PadReader pads(std::move(own_pads.mappings));
     // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
     // hangs.
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
@@ -223,7 +216,7 @@ int run_live(const LivePlan& plan) {
     auto reading = start_thread([&] { look_at_data(plan, shared, *window); });
     // Sounds are made while the other thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
-    Live live{plan, shared, session, {*window, pads, plan.settings.fullscreen}};
+    Live live{plan, shared, session, {*window, pads, std::move(own_pads.faults), plan.settings.fullscreen}};
     const auto played = play_matches(live);
     shared.stop = true;
     shared.say_started();

@@ -67,13 +67,18 @@ public:
     bool sets_up_pad() const { return is_open() && state_.pages.back().page == Page::pad_setup; }
 
     // News for the menu.
-    /// Joysticks that are no pads, and a line for each joystick that does not play.
-    void tell_sticks(std::vector<std::string> names, std::vector<std::string> faults) {
-        context_.sticks = std::move(names);
+    /// Joysticks that are no pads, pads that were set up by hand, and a line for each joystick that does not play.
+    void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
+                     std::vector<std::string> faults) {
+        context_.sticks = std::move(unknown);
+        context_.own_pads = std::move(own);
         context_.pad_faults = std::move(faults);
     }
     /// Control that the set-up of a joystick asks for.
-    void ask_for_control(std::string question) { context_.pad_question = std::move(question); }
+    void ask_for_control(std::string question, bool needed) {
+        context_.pad_question = std::move(question);
+        context_.pad_needs_control = needed;
+    }
     /// Leaves the page of a joystick's set-up.
     void end_pad_setup(std::string note);
     /// Updates the pads' names. A pad that was unplugged gives up its seat.

@@ -232,7 +232,8 @@ void LiveSession::wait_for_lost_pads() {
     if (lost && shared_.progress.state.load() == PlayState::playing) shared_.requests.pause = *lost;
 }
 
-void LiveSession::look_at_pads(const Pads& pads, std::int64_t now_ns) {
+void LiveSession::look_at_pads(const Pads& plugged, std::int64_t now_ns) {
+    const auto pads = setup_.without_stick(plugged);
     const auto before = std::exchange(pads_, pads);
     const auto news = hands_.look(pads, menu_.settings(), menu_.is_open());
     report(news);
@@ -416,6 +417,7 @@ void LiveSession::carry_out_request() {
         case MenuRequest::range:
         case MenuRequest::set_up_pad:
         case MenuRequest::skip_control:
+        case MenuRequest::forget_pad:
         case MenuRequest::apprentice: return;  // they belong to the start screen, or are done
     }
     report(hands_.take_plugged_pads(menu_.settings()));

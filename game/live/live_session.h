@@ -58,13 +58,13 @@ public:
     /// Whether the menu has asked to begin the ended match again. Forgets it.
     bool take_restart() { return std::exchange(restarts_, false); }
 
-    /// Tells which joysticks do not play, while a menu is open. Returns a mapping that makes a pad of one.
-    std::optional<std::string> look_at_sticks(IdleSticks sticks) {
+    /// Tells which joysticks do not play, while a menu is open. Returns what the reader of pads must change.
+    std::optional<PadChange> look_at_sticks(IdleSticks sticks) {
         return setup_.follow(std::move(sticks), menu_);
     }
-    /// Such a mapping was taken, or not.
-    void end_pad_setup(const std::string& mapping, const Expected<void>& taken) {
-        setup_.end(mapping, taken, menu_);
+    /// The reader has made the change, or not.
+    void end_pad_setup(const PadChange& change, const Expected<void>& taken) {
+        setup_.end(change, taken, menu_);
     }
 
     /// Publishes shared.screen if something on it has changed.
@@ -89,7 +89,7 @@ private:
     void give_hands(std::int64_t now_ns, F&& f);
     void report(const HandNews& news);
     void wait_for_lost_pads();
-    void look_at_pads(const Pads& pads, std::int64_t now_ns);
+    void look_at_pads(const Pads& plugged, std::int64_t now_ns);
     bool leaves_by_pad(const Pads& before, const Pads& pads) const;
     void share_motors();
     void share_motors_of_start_screen();

@@ -57,8 +57,17 @@ void look_at_sticks(LiveSession& session, LiveWindow& window) {
         window.look_for_locked_ns = now + period_ns;
         window.locked = input::locked_sticks();
     }
-    const auto mapping = session.look_at_sticks({window.pads.sticks(), window.locked, window.pads.fault()});
-    if (mapping) session.end_pad_setup(*mapping, window.pads.add(*mapping));
+    IdleSticks sticks{.unknown = window.pads.sticks(),
+                      .own = window.pads.own(),
+                      .locked = window.locked,
+                      .left_over = window.pads.left_over(),
+                      .faults = window.pad_faults};
+    if (!window.pads.fault().empty()) sticks.faults.push_back(window.pads.fault());
+    const auto change = session.look_at_sticks(std::move(sticks));
+    if (!change) return;
+    if (change->mapping.empty()) window.pads.forget(change->model);
+    const auto taken = change->mapping.empty() ? Expected<void>() : window.pads.add(change->mapping);
+    session.end_pad_setup(*change, taken);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ namespace thaum::app {
 struct LiveWindow {
     render::Window& window;
     input::PadReader& pads;
+    std::vector<std::string> pad_faults{};  ///< faults of the file of own mappings
     bool fullscreen = false;
     bool tells_pause = false;                  ///< the title says that the match is paused
     std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "core/one_line.h"
 #include "core/tell_user.h"
@@ -23,76 +24,121 @@ std::string question_of(const input::PadAssignment& assignment) {
 }  // namespace
 
 std::vector<std::string> faults_of(const IdleSticks& sticks) {
-    std::vector<std::string> faults;
-    if (!sticks.fault.empty()) faults.push_back(sticks.fault);
+    auto faults = sticks.faults;
     for (const auto& stick : sticks.locked)
         faults.push_back(text("pad '", shown(stick.name), "' may not be read (", stick.path,
                               "): 'thaum doctor' says how to allow it"));
+    for (const auto& name : sticks.left_over)
+        faults.push_back(text("pad '", shown(name), "' is one too many: only ", std::tuple_size_v<Pads>,
+                              " pads can be used at once"));
     for (const auto& stick : sticks.unknown)
         faults.push_back(text("joystick '", shown(stick.name),
                               "' is not known: 'Set up' on the page Controls asks for its buttons"));
     return faults;
 }
 
-bool PadSetup::carry_out(MenuRequest request, const LiveMenu& menu) {
-    if (request == MenuRequest::skip_control && assignment_) assignment_->skip();
-    if (request == MenuRequest::set_up_pad && menu.state().stick < sticks_.unknown.size()) {
-        const auto& stick = sticks_.unknown[menu.state().stick];
-        assignment_.emplace(stick);
-        asked_.clear();
-        model_ = stick.guid;
-    }
-    return request == MenuRequest::skip_control || request == MenuRequest::set_up_pad;
+/// The joystick that the menu calls by this number; null: it is gone.
+const input::Stick* PadSetup::stick_of(std::size_t number) const {
+    const auto unknown = sticks_.unknown.size();
+    if (number < unknown) return &sticks_.unknown[number];
+    return number - unknown < sticks_.own.size() ? &sticks_.own[number - unknown] : nullptr;
 }
 
-std::optional<std::string> PadSetup::follow(IdleSticks sticks, LiveMenu& menu) {
-    const bool changed = faults_of(sticks) != faults_of(sticks_);
+/// The joystick that is set up; null: it is gone.
+const input::Stick* PadSetup::present_stick() const {
+    for (const auto* list : {&sticks_.unknown, &sticks_.own})
+        for (const auto& stick : *list)
+            if (stick.guid == model_ && stick.path == path_) return &stick;
+    return nullptr;
+}
+
+bool PadSetup::carry_out(MenuRequest request, const LiveMenu& menu) {
+    const auto* stick = stick_of(menu.state().stick);
+    switch (request) {
+        case MenuRequest::skip_control:
+            if (assignment_) assignment_->skip();
+            return true;
+        case MenuRequest::set_up_pad:
+            if (stick == nullptr) return true;
+            assignment_.emplace(*stick);
+            asked_.clear();
+            model_ = stick->guid;
+            path_ = stick->path;
+            return true;
+        case MenuRequest::forget_pad:
+            if (stick != nullptr) due_ = PadChange{.model = stick->guid};
+            return true;
+        default: return false;
+    }
+}
+
+std::optional<PadChange> PadSetup::follow(IdleSticks sticks, LiveMenu& menu) {
     sticks_ = std::move(sticks);
-    if (changed) tell_faults(menu);
+    tell_faults(menu);
+    if (due_) return std::exchange(due_, {});
     if (!menu.sets_up_pad()) assignment_.reset();
     if (!assignment_) return {};
-    const auto& unknown = sticks_.unknown;
-    const auto stick =
-        std::find_if(unknown.begin(), unknown.end(), [&](const auto& s) { return s.guid == model_; });
-    if (stick == unknown.end()) {
-        menu.end_pad_setup("the joystick is gone");
+    const auto* stick = present_stick();
+    if (stick == nullptr) {
+        assignment_.reset();
+        menu.end_pad_setup("the joystick is gone, and nothing was kept");
         return {};
     }
     assignment_->follow(stick->state);
-    if (!assignment_->asks().empty()) {
-        ask(question_of(*assignment_), menu);
+    if (!assignment_->is_done()) {
+        ask(menu);
         return {};
     }
-    const auto mapping = assignment_->mapping();
+    PadChange change{.model = model_, .mapping = assignment_->mapping()};
+    skipped_ = assignment_->skipped();
     assignment_.reset();
-    if (mapping) return *mapping;
-    menu.end_pad_setup(mapping.error().message);
-    return {};
+    return change;
+}
+
+Pads PadSetup::without_stick(Pads pads) const {
+    for (auto& pad : pads) {
+        if (!assignment_ || !pad.present || pad.path != path_) continue;
+        pad.axes = {};
+        pad.buttons = 0;
+    }
+    return pads;
 }
 
 /// Asks on the screen, and in the terminal for those who do not see it.
-void PadSetup::ask(std::string question, LiveMenu& menu) {
+void PadSetup::ask(LiveMenu& menu) {
+    auto question =
+        assignment_->asks().empty() ? std::string("let go of the joystick") : question_of(*assignment_);
     if (question == asked_) return;
     std::printf("set up: %s\n", question.c_str());
     std::fflush(stdout);
     asked_ = question;
-    menu.ask_for_control(std::move(question));
+    menu.ask_for_control(std::move(question), assignment_->needs_answer());
 }
 
 void PadSetup::tell_faults(LiveMenu& menu) {
-    const auto faults = faults_of(sticks_);
+    auto faults = faults_of(sticks_);
     for (const auto& fault : faults)
         if (told_.insert(fault).second) tell_user(fault);
-    std::vector<std::string> names;
-    for (const auto& stick : sticks_.unknown) names.push_back(shown(stick.name));
-    menu.tell_sticks(std::move(names), faults);
+    const auto names_of = [](const std::vector<input::Stick>& sticks) {
+        std::vector<std::string> names;
+        for (const auto& stick : sticks) names.push_back(shown(stick.name));
+        return names;
+    };
+    menu.tell_sticks(names_of(sticks_.unknown), names_of(sticks_.own), std::move(faults));
 }
 
-void PadSetup::end(const std::string& mapping, const Expected<void>& taken, LiveMenu& menu) const {
+std::string PadSetup::words_of_end(const PadChange& change) const {
+    if (change.mapping.empty()) return "its set-up is forgotten";
+    return skipped_.empty() ? std::string("it plays as a pad now")
+                            : text("it plays as a pad now, without ", skipped_);
+}
+
+void PadSetup::end(const PadChange& change, const Expected<void>& taken, LiveMenu& menu) {
     if (!taken) return menu.end_pad_setup(taken.error().message);
-    const auto saved = save_own_pad(file_, mapping);
-    menu.end_pad_setup(saved ? std::string("it plays as a pad now")
-                             : text("it plays as a pad, for this run only: ", saved.error().message));
+    const auto saved =
+        change.mapping.empty() ? forget_own_pad(file_, change.model) : save_own_pad(file_, change.mapping);
+    menu.end_pad_setup(saved ? words_of_end(change)
+                             : text(words_of_end(change), ", for this run only: ", saved.error().message));
 }
 
 }  // namespace thaum::app

@@ -9,11 +9,19 @@
 
 namespace thaum::app {
 
-/// Joysticks that do not play.
+/// Joysticks that do not play, and pads that play by a set-up.
 struct IdleSticks {
     std::vector<input::Stick> unknown{};       ///< those that SDL does not know
+    std::vector<input::Stick> own{};           ///< pads that were set up by hand
     std::vector<input::LockedStick> locked{};  ///< those that this user may not read
-    std::string fault{};                       ///< fault of SDL, or of a mapping; empty: none
+    std::vector<std::string> left_over{};      ///< names of pads without a place
+    std::vector<std::string> faults{};         ///< faults of SDL, and of the file of mappings
+};
+
+/// A change of the mappings of one joystick's model.
+struct PadChange {
+    std::string model{};
+    std::string mapping{};  ///< the new mapping; empty: the model has none of its own any more
 };
 
 /// One line for each joystick that does not play, with what to do about it.
@@ -31,21 +39,30 @@ public:
 
     /// Carries out a request of the menu. Returns whether it was one about the set-up.
     bool carry_out(MenuRequest request, const LiveMenu& menu);
-    /// Looks at the joysticks, and tells the menu about them. Returns the mapping once all controls were asked for.
-    std::optional<std::string> follow(IdleSticks sticks, LiveMenu& menu);
-    /// Ends the set-up: keeps a mapping that SDL has taken, or tells why it has not.
-    void end(const std::string& mapping, const Expected<void>& taken, LiveMenu& menu) const;
+    /// Looks at the joysticks, and tells the menu about them. Returns a change once all controls were asked for, or if a
+    /// set-up is to be forgotten.
+    std::optional<PadChange> follow(IdleSticks sticks, LiveMenu& menu);
+    /// Ends a change: keeps a mapping that SDL has taken, or tells why it has not.
+    void end(const PadChange& change, const Expected<void>& taken, LiveMenu& menu);
+
+    /// The pads without what one of them does that is set up again: its old buttons have no meaning meanwhile.
+    Pads without_stick(Pads pads) const;
 
 private:
+    const input::Stick* stick_of(std::size_t number) const;
+    const input::Stick* present_stick() const;
+    std::string words_of_end(const PadChange& change) const;
     void tell_faults(LiveMenu& menu);
-    void ask(std::string question, LiveMenu& menu);
+    void ask(LiveMenu& menu);
 
     std::filesystem::path file_;
     IdleSticks sticks_{};
-    std::string model_{};  ///< guid of the joystick that is set up
+    std::string model_{}, path_{};  ///< guid and device file of the joystick that is set up
     std::optional<input::PadAssignment> assignment_{};
-    std::string asked_{};           ///< the present question
-    std::set<std::string> told_{};  ///< faults that the terminal has shown
+    std::string skipped_{};           ///< controls that the last set-up left out
+    std::optional<PadChange> due_{};  ///< a set-up that is to be forgotten
+    std::string asked_{};             ///< the present question
+    std::set<std::string> told_{};    ///< faults that the terminal has shown
 };
 
 }  // namespace thaum::app

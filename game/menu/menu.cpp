@@ -300,6 +300,18 @@ void set_up_pad(MenuState& s, std::size_t stick) {
     open(s, Page::pad_setup);
 }
 
+void skip_control(MenuState& s, const MenuContext& context) {
+    if (context.pad_needs_control)
+        s.note = "a duel cannot be played without this control";
+    else
+        s.request = MenuRequest::skip_control;
+}
+
+void forget_pad(MenuState& s, std::size_t stick) {
+    s.stick = stick;
+    s.request = MenuRequest::forget_pad;
+}
+
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
     if (only_joins(s, row, event)) return join(s, event.device);
     switch (row.kind) {
@@ -318,7 +330,8 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::leave: s.request = MenuRequest::leave; break;
         case RowKind::sheet: open_sheet(s, row.index); break;
         case RowKind::set_up_pad: set_up_pad(s, row.index); break;
-        case RowKind::skip_control: s.request = MenuRequest::skip_control; break;
+        case RowKind::skip_control: skip_control(s, context); break;
+        case RowKind::forget_pad: forget_pad(s, row.index); break;
         case RowKind::action: s.waiting = Slot{s.sheet, row.index}; break;
         case RowKind::defaults: reset_page(s); break;
         case RowKind::undo: undo(s); break;

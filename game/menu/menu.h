@@ -87,8 +87,10 @@ struct MenuContext {
     std::vector<tactile::Purpose> body{};  ///< purposes that some effect on the body has
     std::vector<std::string>
         sticks{};  ///< names of joysticks that are no pads, because SDL does not know them
+    std::vector<std::string> own_pads{};    ///< names of pads that were set up by hand
     std::vector<std::string> pad_faults{};  ///< a line for each joystick that does not play
     std::string pad_question{};             ///< control that the set-up of a joystick asks for
+    bool pad_needs_control = false;         ///< that control cannot be left out
     /// words of the start screen on faulty settings or data files; empty: there is no fault
     std::string start_fault{};
 };
@@ -109,6 +111,7 @@ enum class MenuRequest : std::uint8_t {
     forget_gesture,
     set_up_pad,
     skip_control,
+    forget_pad,
     restart,
     leave,
     quit
@@ -140,7 +143,8 @@ struct MenuState {
     game::RangeChanges range{};                   ///< changes of the range's rules
     std::size_t gesture = 0;                      ///< index into MenuContext::gestures
     std::size_t sheet = 0;                        ///< sheet on the bindings page
-    std::size_t stick = 0;              ///< index into MenuContext::sticks, on the page of its set-up
+    /// Joystick that is set up, or pad that is forgotten: index into MenuContext::sticks, and own_pads after them.
+    std::size_t stick = 0;
     std::size_t player = 0;             ///< player whose settings or faders a page shows
     std::optional<Slot> waiting;        ///< slot that waits for a new control; std::nullopt: none
     std::size_t profile = 0;            ///< index of the chosen profile in MenuContext

@@ -24,8 +24,7 @@ std::string title_of(const MenuState& s, const MenuContext& context) {
         case Page::pause: return s.head;
         case Page::sheets: return "Controls";
         case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
-        case Page::pad_setup:
-            return text("Set up ", s.stick < context.sticks.size() ? context.sticks[s.stick] : "a pad");
+        case Page::pad_setup: return text("Set up ", name_of_stick(context, s.stick));
         case Page::settings: return "Settings";
         case Page::sound: return "Sound";
         case Page::player: return "Each player's own settings";

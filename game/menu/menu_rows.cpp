@@ -17,6 +17,12 @@ std::size_t joined(const MenuState& s) {
         std::count_if(s.seats.begin(), s.seats.end(), [](const auto& seat) { return seat.has_value(); }));
 }
 
+std::string name_of_stick(const MenuContext& context, std::size_t stick) {
+    const auto unknown = context.sticks.size();
+    if (stick < unknown) return context.sticks[stick];
+    return stick - unknown < context.own_pads.size() ? context.own_pads[stick - unknown] : std::string();
+}
+
 bool can_find_force(const MenuState& s, const MenuContext& context) {
     return context.practice && !context.apprentice && s.player == game::practising;
 }
@@ -215,7 +221,7 @@ std::string_view name_of_play(const MenuContext& context) {
 }
 
 std::string_view help_of_go_on(const MenuContext& context) {
-    if (!context.missing.empty()) return "Is possible once every player has a device.";
+    if (!context.missing.empty()) return "Plays on once every player has a device.";
     if (context.apprentice || context.practice) return "Closes this menu and plays on for everybody.";
     return "Plays on for everybody. Hold Stir at the cauldron, at the orb below the violet light, or at a "
            "crystal below a blue light.";
@@ -273,13 +279,30 @@ void add_sheet_rows(const MenuContext& context, Rows& rows) {
              i,
              {.label = text("Set up ", context.sticks[i]),
               .help = "Asks for one control after the other, so that this joystick plays as a pad."}});
+    for (std::size_t i = 0; i < context.own_pads.size(); ++i) {
+        const auto stick = context.sticks.size() + i;
+        rows.push_back(
+            {RowKind::set_up_pad,
+             stick,
+             {.label = text("Set up ", context.own_pads[i], " again"),
+              .help = "Asks for all its controls anew. Until the last one the old answers stay."}});
+        rows.push_back({RowKind::forget_pad,
+                        stick,
+                        {.label = text("Forget the set-up of ", context.own_pads[i]),
+                         .help = "Takes it out of pads.txt. It plays again once it is set up anew, or if SDL "
+                                 "knows it."}});
+    }
     add_back_row(rows);
 }
 
-void add_setup_rows(Rows& rows) {
+void add_setup_rows(const MenuContext& context, Rows& rows) {
+    const bool needed = context.pad_needs_control;
     rows.push_back({RowKind::skip_control,
                     0,
-                    {.label = "Skip this control", .help = "Leaves out a control that the joystick lacks."}});
+                    {.label = "Skip this control",
+                     .help = needed ? "A duel needs this one: both sticks, A, RT and Start must be set up."
+                                    : "Leaves out a control that the joystick lacks.",
+                     .dim = needed}});
     rows.push_back({RowKind::back, 0, {.label = "Cancel", .help = "Ends the set-up. Nothing is kept."}});
 }
 
@@ -514,7 +537,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
         case Page::start: add_start_rows(s, context, rows); break;
         case Page::pause: add_pause_rows(s, context, rows); break;
         case Page::sheets: add_sheet_rows(context, rows); break;
-        case Page::pad_setup: add_setup_rows(rows); break;
+        case Page::pad_setup: add_setup_rows(context, rows); break;
         case Page::bindings: add_binding_rows(s, context, rows); break;
         case Page::settings: add_setting_rows(s, rows); break;
         case Page::sound: add_sound_rows(s, rows); break;

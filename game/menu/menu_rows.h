@@ -27,6 +27,7 @@ enum class RowKind : std::uint8_t {
     leave,
     sheet,
     set_up_pad,
+    forget_pad,
     skip_control,
     action,
     toggle,
@@ -64,6 +65,9 @@ std::vector<Row> rows_of(const MenuState& state, const MenuContext& context);
 
 /// Words of the pause's row that begins the match again: "Restart the match".
 std::string label_of_restart(const MenuContext& context);
+
+/// Name of a joystick by its number in MenuState::stick; empty: it is gone.
+std::string name_of_stick(const MenuContext& context, std::size_t stick);
 
 /// Whether the player of the page can find the largest force by feel: it is the one who practises on the range.
 bool can_find_force(const MenuState& state, const MenuContext& context);

@@ -1,12 +1,14 @@
 // Runs a program with fake pads (drivers/fake_pad.h):
 //
-//     umockdev-wrapper pad_harness [--two] [--felt FILE] [--version NUMBER] [--stick] [--locked] PROGRAM ARGS...
+//     umockdev-wrapper pad_harness [--two] [--equal NUMBER] [--felt FILE] [--version NUMBER] [--stick] [--locked]
+//                                  PROGRAM ARGS...
 //
 // The first pad is an Xbox 360 pad (045e:028e) with motors, of the version NUMBER (hexadecimal). --stick makes it a
 // joystick without a name for any button: 12 buttons, 6 axes of which the last two rest at their lowest value, and a hat.
-// --locked takes everybody's permission to read it. --two adds an Xbox One pad (045e:02d1) without motors.
+// --locked takes everybody's permission to read it. --two adds an Xbox One pad (045e:02d1) without motors, --equal so many
+// pads like the first one, up to eight together.
 //
-// FILE gets one line for each call of the program on the motors, with "2." before it for the second pad:
+// FILE gets one line for each call of the program on the motors, with "2." before it for the second pad, and so on:
 //
 //     upload ID STRONG WEAK MS    an effect: its number, the magnitudes of both motors, its length
 //     play ID VALUE               an effect begins (1) or stops (0)
@@ -15,7 +17,7 @@
 // A pad that is unplugged refuses all calls, as Linux does. Its effects are gone when it is plugged in again.
 //
 // The steps come from standard input, one line "WHAT VALUE" each, and happen at once. WHAT is one of the
-// following, with "2." before it for the second pad:
+// following, with "2." before it for the second pad, and so on:
 //
 //     a, b, x, y, lb, rb, back, start   a button: 1 or 0
 //     lx, ly, rx, ry                    an axis: -32768 to 32767, positive to the right and down
@@ -70,12 +72,15 @@ std::optional<Part> part_of(std::string_view what) {
     return named == parts.end() ? std::nullopt : std::optional(named->second);
 }
 
-using Pads = std::array<fake::Pad, 2>;
+using Pads = std::array<fake::Pad, 8>;
 
 void perform(Pads& pads, pid_t game, std::string_view what, int value) {
-    const bool second = what.starts_with("2.");
-    if (second) what.remove_prefix(2);
-    auto& pad = pads[second ? 1 : 0];
+    std::size_t number = 0;
+    if (what.size() > 2 && what[1] == '.' && what[0] >= '2' && what[0] <= '8') {
+        number = static_cast<std::size_t>(what[0] - '1');
+        what.remove_prefix(2);
+    }
+    auto& pad = pads.at(number);
     if (what == "plugged")
         fake::plug(pad, value != 0);
     else if (what == "signal")
@@ -107,6 +112,7 @@ fake::Model unknown_stick() {
 
 struct Wishes {
     bool two = false, stick = false, locked = false;
+    std::size_t equal = 0;
     const char *felt = nullptr, *version = nullptr;
 };
 
@@ -121,6 +127,8 @@ char** read_options(char** words, Wishes& wishes) {
             wishes.stick = true;
         else if (word == "--locked")
             wishes.locked = true;
+        else if (word == "--equal" && has_value)
+            wishes.equal = static_cast<std::size_t>(std::atoi(*++words));
         else if (word == "--felt" && has_value)
             wishes.felt = *++words;
         else if (word == "--version" && has_value)
@@ -139,7 +147,9 @@ void make_pads(Pads& pads, const Wishes& wishes) {
     fake::make_pad(pads[0], testbed, first, 0);
     if (wishes.locked) chmod(pads[0].link.c_str(), 0);
     if (wishes.two) fake::make_pad(pads[1], testbed, fake::xbox_one(), 1);
-    pads[1].prefix = "2.";
+    for (std::size_t i = 1; i <= wishes.equal && i < pads.size(); ++i)
+        fake::make_pad(pads.at(i), testbed, first, i);
+    for (std::size_t i = 1; i < pads.size(); ++i) pads.at(i).prefix = std::to_string(i + 1) + ".";
 }
 
 }  // namespace

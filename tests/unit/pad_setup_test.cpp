@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/text.h"
 #include "game/settings/own_pads.h"
 #include "unit/live_session_rig.h"
 
@@ -13,7 +14,18 @@ input::Stick stick_with(std::optional<std::size_t> held = {}) {
     input::Stick stick{
         .name = "Stick of wood", .path = "/dev/input/event3", .guid = "03000000aabb00001122000001000000"};
     stick.state.buttons.resize(12);
+    stick.state.axes.resize(4);
     if (held) stick.state.buttons.at(*held) = true;
+    return stick;
+}
+
+/// The joystick while somebody answers a question: axes for the sticks, buttons for all else.
+input::Stick answering(std::size_t question) {
+    constexpr std::size_t first_axis = 4, axes = 4;
+    const bool axis = question >= first_axis && question < first_axis + axes;
+    if (!axis) return stick_with(question < first_axis ? question : question - axes);
+    auto stick = stick_with();
+    stick.state.axes.at(question - first_axis) = 32767;
     return stick;
 }
 
@@ -25,12 +37,25 @@ protected:
         session_.emplace(shared_, plan_);
         session_->open_start_screen(now_);
     }
-    std::optional<std::string> look(IdleSticks sticks) {
+    std::optional<PadChange> look(IdleSticks sticks) {
         session_->step_start_screen({}, now_ += 16 * rig::ms);
-        auto mapping = session_->look_at_sticks(std::move(sticks));
+        auto change = session_->look_at_sticks(std::move(sticks));
         session_->publish_screen();
-        return mapping;
+        return change;
     }
+    /// Answers a question by the joystick and lets go of it, or skips it.
+    std::optional<PadChange> answer(std::size_t question, bool own = false) {
+        const auto sticks = [&](input::Stick stick) {
+            return own ? IdleSticks{.own = {std::move(stick)}} : IdleSticks{.unknown = {std::move(stick)}};
+        };
+        if (!question_is_needed()) {
+            press("enter");
+            return look(sticks(stick_with()));
+        }
+        EXPECT_FALSE(look(sticks(answering(question))));
+        return look(sticks(stick_with()));
+    }
+    bool question_is_needed() const { return session_->menu().context().pad_needs_control; }
     void open_setup() {
         look({.unknown = {stick_with()}});
         choose("Controls");
@@ -64,23 +89,98 @@ TEST_F(PadSetupTest, AllControlsMakeAMappingThatIsKept) {
     open_setup();
     EXPECT_EQ(screen().menu.title, "Set up Stick of wood");
     EXPECT_TRUE(screen().menu.line.starts_with("1 of 20: press A")) << screen().menu.line;
-    look({.unknown = {stick_with(4)}});
-    EXPECT_TRUE(screen().menu.line.starts_with("2 of 20: ")) << screen().menu.line;
+    press("enter");
     look({.unknown = {stick_with()}});
-    std::optional<std::string> mapping;
-    for (std::size_t i = 1; i < input::PadAssignment::count(); ++i) {
-        EXPECT_FALSE(mapping);
-        press("enter");  // skips
-        mapping = look({.unknown = {stick_with()}});
+    EXPECT_EQ(screen().menu.note, "a duel cannot be played without this control");
+    EXPECT_TRUE(screen().menu.line.starts_with("1 of 20: ")) << screen().menu.line;
+    std::optional<PadChange> change;
+    for (std::size_t i = 0; i < input::PadAssignment::count(); ++i) {
+        EXPECT_FALSE(change);
+        change = answer(i);
     }
-    ASSERT_TRUE(mapping);
-    EXPECT_EQ(*mapping, "03000000aabb00001122000001000000,Stick of wood,a:b4,platform:Linux,");
-    session_->end_pad_setup(*mapping, {});
+    ASSERT_TRUE(change);
+    EXPECT_EQ(change->mapping,
+              "03000000aabb00001122000001000000,Stick of wood,a:b0,leftx:a0,lefty:a1,rightx:a2,righty:a3,"
+              "righttrigger:b4,start:b8,platform:Linux,");
+    session_->end_pad_setup(*change, {});
     EXPECT_EQ(session_->menu().state().pages.back().page, Page::sheets);
-    EXPECT_NE(session_->menu().state().note, "");
-    EXPECT_EQ(load_own_pads(own_pads_file(plan_.settings_file)).value(), std::vector{*mapping});
+    EXPECT_TRUE(session_->menu().state().note.starts_with("it plays as a pad now, without B, X, Y, LT, RB, "))
+        << session_->menu().state().note;
+    const auto file = own_pads_file(plan_.settings_file);
+    EXPECT_EQ(load_own_pads(file).mappings, std::vector{change->mapping});
     look({});
     EXPECT_TRUE(session_->menu().context().sticks.empty());
+}
+
+TEST_F(PadSetupTest, APadThatWasSetUpCanBeSetUpAgainAndForgotten) {
+    const auto file = own_pads_file(plan_.settings_file);
+    ASSERT_TRUE(save_own_pad(file, text(stick_with().guid, ",Stick of wood,a:b3,platform:Linux,")));
+    look({.own = {stick_with()}});
+    EXPECT_EQ(screen().menu.note, "") << "it plays";
+    choose("Controls");
+    press("enter");
+    choose("Set up Stick of wood again");
+    press("enter");
+    look({.own = {stick_with()}});
+    EXPECT_EQ(screen().menu.title, "Set up Stick of wood");
+    std::optional<PadChange> change;
+    for (std::size_t i = 0; i < input::PadAssignment::count(); ++i) change = answer(i, true);
+    ASSERT_TRUE(change);
+    session_->end_pad_setup(*change, {});
+    EXPECT_EQ(load_own_pads(file).mappings, std::vector{change->mapping}) << "instead of the old one";
+    look({.own = {stick_with()}});
+    choose("Forget the set-up of Stick of wood");
+    press("enter");
+    change = look({.own = {stick_with()}});
+    ASSERT_TRUE(change);
+    EXPECT_EQ(change->model, stick_with().guid);
+    EXPECT_EQ(change->mapping, "");
+    session_->end_pad_setup(*change, {});
+    EXPECT_TRUE(load_own_pads(file).mappings.empty());
+    EXPECT_EQ(session_->menu().state().note, "its set-up is forgotten");
+    EXPECT_FALSE(look({.unknown = {stick_with()}})) << "once";
+}
+
+TEST_F(PadSetupTest, OldButtonsOfAPadMeanNothingWhileItIsSetUpAgain) {
+    const auto stick = stick_with();
+    const auto pad = [&](std::initializer_list<input::PadButton> pressed) {
+        auto state = rig::pad_with(pressed);
+        state.path = stick.path;
+        return state;
+    };
+    const auto step_with = [&](const input::PadState& state) {
+        session_->step_start_screen({state}, now_ += 16 * rig::ms);
+        session_->look_at_sticks({.own = {stick}});
+    };
+    step_with(pad({}));
+    choose("Controls");
+    press("enter");
+    step_with(pad({}));
+    choose("Set up Stick of wood again");
+    press("enter");
+    step_with(pad({}));
+    step_with(pad({input::PadButton::b}));
+    EXPECT_TRUE(session_->menu().sets_up_pad()) << "B leaves other pages";
+    step_with(pad({}));
+    press("escape");
+    step_with(pad({}));
+    step_with(pad({input::PadButton::b}));
+    EXPECT_EQ(session_->menu().state().pages.back().page, Page::start) << "the set-up has ended";
+}
+
+TEST_F(PadSetupTest, AFileThatCannotBeWrittenIsTold) {
+    std::filesystem::create_directories(own_pads_file(plan_.settings_file));
+    session_->end_pad_setup({stick_with().guid, text(stick_with().guid, ",Stick,a:b0,")}, {});
+    const auto note = session_->menu().state().note;
+    EXPECT_TRUE(note.starts_with("it plays as a pad now, for this run only: ")) << note;
+    EXPECT_NE(note.find("pads.txt"), std::string::npos) << note;
+}
+
+TEST_F(PadSetupTest, FaultsOfTheFileAndPadsWithoutAPlaceAreTold) {
+    look({.left_over = {"Fifth pad"}, .faults = {"pads.txt:3: maps no control of a pad"}});
+    EXPECT_EQ(screen().menu.note, "pads.txt:3: maps no control of a pad (1 more in the terminal)");
+    look({.left_over = {"Fifth pad"}});
+    EXPECT_EQ(screen().menu.note, "pad 'Fifth pad' is one too many: only 4 pads can be used at once");
 }
 
 TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
@@ -90,7 +190,7 @@ TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     look({.unknown = {stick_with()}});
     EXPECT_EQ(session_->menu().state().pages.back().page, Page::sheets);
     for (int i = 0; i < 40; ++i) EXPECT_FALSE(look({.unknown = {stick_with()}}));
-    EXPECT_TRUE(load_own_pads(own_pads_file(plan_.settings_file)).value().empty());
+    EXPECT_TRUE(load_own_pads(own_pads_file(plan_.settings_file)).mappings.empty());
     // The next set-up begins with the first control.
     choose("Set up Stick of wood");
     press("enter");

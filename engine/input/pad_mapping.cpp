@@ -1,0 +1,123 @@
+#include "input/pad_mapping.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/letters.h"
+#include "core/one_line.h"
+#include "core/text.h"
+
+namespace thaum::input {
+namespace {
+
+constexpr std::size_t most_of_line_shown = 40;  // of a word from the file, in an error
+constexpr std::size_t model_digits = 32;
+
+/// Names of SDL's controls without a side of an axis.
+constexpr std::array<std::string_view, 23> controls{
+    "a",           "b",           "x",      "y",      "back",     "guide",        "start",
+    "leftstick",   "rightstick",  "dpup",   "dpdown", "dpleft",   "dpright",      "leftx",
+    "lefty",       "rightx",      "righty", "misc1",  "touchpad", "leftshoulder", "rightshoulder",
+    "lefttrigger", "righttrigger"};
+
+bool is_control(std::string_view field) {
+    if (field.starts_with('+') || field.starts_with('-')) field.remove_prefix(1);
+    return std::ranges::find(controls, field) != controls.end();
+}
+
+/// Whether a field says something of the whole line.
+bool is_remark(std::string_view field) {
+    return field == "platform" || field == "crc" || field == "hint" || field == "type" || field == "face" ||
+           field.starts_with("sdk");
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes a number of one to three digits off the beginning of a word. Returns whether there is one.
+bool take_number(std::string_view& word) {
+    std::size_t digits = 0;
+    while (digits < word.size() && is_digit(word[digits])) ++digits;
+    word.remove_prefix(digits);
+    return digits > 0 && digits <= 3;
+}
+
+/// Whether a word names a part of a joystick: "b3", "h0.4", "a2", "+a2", "-a2", "a2~".
+bool is_part(std::string_view word) {
+    const bool side = word.starts_with('+') || word.starts_with('-');
+    if (side) word.remove_prefix(1);
+    if (word.empty()) return false;
+    const char kind = word.front();
+    word.remove_prefix(1);
+    if (!take_number(word)) return false;
+    if (kind == 'a') return word.empty() || word == "~";
+    if (side) return false;
+    if (kind == 'b') return word.empty();
+    if (kind != 'h' || !word.starts_with('.')) return false;
+    word.remove_prefix(1);
+    return take_number(word) && word.empty();
+}
+
+bool is_model(std::string_view word) {
+    return word.size() == model_digits && std::ranges::all_of(word, [](char c) {
+               return is_digit(c) || (lower_case(c) >= 'a' && lower_case(c) <= 'f');
+           });
+}
+
+std::string_view without_blanks(std::string_view word) {
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!word.empty() && blank(word.front())) word.remove_prefix(1);
+    while (!word.empty() && blank(word.back())) word.remove_suffix(1);
+    return word;
+}
+
+/// Takes the words up to the next comma off the beginning of a line.
+std::string_view take_word(std::string_view& line) {
+    const auto end = std::min(line.find(','), line.size());
+    const auto word = without_blanks(line.substr(0, end));
+    line.remove_prefix(std::min(end + 1, line.size()));
+    return word;
+}
+
+}  // namespace
+
+Expected<PadMapping> read_pad_mapping(std::string_view line) {
+    line = without_blanks(line);
+    PadMapping mapping{.words = std::string(line), .for_linux = true};
+    const auto model = take_word(line);
+    const bool printable_line =
+        std::ranges::none_of(mapping.words, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    if (!is_model(model) || !printable_line)
+        return fail(text("'", printable(mapping.words, most_of_line_shown),
+                         "' is no mapping of a pad: must be as in SDL's gamecontrollerdb.txt, 32 hexadecimal "
+                         "digits, a name and controls such as a:b0, with commas between them"));
+    std::ranges::transform(model, std::back_inserter(mapping.model), lower_case);
+    take_word(line);  // its name
+    std::size_t mapped = 0;
+    while (!line.empty()) {
+        const auto element = take_word(line);
+        if (element.empty()) continue;
+        const auto colon = std::min(element.find(':'), element.size());
+        const auto field = element.substr(0, colon),
+                   part = element.substr(std::min(colon + 1, element.size()));
+        if (field == "platform") mapping.for_linux = same_word(part, "Linux");
+        if (is_remark(field)) continue;
+        if (!is_part(part))
+            return fail(
+                text("'", printable(element, most_of_line_shown),
+                     "' must be a control and a part of the joystick, such as a:b0, leftx:a0 or dpup:h0.1"));
+        if (is_control(field)) ++mapped;
+    }
+    if (mapped == 0) return fail("maps no control of a pad, such as a:b0 or leftx:a0");
+    return mapping;
+}
+
+bool same_pad_model(std::string_view mapping, std::string_view joystick) {
+    constexpr std::size_t sum_at = 4, sum_digits = 4;
+    if (same_word(mapping, joystick)) return true;
+    if (joystick.size() != model_digits || mapping.size() != model_digits) return false;
+    std::string without_sum(joystick);
+    without_sum.replace(sum_at, sum_digits, sum_digits, '0');
+    return same_word(mapping, without_sum);
+}
+
+}  // namespace thaum::input
