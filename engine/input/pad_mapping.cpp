@@ -111,13 +111,22 @@ Expected<PadMapping> read_pad_mapping(std::string_view line) {
     return mapping;
 }
 
-bool same_pad_model(std::string_view mapping, std::string_view joystick) {
-    constexpr std::size_t sum_at = 4, sum_digits = 4;
-    if (same_word(mapping, joystick)) return true;
-    if (joystick.size() != model_digits || mapping.size() != model_digits) return false;
-    std::string without_sum(joystick);
-    without_sum.replace(sum_at, sum_digits, sum_digits, '0');
-    return same_word(mapping, without_sum);
+std::string_view model_of_mapping(std::string_view mapping) {
+    return without_blanks(mapping.substr(0, mapping.find(',')));
+}
+
+bool same_pad_controls(std::string_view a, std::string_view b) {
+    const auto controls_of = [](std::string_view mapping) {
+        take_word(mapping);  // the model
+        std::string words(take_word(mapping));
+        while (!mapping.empty()) {
+            const auto element = take_word(mapping);
+            if (!element.empty() && !is_remark(element.substr(0, element.find(':'))))
+                words += text(",", element);
+        }
+        return words;
+    };
+    return controls_of(a) == controls_of(b);
 }
 
 }  // namespace thaum::input

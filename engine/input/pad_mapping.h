@@ -22,7 +22,10 @@ struct PadMapping {
 /// Reads a line, whose blanks at both ends do not count. The error says what is wrong, without the place of the line.
 Expected<PadMapping> read_pad_mapping(std::string_view line);
 
-/// Whether a mapping of one model is for a joystick of another: SDL's numbers of models may lack the sum of the name.
-bool same_pad_model(std::string_view mapping, std::string_view joystick);
+/// The words before the first comma: the model of the joysticks that a mapping is for.
+std::string_view model_of_mapping(std::string_view mapping);
+
+/// Whether two mappings have the same name and controls, whatever their models and other words.
+bool same_pad_controls(std::string_view a, std::string_view b);
 
 }  // namespace thaum::input

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/assert.h"
+#include "core/letters.h"
 #include "core/text.h"
 #include "core/threads.h"
 #include "input/detail/pad_places.h"
@@ -51,6 +52,8 @@ double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 struct OpenPad {
     SDL_JoystickID id = -1;
     Controller controller{nullptr, SDL_GameControllerClose};
+    std::string
+        own_model{};  ///< model of the program's mapping by which it plays; empty: SDL has its mapping
 };
 
 struct OpenStick {
@@ -122,7 +125,7 @@ struct PadReader::State {
         plugged{};  ///< joysticks of the last look, and which are pads
 
     void begin();
-    bool has_own_mapping(const std::string& model) const;
+    void find_own_mappings();
     void wait() {
         if (start.joinable()) start.join();
     }
@@ -131,13 +134,18 @@ struct PadReader::State {
     void open_sticks_anew();
 };
 
-bool is_for(const std::string& mapping, const std::string& model) {
-    return same_pad_model(std::string_view(mapping).substr(0, mapping.find(',')), model);
-}
-
-bool PadReader::State::has_own_mapping(const std::string& model) const {
-    return std::any_of(mappings.begin(), mappings.end(),
-                       [&](const auto& mapping) { return is_for(mapping, model); });
+/// Notes which pads play by a mapping of the program. SDL does not say so, and takes mappings of similar models, too.
+void PadReader::State::find_own_mappings() {
+    for (auto& pad : open) {
+        pad.own_model.clear();
+        if (!pad.controller) continue;
+        const std::unique_ptr<char, decltype(&SDL_free)> used(SDL_GameControllerMapping(pad.controller.get()),
+                                                              SDL_free);
+        const auto found = std::find_if(mappings.rbegin(), mappings.rend(), [&](const auto& mapping) {
+            return used && same_pad_controls(mapping, used.get());
+        });
+        if (found != mappings.rend()) pad.own_model = model_of_mapping(*found);
+    }
 }
 
 void PadReader::State::begin() {
@@ -177,7 +185,7 @@ void PadReader::State::open_pads() {
             left_over.push_back(in_words(SDL_JoystickNameForIndex(index_of(pad.id))));
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open.at(i).id == places.at(i).id) continue;
-        open.at(i) = {places.at(i).id, Controller(nullptr, SDL_GameControllerClose)};
+        open.at(i) = {.id = places.at(i).id};
         pads.at(i) = {};
         const int index = index_of(places.at(i).id);
         if (index < 0) continue;
@@ -230,6 +238,7 @@ const Pads& PadReader::poll() {
     SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
     if (s.look()) {
         s.open_pads();
+        s.find_own_mappings();
         s.open_sticks_anew();
     }
     for (std::size_t i = 0; i < s.pads.size(); ++i)
@@ -252,18 +261,20 @@ Expected<void> PadReader::add(const std::string& mapping) {
     state_->wait();
     if (!state_->began) return fail(state_->fault);
     auto added = add_mapping(mapping);
-    if (added) state_->mappings.push_back(mapping);
-    return added;
+    if (!added) return added;
+    state_->mappings.push_back(mapping);
+    state_->find_own_mappings();
+    return {};
 }
 
 std::vector<Stick> PadReader::own() const {
     std::vector<Stick> sticks;
     for (std::size_t i = 0; i < state_->pads.size(); ++i) {
+        const auto& open = state_->open.at(i);
         const auto& pad = state_->pads.at(i);
-        const auto& model = state_->places.at(i).model;
-        if (!pad.present || !state_->has_own_mapping(model)) continue;
-        sticks.push_back({.name = pad.name, .path = pad.path, .guid = model});
-        read_stick(SDL_GameControllerGetJoystick(state_->open.at(i).controller.get()), sticks.back().state);
+        if (!pad.present || open.own_model.empty()) continue;
+        sticks.push_back({.name = pad.name, .path = pad.path, .guid = open.own_model});
+        read_stick(SDL_GameControllerGetJoystick(open.controller.get()), sticks.back().state);
     }
     return sticks;
 }
@@ -272,7 +283,8 @@ std::vector<Stick> PadReader::own() const {
 void PadReader::forget(const std::string& model) {
     auto& s = *state_;
     s.wait();
-    std::erase_if(s.mappings, [&](const auto& mapping) { return is_for(mapping, model); });
+    std::erase_if(s.mappings,
+                  [&](const auto& mapping) { return same_word(model_of_mapping(mapping), model); });
     if (!s.began) return;
     for (auto& pad : s.open) pad = {};
     for (auto& place : s.places) place.id = -1;  // SDL may count its pads anew

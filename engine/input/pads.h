@@ -35,13 +35,13 @@ public:
     /// Why there are no pads at all, or which mapping is faulty; empty: all is well.
     const std::string& fault() const;
 
-    /// Pads that play by a mapping of the constructor or of `add`, as joysticks. Their parts are those that such a mapping
-    /// names.
+    /// Pads that play by a mapping of the constructor or of `add`, as joysticks, whose parts such a mapping names. Their
+    /// model is that of the mapping.
     std::vector<Stick> own() const;
 
     /// Adds a mapping, which makes pads of the joysticks of its model. The error says what is wrong with it.
     Expected<void> add(const std::string& mapping);
-    /// Takes the added mappings of a joystick's model back. All pads are looked for again, which takes some milliseconds.
+    /// Takes the mappings of a model back that the constructor or `add` has taken. All pads are looked for again, which takes some milliseconds.
     void forget(const std::string& model);
 
 private:

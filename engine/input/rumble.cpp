@@ -91,8 +91,8 @@ private:
 Expected<void> Rumble::open() {
     DeviceFile file(path_, O_RDWR);
     if (!file.is_open())
-        return fail(
-            text("no rumble: ", path_, ": ", std::strerror(errno), "; allow this user to write to it"));
+        return fail(text("no rumble: ", path_, ": ", std::strerror(errno),
+                         errno == EACCES ? "; allow this user to write to it" : ""));
     if (!runs_rumble(file)) return fail("no rumble: it has no motors, or its driver does not run them");
     file_ = std::move(file);
     failed_ = running_ = false;

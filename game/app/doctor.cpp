@@ -282,6 +282,11 @@ void add_pads(std::vector<Finding>& findings) {
     for (const auto& pad : pads)
         if (pad.present)
             findings.push_back({"pad", State::good, text(named(pad.name, pad.path), " plays"), ""});
+    for (const auto& name : reader.left_over())
+        findings.push_back({"pad", State::note,
+                            text(printable(name, most_of_name_shown), " cannot play: only ", pads.size(),
+                                 " pads can be used at once"),
+                            ""});
     for (const auto& stick : reader.sticks())
         findings.push_back({"pad", State::note,
                             text(named(stick.name, stick.path), " is a joystick that is not known"),

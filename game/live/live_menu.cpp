@@ -225,6 +225,7 @@ void LiveMenu::pad(int place, const input::PadState& before, const input::PadSta
 
 void LiveMenu::point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
                             std::int64_t now_ns) {
+    if (!before.present) return;  // a stick that is pushed when the pad is plugged in may be stuck
     const auto way = menu_direction_of(now);
     if (way == menu_direction_of(before) || (on_start_page() && joined_just_now(device, before))) return;
     if (held_.pad == device.pad) release();
@@ -267,6 +268,7 @@ void LiveMenu::set_gestures(const game::GestureSet* gestures) {
 void LiveMenu::set_pause(PauseWords words) {
     state_.head = std::move(words.head);
     state_.line = std::move(words.line);
+    if (words.missing != context_.missing && state_.note == words_of_refusal(context_)) state_.note.clear();
     context_.missing = std::move(words.missing);
     context_.half_for = std::move(words.half_for);
 }

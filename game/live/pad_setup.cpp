@@ -12,7 +12,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t most_of_name_shown = 40;
+constexpr std::size_t most_of_name_shown = 28;  // the rows of the menu hold no more
 
 std::string shown(const std::string& name) { return printable(name, most_of_name_shown); }
 
@@ -28,9 +28,10 @@ std::vector<std::string> faults_of(const IdleSticks& sticks) {
     for (const auto& stick : sticks.locked)
         faults.push_back(text("pad '", shown(stick.name), "' may not be read (", stick.path,
                               "): 'thaum doctor' says how to allow it"));
-    for (const auto& name : sticks.left_over)
-        faults.push_back(text("pad '", shown(name), "' is one too many: only ", std::tuple_size_v<Pads>,
-                              " pads can be used at once"));
+    if (const auto count = sticks.left_over.size(); count > 0)
+        faults.push_back(text("only ", std::tuple_size_v<Pads>, " pads can be used at once: '",
+                              shown(sticks.left_over.front()), "'",
+                              count > 1 ? text(" and ", count - 1, " more") : "", " cannot play"));
     for (const auto& stick : sticks.unknown)
         faults.push_back(text("joystick '", shown(stick.name),
                               "' is not known: 'Set up' on the page Controls asks for its buttons"));

@@ -454,10 +454,12 @@ bool ends_pause(MenuRequest request) {
 void keep_pause(MenuState& s, const MenuContext& context) {
     if (context.missing.empty() || !ends_pause(s.request)) return;
     s.request = MenuRequest::none;
-    s.note = text("cannot go on: ", context.missing);
+    s.note = words_of_refusal(context);
 }
 
 }  // namespace
+
+std::string words_of_refusal(const MenuContext& context) { return text("cannot go on: ", context.missing); }
 
 MenuState opened(MenuState state, Page page) {
     const auto last_row = std::exchange(state.pause_row, 0);

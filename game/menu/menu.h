@@ -169,6 +169,9 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& conte
 /// Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
+/// Words of the note that refuses to end the pause.
+std::string words_of_refusal(const MenuContext& context);
+
 /// Picture of the menu.
 game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/file.h"
+#include "core/letters.h"
 #include "core/text.h"
 #include "input/pad_mapping.h"
 
@@ -48,7 +49,7 @@ Expected<void> replace(const std::filesystem::path& file, std::string_view model
     std::string words(content->empty() ? head : std::string_view());
     each_line(*content, [&](std::string_view line) {
         const auto mapping = input::read_pad_mapping(line);
-        const bool replaced = mapping && mapping->for_linux && input::same_pad_model(mapping->model, model);
+        const bool replaced = mapping && mapping->for_linux && same_word(mapping->model, model);
         if (!replaced) words += text(line, "\n");
     });
     std::error_code error;
@@ -93,7 +94,7 @@ OwnPads load_own_pads(const std::filesystem::path& file) {
 }
 
 Expected<void> save_own_pad(const std::filesystem::path& file, const std::string& mapping) {
-    return replace(file, std::string_view(mapping).substr(0, mapping.find(',')), text(mapping, "\n"));
+    return replace(file, input::model_of_mapping(mapping), text(mapping, "\n"));
 }
 
 Expected<void> forget_own_pad(const std::filesystem::path& file, const std::string& model) {

@@ -22,7 +22,7 @@ struct OwnPads {
 OwnPads load_own_pads(const std::filesystem::path& file);
 /// Keeps a mapping, instead of older ones of the same model. Other lines stay as they are.
 Expected<void> save_own_pad(const std::filesystem::path& file, const std::string& mapping);
-/// Takes the mappings of a joystick's model out of the file. Other lines stay as they are.
+/// Takes the mappings of a model out of the file. Other lines stay as they are.
 Expected<void> forget_own_pad(const std::filesystem::path& file, const std::string& model);
 
 }  // namespace thaum::app

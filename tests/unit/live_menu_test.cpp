@@ -105,6 +105,18 @@ TEST_F(LiveMenuTest, AnotherKeysReleaseDoesNotEndTheRepetition) {
     EXPECT_EQ(cursor(), 1U) << "the focus was lost";
 }
 
+TEST_F(LiveMenuTest, AStickThatIsPushedWhenItsPadIsPluggedInMovesNothing) {
+    open_pause();
+    const auto stuck = rig::pad_at(PadAxis::left_y, -1);
+    menu_.pad(0, {}, stuck, 0);
+    menu_.pad(0, stuck, stuck, LiveMenu::repeat_after_ns + 1);
+    menu_.repeat(LiveMenu::repeat_after_ns + 1);
+    EXPECT_EQ(cursor(), 0U);
+    menu_.pad(0, stuck, rig::pad_with(), 0);
+    menu_.pad(0, rig::pad_with(), stuck, 0);
+    EXPECT_EQ(cursor(), 1U) << "it was let go of";
+}
+
 TEST_F(LiveMenuTest, AHeldStickRepeatsUntilItIsLetGoOrUnplugged) {
     menu_.open(Page::start);
     const auto idle = rig::pad_with(), down = rig::pad_at(PadAxis::left_y, -1);

@@ -113,6 +113,7 @@ TEST_F(LiveSessionTest, NobodyGoesOnWithoutTheLostPad) {
     EXPECT_TRUE(refused()) << "the other player's pad";
     pads_ = both;
     step();
+    EXPECT_EQ(screen().menu.note, "") << "it is back";
     press("escape");
     step();
     EXPECT_LT(requests().go_on, game::players) << "it is plugged in again";

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "input/pad_mapping.h"
+
 namespace thaum::input {
 namespace {
 
@@ -145,6 +147,15 @@ TEST_F(PadAssignmentTest, AModelWithoutANameGetsOne) {
     assignment_.emplace(stick_);
     button(3);
     EXPECT_EQ(mapping(), "03000000aabb00001122000001000000,Joystick,a:b3,platform:Linux,");
+}
+
+TEST(PadMappingTest, TheSameControlsAreFoundInWhatSdlMakesOfALine) {
+    const std::string_view line = "0a000000aabb00001122000001000000, Stick ,a:b3,leftx:a0,platform:Linux,";
+    EXPECT_EQ(model_of_mapping(line), "0a000000aabb00001122000001000000");
+    EXPECT_TRUE(same_pad_controls(line, "0a00cd12aabb00001122000001000000,Stick,a:b3,leftx:a0,crc:12cd"));
+    EXPECT_FALSE(same_pad_controls(line, "0a000000aabb00001122000001000000,Stick,a:b3,leftx:a1,"));
+    EXPECT_FALSE(same_pad_controls(line, "0a000000aabb00001122000001000000,Other,a:b3,leftx:a0,"));
+    EXPECT_FALSE(same_pad_controls(line, ""));
 }
 
 }  // namespace

@@ -180,7 +180,9 @@ TEST_F(PadSetupTest, FaultsOfTheFileAndPadsWithoutAPlaceAreTold) {
     look({.left_over = {"Fifth pad"}, .faults = {"pads.txt:3: maps no control of a pad"}});
     EXPECT_EQ(screen().menu.note, "pads.txt:3: maps no control of a pad (1 more in the terminal)");
     look({.left_over = {"Fifth pad"}});
-    EXPECT_EQ(screen().menu.note, "pad 'Fifth pad' is one too many: only 4 pads can be used at once");
+    EXPECT_EQ(screen().menu.note, "only 4 pads can be used at once: 'Fifth pad' cannot play");
+    look({.left_over = {"Fifth pad", "Sixth pad", "Sixth pad"}});
+    EXPECT_EQ(screen().menu.note, "only 4 pads can be used at once: 'Fifth pad' and 2 more cannot play");
 }
 
 TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
