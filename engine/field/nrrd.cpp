@@ -12,15 +12,12 @@
 #include "core/text.h"
 #include "field/detail/nrrd_fields.h"
 #include "field/detail/nrrd_header.h"
+#include "field/detail/nrrd_samples.h"
 #include "field/detail/samples.h"
 
 namespace thaum::field {
 namespace {
 
-/// Deflate packs at most 1032 bytes into one.
-constexpr std::size_t most_packed = 1040;
-/// Most bytes before samples that end gzip data.
-constexpr std::size_t most_before_end = std::size_t{64} << 20U;
 /// Share of an axis across the others from which on it counts as turned, and from which on as skewed.
 constexpr double is_turned = 1e-6, is_skewed = 1e-3;
 
@@ -77,176 +74,6 @@ std::optional<Arrangement> turned(const std::array<vec3, 3>& direction) {
     return a;
 }
 
-std::span<const std::byte> bytes_of(std::string_view s) { return std::as_bytes(std::span(s)); }
-
-/// Samples of one file, as they stand in it.
-struct FileOfSamples {
-    Path path;
-    std::span<const std::byte> bytes;  ///< behind the header, if it is in the same file
-    std::size_t samples{};             ///< how many are promised
-};
-
-/// Returns the bytes behind the lines that a header tells to skip.
-std::span<const std::byte> behind_lines(std::span<const std::byte> data, std::size_t lines) {
-    for (; lines > 0 && !data.empty(); --lines) {
-        const auto end = std::ranges::find(data, std::byte{'\n'});
-        data = data.subspan(std::min(data.size(), static_cast<std::size_t>(end - data.begin()) + 1));
-    }
-    return data;
-}
-
-Error too_few(const FileOfSamples& file, std::string_view what, std::size_t promised, std::size_t there) {
-    return fail_file(file.path,
-                     text("the header promises ", promised, " ", what, " of samples, but there are ", there,
-                          "; correct the sizes or copy the file again"));
-}
-
-void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<std::string>& notes) {
-    const auto where = header.data_files.empty() ? "" : text(file.path.filename().string(), ": ");
-    notes.push_back(in_one_line(text(where, "what follows the samples is left out")));
-}
-
-/// Unpacks gzip data from the first skipped byte on.
-Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& file, std::size_t promised,
-                               std::vector<std::string>& notes) {
-    if (promised / most_packed > file.bytes.size())
-        return fail_file(file.path, text("the header promises ", promised, " bytes of samples, but ",
-                                         file.bytes.size(), " bytes cannot hold them; copy the file again"));
-    const bool from_end = header.skipped_bytes < 0;
-    const std::size_t skipped = from_end ? 0 : static_cast<std::size_t>(header.skipped_bytes);
-    auto start = unpack_gzip_start(file.bytes, promised + (from_end ? most_before_end : skipped));
-    if (!start) return fail_file(file.path, start.error().message);
-    if (start->bytes.size() < promised + skipped)
-        return too_few(file, "bytes", promised, start->bytes.size() - std::min(start->bytes.size(), skipped));
-    if (from_end && start->goes_on)
-        return fail_file(file.path,
-                         text("more than ", most_before_end, " bytes are packed before the samples"));
-    start->bytes.erase(0, from_end ? start->bytes.size() - promised : skipped);
-    if (start->goes_on) note_more(header, file, notes);
-    return std::move(start->bytes);
-}
-
-/// The samples of one file as bytes of the header's type: a part of the file, or unpacked into `from_gzip`.
-Expected<std::span<const std::byte>> bytes_in(const NrrdHeader& header, FileOfSamples file,
-                                              std::string& from_gzip, std::vector<std::string>& notes) {
-    const std::size_t promised = size_of(header.type) * file.samples;
-    if (header.encoding == NrrdEncoding::gzip) {
-        auto words = unpacked(header, file, promised, notes);
-        if (!words) return words.error();
-        from_gzip = std::move(*words);
-        file.bytes = bytes_of(from_gzip);
-    } else if (header.skipped_bytes >= 0) {
-        file.bytes =
-            file.bytes.subspan(std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes)));
-    } else if (file.bytes.size() > promised) {
-        file.bytes = file.bytes.last(promised);
-    }
-    if (file.bytes.size() < promised) return too_few(file, "bytes", promised, file.bytes.size());
-    if (file.bytes.size() > promised) note_more(header, file, notes);
-    return file.bytes.first(promised);
-}
-
-/// Appends numbers in text, between blanks or commas, as bytes of doubles.
-Expected<void> append_numbers(const NrrdHeader& header, FileOfSamples file, Bytes& out,
-                              std::vector<std::string>& notes) {
-    file.bytes =
-        file.bytes.subspan(std::min(file.bytes.size(), static_cast<std::size_t>(header.skipped_bytes)));
-    std::string_view rest(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-    if (file.samples > rest.size() / 2 + 1)
-        return too_few(file, "numbers", file.samples, rest.size() / 2 + 1);
-    constexpr std::string_view between = " \t\r\n,";
-    std::size_t changed = 0;
-    for (std::size_t n = 0; n < file.samples; ++n) {
-        rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(between)));
-        const auto word = rest.substr(0, rest.find_first_of(between));
-        if (word.empty()) return too_few(file, "numbers", file.samples, n);
-        double value = number_of(word);
-        if (std::isnan(value) && in_lower_case(word).find("nan") == std::string::npos)
-            return fail_file(file.path,
-                             text("'", printable(word, 40), "' at place ", n + 1, " is no number"));
-        if (header.type < SampleType::float32) {
-            const auto [low, high] = limits_of(header.type);
-            const double whole = std::clamp(std::trunc(value), low, high);
-            if (whole != value && changed++ == 0)
-                notes.push_back(
-                    in_one_line(text("samples such as ", printable(word, 40), " are no numbers of the type '",
-                                     name_of(header.type), "', and are made so")));
-            value = whole;
-        }
-        const auto bytes = std::as_bytes(std::span(&value, 1));
-        out.insert(out.end(), bytes.begin(), bytes.end());
-        rest.remove_prefix(word.size());
-    }
-    const auto more = rest.find_first_not_of(between);
-    if (more != std::string_view::npos && rest.find(',') != std::string_view::npos)
-        return fail_file(file.path,
-                         text("there are more than the ", file.samples,
-                              " numbers that the header promises; numbers have points, not commas"));
-    if (more != std::string_view::npos) note_more(header, file, notes);
-    return {};
-}
-
-/// Path of a file of samples that a header names, beside the header. One that leads elsewhere is told.
-Path path_beside(const Path& header, const std::string& name, std::vector<std::string>& notes) {
-    auto path = header.parent_path() / name;
-    const auto relative = Path(name).lexically_normal();
-    if (Path(name).is_absolute() || *relative.begin() == "..")
-        notes.push_back(in_one_line(text("the samples are read from ", path.lexically_normal().string())));
-    return path;
-}
-
-/// Reads a file of samples, as far as its samples can reach and one byte more.
-Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_t samples,
-                          std::size_t most_bytes) {
-    const bool ends_known =
-        header.encoding == NrrdEncoding::raw && header.skipped_lines == 0 && header.skipped_bytes >= 0;
-    if (!ends_known) return read_file(path, most_bytes);
-    return read_start(path,
-                      static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
-}
-
-/// All samples of a header, and who holds their bytes.
-struct Samples {
-    Bytes file, joined;
-    std::string from_gzip;
-    std::span<const std::byte> all;  ///< in one of these
-};
-
-/// Reads the samples behind the header in `out.file`, or those of the files that it names.
-Expected<void> read_samples(const NrrdHeader& header, const Path& path, std::size_t most_bytes, Samples& out,
-                            Volume& volume) {
-    const auto take = [&](const Path& from, std::span<const std::byte> bytes,
-                          std::size_t samples) -> Expected<void> {
-        const FileOfSamples one{from, behind_lines(bytes, header.skipped_lines), samples};
-        if (header.encoding == NrrdEncoding::ascii)
-            return append_numbers(header, one, out.joined, volume.notes);
-        const auto part = bytes_in(header, one, out.from_gzip, volume.notes);
-        if (!part) return part.error();
-        if (samples == header.stored)
-            out.all = *part;  // The bytes of large scans are not copied.
-        else
-            out.joined.insert(out.joined.end(), part->begin(), part->end());
-        return {};
-    };
-    volume.files = {path};
-    if (header.data_files.empty()) {
-        const auto data =
-            std::span<const std::byte>(out.file).subspan(std::min(header.data_at, out.file.size()));
-        if (auto done = take(path, data, header.stored); !done) return done;
-    }
-    for (const auto& name : header.data_files) {
-        const auto place = path_beside(path, name, volume.notes);
-        const std::size_t samples = header.stored / header.data_files.size();
-        auto bytes = read_part(header, place, samples, most_bytes);
-        if (!bytes) return Error{in_one_line(bytes.error().message)};
-        out.file = std::move(*bytes);
-        volume.files.push_back(place);
-        if (auto done = take(place, out.file, samples); !done) return done;
-    }
-    if (out.all.empty()) out.all = out.joined;
-    return {};
-}
-
 /// Makes one number of each colour: what an eye sees of its light, or the V or Y that the file has.
 void keep_luminance(NrrdColour colour, Volume& volume) {
     // Shares of red, green and blue in the luminance are those of ITU-R BT.709.
@@ -262,7 +89,6 @@ void keep_luminance(NrrdColour colour, Volume& volume) {
     samples.resize(samples.size() / 3);
     volume.components = 1;
     if (colour == NrrdColour::red_green_blue) volume.stored_as = SampleType::float32;
-    volume.notes.emplace_back("the samples are colours, of which the luminance is read");
 }
 
 /// Turns vector values from the file's frame to the volume's. Values of the same frame keep their bits; turned
@@ -292,20 +118,26 @@ FileAxes axes_of(const NrrdHeader& header, const Arrangement& a, const Volume& v
     return axes;
 }
 
-/// Tells what reading has changed.
-void note_changes(const NrrdHeader& header, int frame, Volume& volume) {
-    if (header.frames > 1)
-        volume.notes.push_back(text("moment ", frame + 1, " of ", header.frames, " is read"));
-    constexpr double exact = 1U << 24U;
-    const auto range = range_of(volume);
-    const bool whole = header.type >= SampleType::int32 && header.type < SampleType::float32;
-    if (whole && std::max(std::abs(range.low), std::abs(range.high)) > exact)
-        volume.notes.emplace_back("integers beyond 16,777,216 are rounded");
+/// Refuses samples that are clearly of the other byte order, and adds a note if they may be.
+Expected<void> check_order(const NrrdHeader& header, std::span<const std::byte> samples, Volume& volume) {
+    if (header.encoding == NrrdEncoding::ascii) return {};
+    const auto order = check_byte_order({samples, header.type, header.big_endian});
+    const auto* other = header.big_endian ? "'endian: little'" : "'endian: big'";
+    if (order == ByteOrder::wrong)
+        return fail_field(
+            header, "endian",
+            text("read so, many samples are beyond 1e30 or below 1e-30, and in the other byte order none is; "
+                 "write ",
+                 other));
+    if (order == ByteOrder::doubtful)
+        volume.notes.push_back(text("every sample is a multiple of 256; if that is wrong, write ", other));
+    return {};
 }
 
-/// Puts stored samples in the volume's order. `volume` has what was noted before.
-void fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples,
-          const ReadChoice& choice, Volume& volume) {
+/// Puts stored samples in the volume's order. `volume` has what was noted before. The error says what is wrong with the
+/// samples, without the path.
+Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples,
+                    const ReadChoice& choice, Volume& volume) {
     volume.spacing = a.spacing;
     volume.components = header.components;
     volume.stored_as = header.type;
@@ -335,10 +167,17 @@ void fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::b
     decode(in_text ? StoredSamples{samples, SampleType::float64, big}
                    : StoredSamples{samples, header.type, header.big_endian},
            order, volume);
-    note_changes(header, choice.frame, volume);
-    if (header.colour != NrrdColour::none && !choice.colours_as_vectors)
+    if (header.frames > 1)
+        volume.notes.push_back(text("moment ", choice.frame + 1, " of ", header.frames, " is read"));
+    if (auto kept = check_rounding(volume); !kept) return kept;
+    volume.is_colour = header.colour == NrrdColour::red_green_blue && choice.colours_as_vectors;
+    if (header.colour != NrrdColour::none && !choice.colours_as_vectors) {
         keep_luminance(header.colour, volume);
+        if (!header.is_colour_by_guess)
+            volume.notes.emplace_back("the samples are colours, of which the luminance is read");
+    }
     if (header.of_values != mat3(0.0)) turn_values(glm::transpose(a.turn) * header.of_values, volume);
+    return {};
 }
 
 // ---- writing ----------------------------------------------------------------------------------------------
@@ -409,7 +248,7 @@ void append_space(std::string& out, const Volume& volume) {
     for (const vec3 d : space.direction) append_vector(out += ' ', d, mm);
     if (space.first) append_vector(out += "\nspace origin: ", *space.first, mm);
     append_text(out, text("\nspace units:", unit, unit, unit));
-    if (!vectors) return;
+    if (!vectors || volume.is_colour) return;
     append_text(out, "\nmeasurement frame:");
     for (int i = 0; i < 3; ++i) append_vector(out += ' ', volume.placement.turn[i], false);
 }
@@ -422,7 +261,8 @@ std::string header_of(const Volume& volume, Packing packing) {
     append_text(out, vectors ? "\nsizes: 3" : "\nsizes:");
     for (const int n : volume.count) append_text(out, text(' ', n));
     append_space(out, volume);
-    append_text(out, vectors ? "\nkinds: vector domain domain domain" : "\nkinds: domain domain domain");
+    const std::string_view first_kind = !vectors ? "" : volume.is_colour ? " RGB-color" : " vector";
+    append_text(out, text("\nkinds:", first_kind, " domain domain domain"));
     if (const std::string units = printable(volume.units, 60); !units.empty())
         append_text(out, text("\nsample units: ", units));
     append_text(out, "\nendian: little");
@@ -446,16 +286,21 @@ Expected<Volume> read_nrrd(const Path& path, const ReadChoice& choice) {
     const auto space = along_space(header->direction);
     const auto arrangement = space ? space : turned(header->direction);
     if (!arrangement)
-        return fail_file(path, "its axes are not at right angles; resample the volume to a straight box");
+        return fail_field(*header, "space directions",
+                          "the axes are not at right angles; resample the volume to a straight box");
+    if (choice.colours_as_vectors && header->colour > NrrdColour::red_green_blue)
+        return fail_field(*header, "kinds", "colours must be red, green and blue; convert to 'RGB-color'");
     // A short file was read whole already.
     if (header->data_files.empty() && file->size() > longest_header) file = read_file(path, most_bytes);
     if (!file) return Error{in_one_line(file.error().message)};
     Volume volume;
     volume.notes = std::move(header->notes);
-    Samples samples;
+    NrrdSamples samples;
     samples.file = std::move(*file);
-    if (auto done = read_samples(*header, path, most_bytes, samples, volume); !done) return done.error();
-    fill(*header, *arrangement, samples.all, choice, volume);
+    if (auto done = read_nrrd_samples(*header, path, most_bytes, samples, volume); !done) return done.error();
+    if (auto done = check_order(*header, samples.all, volume); !done) return done.error();
+    if (auto done = fill(*header, *arrangement, samples.all, choice, volume); !done)
+        return fail_file(path, done.error().message);
     return volume;
 }
 

@@ -16,13 +16,18 @@
 //     "nan" or "none"                            not given
 //     units (space units, or units of the axes)  metres come out; without units, or with others than of length such as
 //                                                "pixel", lengths are mm, as in medicine
-//     axis mins and maxs without spacings        their difference over the samples, or over the gaps of nodes
+//     axis mins and maxs without spacings        their difference over the samples, or over the gaps of nodes; their
+//                                                place is left out
 //     no spacing at all                          1 mm
 //     a space such as right-anterior-superior    turned to left-posterior-superior (Volume::is_of_patient)
 //     a left-handed space                        mirrored, so that the frame is right-handed
 //
 // A file that is written says what was read: the same vectors, the same frame, and no origin if there was none. The
 // key/value pair "thaum save:=NAME" tells which files belong to one body (Volume::save_name).
+//
+// Without kinds, an axis of 3 or 4 bytes holds colours, one of 3 other numbers a vector. A detached file that is not
+// where the header says is looked for as detail/sample_file.h says. Samples that floats would make coarse are refused
+// (Rounding, field/volume.h); so are bytes of another encoding, and floats in the other byte order.
 //
 // Comments and key/value pairs are skipped; what else was left out or changed is in Volume::notes. Samples that are not
 // numbers stay so.

@@ -53,11 +53,20 @@ struct FileAxes {
     Placement placement{};
 };
 
+/// What became of samples that floats do not hold exactly.
+struct Rounding {
+    double low{}, high{};  ///< smallest and largest finite sample of the file
+    double width{};        ///< their difference, computed in the file's type
+    double step{};  ///< distance between floats about the largest sample by size; 0: no sample was rounded
+    std::size_t beyond{};  ///< finite samples beyond what a float holds
+};
+
 struct Volume {
     std::array<int, 3> count{};                 ///< samples along each axis
     vec3 spacing{1e-3};                         ///< distance between samples along each axis, > 0 (m)
     Placement placement{};                      ///< from the volume's frame to the parent's
-    int components{1};                          ///< 1: scalar; 3: vector
+    int components{1};                          ///< 1: scalar; 3: vector, or colour
+    bool is_colour{false};                      ///< the components are red, green and blue
     SampleType stored_as{SampleType::float32};  ///< type in which a file stores the samples
     /// Component c of sample (i, j, k) is samples[c + components (i + count[0] (j + count[1] k))].
     std::vector<float> samples{};
@@ -71,6 +80,7 @@ struct Volume {
     /// Name of the save that this file and others belong to, for properties of one body; may be empty.
     std::string save_name{};
     std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
+    Rounding rounding{};                         ///< of the samples, when they were read
     int frames{1};                               ///< moments of time in the file, of which one was read
     std::vector<std::string> notes{};  ///< messages of the file's reader for the user, one line each
 

@@ -1,6 +1,7 @@
 #include "field/volume_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/config.h"
@@ -8,6 +9,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "field/detail/nrrd_fields.h"
+#include "field/detail/sample_file.h"
 #include "field/detail/samples.h"
 #include "field/nrrd.h"
 
@@ -59,6 +61,43 @@ Expected<RawDescription> parse_raw(std::string_view toml, const std::string& nam
     return raw;
 }
 
+/// A format that is not read, by the ending of its files.
+struct OtherFormat {
+    std::string_view ending, name;
+    std::string_view conversion{"convert it to .nrrd, for example with 3D Slicer"};
+};
+
+constexpr std::string_view by_fiji = "convert it to .nrrd, for example with Fiji";
+constexpr std::array other_formats{
+    OtherFormat{".mha", "a MetaImage"},
+    OtherFormat{".mhd", "a MetaImage"},
+    OtherFormat{".nii", "NIfTI"},
+    OtherFormat{".hdr", "Analyze or NIfTI"},
+    OtherFormat{".img", "Analyze or NIfTI"},
+    OtherFormat{".mgh", "an image of FreeSurfer"},
+    OtherFormat{".mgz", "an image of FreeSurfer"},
+    OtherFormat{".mnc", "MINC"},
+    OtherFormat{".dcm", "DICOM"},
+    OtherFormat{".ima", "DICOM"},
+    OtherFormat{".vtk", "a file of VTK"},
+    OtherFormat{".vti", "a file of VTK"},
+    OtherFormat{".tif", "TIFF", by_fiji},
+    OtherFormat{".tiff", "TIFF", by_fiji},
+    OtherFormat{".mrc", "MRC", by_fiji},
+    OtherFormat{".npy", "an array of NumPy", "save it with pynrrd: nrrd.write('volume.nrrd', array)"},
+    OtherFormat{".mat", "a file of MATLAB", "save its array as .nrrd there"},
+    OtherFormat{".raw", "samples without a header", "describe them in a .toml or .nhdr and open that"},
+    OtherFormat{".gz", "packed", "unpack it; a .nrrd may pack its samples inside, with 'encoding: gzip'"},
+    OtherFormat{".zip", "packed", "unpack it"},
+};
+
+/// What a file of another ending is, and what to do with it.
+std::string advice_for(std::string_view ending) {
+    const auto found = std::ranges::find(other_formats, ending, &OtherFormat::ending);
+    if (found == other_formats.end()) return "volumes are files that end in .nrrd, .nhdr or .toml";
+    return text(found->name, ", which is not read (read are .nrrd, .nhdr, .toml); ", found->conversion);
+}
+
 }  // namespace
 
 Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) {
@@ -66,7 +105,9 @@ Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) 
     if (!toml) return toml.error();
     auto raw = parse_raw(*toml, path.string(), limit);
     if (!raw) return raw.error();
-    const auto data_path = path.parent_path() / raw->file;
+    const auto data_path = sample_file(path, raw->file);
+    if (const auto note = note_on_place(path, raw->file, data_path); !note.empty())
+        raw->volume.notes.push_back(note);
     const auto bytes = read_file(data_path, limit * size_of(SampleType::float64));
     if (!bytes) return Error{in_one_line(bytes.error().message)};
     if (bytes->size() != raw->bytes)
@@ -74,15 +115,17 @@ Expected<Volume> read_raw(const std::filesystem::path& path, std::size_t limit) 
                                      " describes ", raw->bytes, "; correct sizes and type")));
     decode({*bytes, raw->volume.stored_as, raw->big_endian},
            plain_order(raw->volume.count, raw->volume.components), raw->volume);
+    if (auto kept = check_rounding(raw->volume); !kept)
+        return fail(in_one_line(text(data_path.string(), ": ", kept.error().message)));
     raw->volume.files = {path, data_path};
     return std::move(raw->volume);
 }
 
 Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice& choice) {
-    const std::string ending = in_lower_case(path.extension().string());
+    std::string ending = in_lower_case(path.extension().string());
+    if (ending == ".gz" && in_lower_case(path.stem().extension().string()) == ".nii") ending = ".nii";
     const bool nrrd = ending == ".nrrd" || ending == ".nhdr";
-    if (!nrrd && ending != ".toml")
-        return fail(text(path.string(), ": volumes are files that end in .nrrd, .nhdr or .toml"));
+    if (!nrrd && ending != ".toml") return fail(in_one_line(text(path.string(), ": ", advice_for(ending))));
     auto volume = nrrd ? read_nrrd(path, choice) : read_raw(path, choice.limit);
     if (volume && not_finite(*volume) == volume->samples.size())
         return fail(in_one_line(text(path.string(), ": none of its ", volume->samples.size(),

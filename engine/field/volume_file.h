@@ -9,7 +9,7 @@
 namespace thaum::field {
 
 /// Reads a volume; the ending of the name, in any case, tells the format: .nrrd and .nhdr (field/nrrd.h), .toml
-/// (read_raw). A volume without any finite sample is refused.
+/// (read_raw). A volume without any finite sample is refused, and so are other formats, by name.
 Expected<Volume> read_volume(const std::filesystem::path& path, const ReadChoice& choice = {});
 
 /// Reads plain samples described by a TOML file:

@@ -1,5 +1,6 @@
 #include "field/voxel_volume.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -18,7 +19,9 @@ Volume volume_for(const Voxels& body, std::string_view name, int components, Sam
 
 DensityRange usual_range(const Volume& volume) {
     const SampleRange range = range_of(volume);
-    return {range.low, range.high > range.low ? range.high : range.low + 1};
+    // One more than a large number may be the same float.
+    const float above = std::max(range.low + 1, std::nextafter(range.low, HUGE_VALF));
+    return {range.low, range.high > range.low ? range.high : above};
 }
 
 Expected<void> check_bytes(const Voxels& body, const Volume& volume, int components, std::string_view what) {
@@ -58,7 +61,8 @@ Expected<Voxels> voxels_of(const Volume& volume, std::optional<DensityRange> ran
     body.placement = volume.placement;
     body.empty = used.empty;
     body.full = used.full;
-    body.surface = used.empty + 0.5F * (used.full - used.empty);
+    // In double precision, because the difference of two floats may be beyond the largest one.
+    body.surface = static_cast<float>(0.5 * (double{used.empty} + double{used.full}));
     body.density = volume.samples;
     return body;
 }
@@ -71,6 +75,7 @@ Volume density_volume(const Voxels& body) {
 
 Volume colour_volume(const Voxels& body) {
     Volume volume = volume_for(body, "colour", 3, SampleType::uint8);
+    volume.is_colour = true;
     for (const Rgb8 c : body.colour) {
         for (const std::uint8_t part : {c.r, c.g, c.b}) volume.samples.push_back(part);
     }

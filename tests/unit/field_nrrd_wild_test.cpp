@@ -29,6 +29,12 @@ TEST_F(VolumeFiles, OfColoursTheLuminanceIsRead) {
     EXPECT_EQ(read_as("XYZ-color", {}).samples, (std::vector<float>{20, 0})) << "Y is the luminance";
     const auto colours = read_as("RGB-color", {.colours_as_vectors = true});
     EXPECT_EQ(colours.samples, (std::vector<float>{10, 20, 30, 255, 0, 0})) << "colours do not turn";
+    ASSERT_TRUE(write_nrrd(in_folder("again.nrrd"), colours));
+    EXPECT_EQ(read_nrrd(in_folder("again.nrrd"))->components, 1) << "a file of colours says so";
+    EXPECT_EQ(read_nrrd(in_folder("again.nrrd"), {.colours_as_vectors = true})->samples, colours.samples);
+    expect_refused(read_nrrd(put("v.nrrd", text(start, "HSV-color domain domain domain\n\n", data)),
+                             {.colours_as_vectors = true}),
+                   ":8: field 'kinds': colours must be red, green and blue");
 }
 
 TEST_F(VolumeFiles, OneMomentOfTimeIsRead) {
@@ -76,15 +82,34 @@ TEST_F(VolumeFiles, OfNumbersInWordsEachChangeIsTold) {
     expect_refused(read_ascii("float", "100,5 107,5 1,5 2,5\n"), "numbers have points, not commas");
 }
 
-TEST_F(VolumeFiles, ThreeSamplesOfAnUntoldKindAreAVectorWithALine) {
-    const std::string head = "type: uint8\ndimension: 4\nencoding: raw\nsizes: 3 2 2 2";
-    const auto untold = read(head, std::string(24, 'x'));
-    ASSERT_TRUE(untold);
-    EXPECT_EQ(untold->components, 3);
-    EXPECT_EQ(untold->notes.size(), 1U);
-    const auto told = read(head + "\nkinds: vector domain domain domain", std::string(24, 'x'));
-    ASSERT_TRUE(told);
-    EXPECT_TRUE(told->notes.empty());
+TEST_F(VolumeFiles, SamplesOfAnUntoldKindAreColoursOrAVectorWithALine) {
+    const auto with = [&](std::string_view type, std::string_view sizes, std::string_view more,
+                          std::size_t bytes) {
+        const auto v =
+            read(text("type: ", type, "\ndimension: 4\nencoding: raw\nendian: little\nsizes: ", sizes, more),
+                 std::string(bytes, '\1'));
+        EXPECT_TRUE(v) << (v ? "" : v.error().message);
+        return v.value_or(Volume{});
+    };
+    const auto colour = with("uint8", "3 2 2 2", "", 24);
+    EXPECT_EQ(colour.components, 1) << "bytes have no sign, so they are colours";
+    EXPECT_EQ(colour.notes,
+              std::vector<std::string>{
+                  "'kinds' does not tell what the 3 samples of axis 0 are; they are taken as red, green and "
+                  "blue, of which the luminance is read; for a vector write 'kinds: vector domain domain "
+                  "domain'"});
+    EXPECT_EQ(with("uint8", "4 2 2 2", "\nkinds: ??? domain domain domain", 32).notes.size(), 1U);
+    const auto vector =
+        with("short", "2 2 2 3", "\nspace: LPS\nspace directions: (1,0,0) (0,1,0) (0,0,1) none", 48);
+    EXPECT_EQ(vector.components, 3);
+    ASSERT_EQ(vector.notes.size(), 1U);
+    EXPECT_TRUE(vector.notes[0].ends_with("for colours write 'kinds: domain domain domain RGB-color'"));
+    const auto last = with("uint8", "2 2 2 3", "\nspacings: 1 1 1 nan", 24);
+    EXPECT_EQ(last.count, (std::array{2, 2, 2}));
+    EXPECT_NE(last.notes.at(0).find("the 3 samples of axis 3"), std::string::npos);
+    const auto told = with("uint8", "3 2 2 2", "\nkinds: vector domain domain domain", 24);
+    EXPECT_EQ(told.components, 3);
+    EXPECT_TRUE(told.notes.empty());
 }
 
 TEST_F(VolumeFiles, WhatIsNotGivenIsLikeMissing) {

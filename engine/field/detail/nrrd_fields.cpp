@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t shown = 60;  ///< bytes of a value in a message
 constexpr std::string_view magic = "NRRD000";
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  ///< of UTF-8, as some editors write it
 
 /// Fields of the format, without blanks, that are read or skipped.
 constexpr std::array<std::string_view, 31> known_fields{"type",
@@ -138,6 +139,8 @@ Error NrrdFields::at_line(std::size_t number, std::string_view message) const {
 
 Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
     if (line.starts_with('#')) return {};
+    if (trimmed(line).empty())
+        return at_line(number, "a line of blanks; take it out, or the blanks if the header ends here");
     const std::size_t colon = line.find(':');
     const bool is_field = colon != std::string_view::npos && colon > 0;
     if (is_field && line.substr(colon).starts_with(":=")) {
@@ -163,13 +166,14 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
 
 Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) {
     NrrdFields result(std::move(name));
-    if (!file.starts_with(magic) || file.size() <= magic.size())
-        return fail(text(result.name_, ": not an NRRD file, which begins with ", magic));
-    if (file[magic.size()] < '1' || file[magic.size()] > '5')
-        return fail(
-            text(result.name_, ": a version of NRRD that is not known; convert the file to NRRD0005"));
+    const auto first = file.substr(file.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    if (!first.starts_with(magic) || first.size() <= magic.size())
+        return result.at_line(1, text("not an NRRD file, which begins with ", magic));
+    if (first[magic.size()] < '1' || first[magic.size()] > '5')
+        return result.at_line(1, "a version of NRRD that is not known; convert the file to NRRD0005");
     std::size_t at = 0, number = 1;
     for (;; ++number) {
+        result.last_line_ = number;
         const std::size_t end = std::min(file.find('\n', at), file.size());
         if (end > longest_header)
             return fail(text(result.name_, ": the header is longer than ", longest_header, " bytes"));
@@ -180,7 +184,8 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
             return result;
         }
         if (result.lists_files()) {
-            if (const auto name = trimmed(line); !name.empty()) result.listed_files_.emplace_back(name);
+            if (const auto name = trimmed(line); !name.empty())
+                result.listed_files_.push_back({std::string(name), number});
         } else if (number > 1 && !line.empty()) {
             if (auto added = result.add(line, number); !added) return added.error();
         }
@@ -194,6 +199,17 @@ bool NrrdFields::lists_files() const {
     return !of_file.empty() && of_file[0] == "LIST";
 }
 
+std::map<std::string, std::size_t, std::less<>> NrrdFields::lines() const {
+    std::map<std::string, std::size_t, std::less<>> lines;
+    for (const auto& [field, line] : fields_) lines.emplace(written_name(field), line.number);
+    return lines;
+}
+
+std::size_t NrrdFields::line_of(std::string_view field) const {
+    const auto found = fields_.find(field);
+    return found == fields_.end() ? 0 : found->second.number;
+}
+
 std::string_view NrrdFields::text_of(std::string_view field) const {
     const auto found = fields_.find(field);
     return found == fields_.end() ? std::string_view() : found->second.value;
@@ -203,8 +219,8 @@ void NrrdFields::report(std::string_view field, std::string_view message) {
     if (fault_) return;
     const auto found = fields_.find(field);
     if (found == fields_.end()) {
-        fault_ = Error{
-            in_one_line(text(name_, ": the header has no field '", written_name(field), "'; ", message))};
+        fault_ = at_line(last_line_, text("the header, which ends here, has no field '", written_name(field),
+                                          "'; ", message));
     } else {
         fault_ = at_line(found->second.number, text("field '", found->second.name, "': ", message));
     }
@@ -237,7 +253,10 @@ std::vector<std::optional<double>> NrrdFields::numbers(std::string_view field, s
         if (is_not_given(word)) continue;
         result.back() = number_of(word);
         if (!std::isfinite(*result.back()))
-            report(field, text("'", printable(word, shown), "' is no number"));
+            report(
+                field,
+                text("'", printable(word, shown), "' is no number",
+                     word.find(',') == std::string_view::npos ? "" : "; write a point, and blanks between"));
     }
     if (result.size() != count)
         report(field, text(result.size(), " numbers for ", count, " axes; give one for each axis"));

@@ -29,8 +29,17 @@ public:
     bool has(std::string_view field) const { return fields_.contains(field); }
     /// Whether the header ends with "data file: LIST" and names of files.
     bool lists_files() const;
-    /// Names of files after "data file: LIST".
-    const std::vector<std::string>& listed_files() const { return listed_files_; }
+    /// A file of samples by its name, and the line that names it.
+    struct ListedFile {
+        std::string name;
+        std::size_t line{};
+    };
+    /// Files named after "data file: LIST".
+    const std::vector<ListedFile>& listed_files() const { return listed_files_; }
+    /// Lines of all fields, by their names as the format writes them: "space directions".
+    std::map<std::string, std::size_t, std::less<>> lines() const;
+    /// Line of a field; 0 if it is missing.
+    std::size_t line_of(std::string_view field) const;
     /// Text of a field; empty if the field is missing.
     std::string_view text_of(std::string_view field) const;
 
@@ -65,8 +74,9 @@ private:
 
     std::string name_;
     std::map<std::string, Line, std::less<>> fields_;
-    std::vector<std::string> listed_files_;
+    std::vector<ListedFile> listed_files_;
     std::optional<std::size_t> end_;
+    std::size_t last_line_{1};  ///< the empty one that ends the header, or the last one of the file
     std::optional<Error> fault_;
 };
 

@@ -115,37 +115,64 @@ void take_kind(NrrdFields& fields, std::string_view word, Axis& axis, NrrdHeader
     const auto* kind = kind_of(word);
     const bool of_one = axis.size == 1 && !is_unknown(word);  // one entry of a list, and so on
     if (kind == nullptr && !of_one) {
-        fields.report("kinds",
-                      text("an axis of the kind '", printable(word, 40), "' cannot be read; ",
-                           "a volume has three of space, and may have one of components (vector, colour) "
-                           "and one of time"));
+        fields.report(
+            "kinds", text("an axis of the kind '", printable(word, 40), "' cannot be read; ",
+                          in_lower_case(word) == "list" ? "write 'time', 'vector' or 'RGB-color' if it is one"
+                                                        : "a volume has three of space, and may have one of "
+                                                          "components (vector, colour) and one of time"));
         return;
     }
     axis.role = kind == nullptr ? Role::component : kind->role;
     if (kind != nullptr && kind->role == Role::component && axis.size != 1 && axis.size != kind->size)
-        fields.report("sizes", text("an axis of the kind '", kind->name, "' has ", kind->size,
+        fields.report("sizes", text("an axis of the kind '", kind->name, "' is read only with ", kind->size,
                                     " samples, not ", axis.size));
     if (kind != nullptr && axis.size != 1) header.colour = std::max(header.colour, kind->colour);
 }
 
-/// Finds the axis beyond space whose kind the header does not tell: the one without a direction, or one of 1 or 3
-/// samples: the first, as most programs write.
-void find_component_axis(NrrdFields& fields, Axes& axes, NrrdHeader& header) {
-    std::size_t at = 0;
-    if (fields.has("spacedirections")) {
-        const auto directions = fields.vectors("spacedirections", axes.all.size());
-        const auto none = std::ranges::find_if_not(directions, &std::optional<vec3>::has_value);
-        const bool one = std::ranges::count(directions, std::optional<vec3>{}) == 1;
-        if (one) at = static_cast<std::size_t>(none - directions.begin());
-    }
+/// The line "kinds" with one kind beyond those of space: 'kinds: vector domain domain domain'.
+std::string kinds_with(std::string_view kind, std::size_t at, std::size_t axes) {
+    std::string line = "'kinds:";
+    for (std::size_t a = 0; a < axes; ++a) append_text(line, text(' ', a == at ? kind : "domain"));
+    return line + "'";
+}
+
+/// Takes an axis whose kind the header does not tell as components: three or four bytes are a colour, because bytes have
+/// no sign, as parts of a vector need.
+void take_unknown_axis(NrrdFields& fields, std::size_t at, Axes& axes, NrrdHeader& header) {
     auto& axis = axes.all[at];
-    if (axis.size != 1 && axis.size != 3)
-        fields.report("sizes", text("'kinds' does not tell what the ", axis.size, " samples of axis ", at,
-                                    " are; only scalars and vectors of 3 can be read without it"));
-    if (axis.size == 3)
-        header.notes.push_back(text("'kinds' does not tell what the 3 samples of axis ", at,
-                                    " are; they are taken as the parts of a vector"));
     axis.role = Role::component;
+    if (axis.size == 1) return;
+    const auto untold = text("'kinds' does not tell what the ", axis.size, " samples of axis ", at, " are; ");
+    const bool is_colour = header.type == SampleType::uint8 && (axis.size == 3 || axis.size == 4);
+    if (!is_colour && axis.size != 3) {
+        fields.report("sizes",
+                      text(untold, "only scalars, vectors of 3, and colours can be read without it"));
+        return;
+    }
+    header.is_colour_by_guess = is_colour;
+    if (is_colour) header.colour = NrrdColour::red_green_blue;
+    const auto taken = is_colour ? "they are taken as red, green and blue, of which the luminance is read"
+                                 : "they are taken as the parts of a vector";
+    const auto other = is_colour ? text("for a vector write ", kinds_with("vector", at, axes.all.size()))
+                                 : text("for colours write ", kinds_with("RGB-color", at, axes.all.size()));
+    header.notes.push_back(text(untold, taken, axis.size == 4 ? "" : text("; ", other)));
+}
+
+/// The one axis for which a field of the header gives nothing; std::nullopt: there is none, or there are several.
+template <class Value>
+std::optional<std::size_t> axis_without(const std::vector<std::optional<Value>>& values) {
+    const auto none = std::ranges::find_if_not(values, &std::optional<Value>::has_value);
+    if (std::ranges::count(values, std::optional<Value>{}) != 1) return {};
+    return static_cast<std::size_t>(none - values.begin());
+}
+
+/// Finds the axis beyond space whose kind the header does not tell: the one without a direction or without a spacing, or
+/// else the first, as most programs write.
+void find_component_axis(NrrdFields& fields, Axes& axes, NrrdHeader& header) {
+    std::optional<std::size_t> at;
+    if (fields.has("spacedirections")) at = axis_without(fields.vectors("spacedirections", axes.all.size()));
+    if (!at && fields.has("spacings")) at = axis_without(fields.numbers("spacings", axes.all.size()));
+    take_unknown_axis(fields, at.value_or(0), axes, header);
 }
 
 Axes read_axes(NrrdFields& fields, std::size_t limit, NrrdHeader& header) {
@@ -165,6 +192,10 @@ Axes read_axes(NrrdFields& fields, std::size_t limit, NrrdHeader& header) {
     }
     const auto count = [&](Role role) { return std::ranges::count(axes.all, role, &Axis::role); };
     if (count(Role::space) == 4 && any_unknown) find_component_axis(fields, axes, header);
+    if (count(Role::space) > 3 && any_unknown)
+        fields.report(fields.has("kinds") ? "kinds" : "dimension",
+                      text("'kinds' does not tell which of the ", axes.all.size(),
+                           " axes are space, components and time"));
     if (count(Role::space) != 3 || count(Role::component) > 1 || count(Role::time) > 1)
         fields.report(fields.has("kinds") ? "kinds" : "dimension",
                       "a volume has three axes of space, and may have one of components and one of time");
@@ -291,11 +322,36 @@ std::array<std::optional<vec3>, 3> read_directions(NrrdFields& fields, const Axe
     return of_space;
 }
 
+/// Spacings of the axes of the file by two kinds of fields.
+struct Spacings {
+    std::vector<std::optional<double>> given, of_ends;
+};
+
+/// Tells what is not used of the ends of the axes: their place, or all of them if other fields say something else.
+void note_ends(NrrdFields& fields, const Axes& axes, const Spacings& spacings, bool has_directions,
+               NrrdHeader& header) {
+    const auto low = numbers_if_there(fields, "axismins", axes);
+    bool give_spacings = false, at_zero = true, differ = false;
+    for (const std::size_t axis : axes.in_space) {
+        const auto& given = spacings.given[axis];
+        const auto& of_ends = spacings.of_ends[axis];
+        give_spacings = give_spacings || (!has_directions && !given && of_ends);
+        at_zero = at_zero && low[axis].value_or(0) == 0;
+        const bool differs = of_ends && given && !(std::abs(*of_ends - *given) <= 1e-6 * std::abs(*given));
+        differ = differ || differs || (has_directions && of_ends);
+    }
+    if (give_spacings && !at_zero)
+        header.notes.emplace_back(
+            "'axis mins' and 'axis maxs' give only the spacings; a place needs 'space' and 'space origin'");
+    else if (!give_spacings && (differ || !at_zero))
+        header.notes.emplace_back(
+            "'axis mins' and 'axis maxs' have no effect beside the other fields of space");
+}
+
 /// Reads the place of the samples into the header: directions, or else spacings along the axes of space, and the origin.
 void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& header) {
     const auto directions = read_directions(fields, axes);
-    const auto spacings = numbers_if_there(fields, "spacings", axes);
-    const auto of_ends = spacings_of_ends(fields, axes);
+    const Spacings spacings{numbers_if_there(fields, "spacings", axes), spacings_of_ends(fields, axes)};
     const bool has_directions = directions[0].has_value();
     std::vector<std::string> space_unit, axis_unit;
     if (fields.has("spaceunits")) space_unit = fields.quoted("spaceunits", 3);
@@ -311,13 +367,16 @@ void read_place(NrrdFields& fields, const Axes& axes, vec3 sign, NrrdHeader& hea
             for (int k = 0; k < 3; ++k)
                 direction[k] = sign[k] * in_space.metres(static_cast<std::size_t>(k),
                                                          directions[a].value_or(vec3(1))[k]);
-            if (spacings[from]) fields.report("spacings", "an axis of space also has a direction; keep one");
+            if (spacings.given[from])
+                fields.report("spacings", "an axis of space also has a direction; keep one");
         } else {
-            direction[i] = sign[i] * along_axes.metres(by_axis ? from : a,
-                                                       spacings[from].value_or(of_ends[from].value_or(1.0)));
+            direction[i] = sign[i] * along_axes.metres(
+                                         by_axis ? from : a,
+                                         spacings.given[from].value_or(spacings.of_ends[from].value_or(1.0)));
         }
         header.direction[a] = direction;
     }
+    note_ends(fields, axes, spacings, has_directions, header);
     if (!fields.has("spaceorigin")) return;
     if (!header.is_in_space)
         fields.report("spaceorigin", "the header also needs 'space' or 'space dimension: 3'");
@@ -406,10 +465,12 @@ std::string file_of(const FilePattern& pattern, long number) {
 
 void read_data_files(NrrdFields& fields, NrrdHeader& header) {
     const auto words = fields.words("datafile");
+    const std::size_t line = fields.line_of("datafile");
     if (fields.has("datafile") && words.empty()) fields.report("datafile", "it names no file");
     if (words.empty()) return;
     if (fields.lists_files()) {
-        header.data_files = fields.listed_files();
+        for (const auto& listed : fields.listed_files())
+            header.data_files.push_back({listed.name, listed.line});
         if (header.data_files.empty()) fields.report("datafile", "no names of files follow LIST");
     } else if (words[0].find('%') != std::string_view::npos && words.size() > 1) {
         const auto pattern = parse_pattern(words);
@@ -420,9 +481,9 @@ void read_data_files(NrrdFields& fields, NrrdHeader& header) {
         const long last =
             std::min((pattern->to - pattern->from) / pattern->step, static_cast<long>(most_files));
         for (long i = 0; i <= last; ++i)
-            header.data_files.push_back(file_of(*pattern, pattern->from + i * pattern->step));
+            header.data_files.push_back({file_of(*pattern, pattern->from + i * pattern->step), line});
     } else {
-        header.data_files.emplace_back(fields.text_of("datafile"));
+        header.data_files.push_back({std::string(fields.text_of("datafile")), line});
     }
     if (header.data_files.size() > most_files)
         fields.report("datafile", text("more than ", most_files, " files"));
@@ -477,7 +538,15 @@ Expected<NrrdHeader> parse_nrrd_header(std::string_view file, const std::string&
     header.units = printable(fields->text_of("sampleunits"), 60);
     header.save_name = printable(fields->text_of(key_of_save), 60);
     if (auto checked = fields->check(); !checked) return checked.error();
+    header.path = name;
+    header.lines = fields->lines();
     return header;
+}
+
+Error fail_field(const NrrdHeader& header, std::string_view field, std::string_view message) {
+    const auto found = header.lines.find(field);
+    const auto line = found == header.lines.end() ? "" : text(':', found->second);
+    return fail(in_one_line(text(header.path, line, ": field '", field, "': ", message)));
 }
 
 }  // namespace thaum::field

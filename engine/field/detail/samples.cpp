@@ -1,12 +1,15 @@
 #include "field/detail/samples.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <cstring>
 #include <limits>
+#include <set>
 
 #include "core/assert.h"
+#include "core/text.h"
 
 namespace thaum::field {
 namespace {
@@ -32,13 +35,63 @@ void with_type(SampleType type, Use use) {
 }
 
 template <class T>
-float read_sample(const std::byte* from, bool big_endian) {
+T read_sample(const std::byte* from, bool big_endian) {
     std::array<std::byte, sizeof(T)> bytes;
     std::memcpy(bytes.data(), from, sizeof(T));
     if (big_endian) std::ranges::reverse(bytes);
     T value;
     std::memcpy(&value, bytes.data(), sizeof(T));
-    return static_cast<float>(value);
+    return value;
+}
+
+/// Watches which samples a float rounds. Types of which it rounds none cost nothing.
+template <class T>
+class RoundingWatch {
+public:
+    static constexpr bool is_needed = sizeof(T) > sizeof(float) || (sizeof(T) == 4 && std::integral<T>);
+
+    void add(T value) {
+        if constexpr (std::floating_point<T>) {
+            if (!std::isfinite(value)) return;
+        }
+        low_ = any_ ? std::min(low_, value) : value;
+        high_ = any_ ? std::max(high_, value) : value;
+        any_ = true;
+        const auto number = static_cast<double>(value);
+        const auto kept = static_cast<float>(number);
+        if (!std::isfinite(kept)) ++beyond_;
+        // An integer from here on may have been rounded on its way to a double.
+        constexpr double exact_integers = 0x1p53;
+        const bool by_double = std::integral<T> && std::abs(number) >= exact_integers;
+        rounded_ = rounded_ || by_double || static_cast<double>(kept) != number;
+    }
+
+    Rounding result() const {
+        Rounding r{.low = static_cast<double>(low_), .high = static_cast<double>(high_), .beyond = beyond_};
+        if constexpr (std::integral<T>)
+            r.width =
+                static_cast<double>(static_cast<std::uint64_t>(high_) - static_cast<std::uint64_t>(low_));
+        else
+            r.width = r.high - r.low;
+        constexpr float most = std::numeric_limits<float>::max();
+        const auto size =
+            static_cast<float>(std::min(std::max(std::abs(r.low), std::abs(r.high)), double{most}));
+        if (rounded_)
+            r.step = size < most ? std::nextafter(size, most) - size : size - std::nextafter(size, 0.0F);
+        return r;
+    }
+
+private:
+    T low_{}, high_{};
+    std::size_t beyond_{};
+    bool any_{}, rounded_{};
+};
+
+std::string three_digits(double number) {
+    std::array<char, 32> out{};
+    const auto end =
+        std::to_chars(out.data(), out.data() + out.size(), number, std::chars_format::general, 3).ptr;
+    return {out.data(), end};
 }
 
 template <class T>
@@ -55,7 +108,49 @@ T stored_value(float sample) {
     }
 }
 
+template <class T>
+bool is_number(T value) {
+    if constexpr (std::floating_point<T>) return !std::isnan(value);
+    return true;
+}
+
+/// True for a float that hardly any quantity has, as random bytes often give, and for an integer that ends in zeros.
+template <class T>
+bool is_odd(T value) {
+    if constexpr (std::floating_point<T>) {
+        const double largest = sizeof(T) == sizeof(float) ? 1e30 : 1e100, size = std::abs(double{value});
+        return !(size <= largest) || (size > 0 && size < 1 / largest);
+    } else {
+        return value % 256 == 0;
+    }
+}
+
 }  // namespace
+
+ByteOrder check_byte_order(const StoredSamples& stored) {
+    constexpr std::size_t most_looked_at = 4096, share = 10;
+    constexpr std::size_t fewest_values =
+        16;  // the bytes of a few values may make sense in both orders by chance
+    ByteOrder result{};
+    with_type(stored.type, [&]<class T>(T) {
+        const std::size_t all = stored.bytes.size() / sizeof(T), step = all / most_looked_at + 1;
+        std::size_t looked_at = 0, odd = 0, odd_in_other = 0;
+        std::set<T> values;
+        for (std::size_t i = 0; sizeof(T) > 1 && i < all; i += step) {
+            const std::byte* from = stored.bytes.data() + i * sizeof(T);
+            const T value = read_sample<T>(from, stored.big_endian);
+            if (value == T{}) continue;
+            ++looked_at;
+            if (values.size() < fewest_values && is_number(value)) values.insert(value);
+            odd += is_odd(value) ? 1 : 0;
+            odd_in_other += is_odd(read_sample<T>(from, !stored.big_endian)) ? 1 : 0;
+        }
+        const bool enough = values.size() >= fewest_values && odd_in_other == 0;
+        if (std::floating_point<T> && enough && odd * share >= looked_at) result = ByteOrder::wrong;
+        if (std::integral<T> && enough && odd == looked_at) result = ByteOrder::doubtful;
+    });
+    return result;
+}
 
 std::pair<double, double> limits_of(SampleType type) {
     std::pair<double, double> limits;
@@ -88,20 +183,48 @@ void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volum
     volume.samples.resize(size);
     with_type(stored.type, [&]<class T>(T) {
         float* out = volume.samples.data();
+        RoundingWatch<T> watch;
         for (int k = 0; k < volume.count[2]; ++k) {
             for (int j = 0; j < volume.count[1]; ++j) {
                 const std::ptrdiff_t row = order.first + k * order.stride[2] + j * order.stride[1];
                 for (int i = 0; i < volume.count[0]; ++i) {
                     for (int c = 0; c < volume.components; ++c) {
                         const std::ptrdiff_t at = row + i * order.stride[0] + c * order.component_stride;
-                        *out++ =
+                        const auto value =
                             read_sample<T>(stored.bytes.data() + at * static_cast<std::ptrdiff_t>(sizeof(T)),
                                            stored.big_endian);
+                        if constexpr (RoundingWatch<T>::is_needed) watch.add(value);
+                        *out++ = static_cast<float>(value);
                     }
                 }
             }
         }
+        volume.rounding = watch.result();
     });
+}
+
+Expected<void> check_rounding(Volume& volume) {
+    constexpr double most = std::numeric_limits<float>::max();
+    constexpr double fewest_steps = 8, fine_steps = 1000;
+    const Rounding& r = volume.rounding;
+    const auto width = three_digits(r.width), step = three_digits(r.step);
+    if (r.beyond > 0)
+        return fail(text(r.beyond, " of its ", volume.samples.size(), " samples are beyond ",
+                         three_digits(most),
+                         ", the largest number that is kept; divide all samples by one number"));
+    const bool is_offset = std::max(std::abs(r.low), std::abs(r.high)) > 2 * r.width;
+    const auto advice =
+        is_offset ? text("subtract ", r.low, " from all samples") : "multiply all samples by one number";
+    if (r.step > 0 && r.width > 0 && r.step * fewest_steps > r.width)
+        return fail(text("its samples differ by ", width, " at most, from ", r.low,
+                         " on, and are kept in steps of ", step, ", which is too coarse; ", advice));
+    if (r.step > 0 && r.step * fine_steps > r.width && r.width > 0)
+        volume.notes.push_back(text("the samples, which differ by ", width,
+                                    " at most, are rounded to steps of ", step, "; to keep all of them, ",
+                                    advice));
+    else if (r.step > 0 && volume.stored_as < SampleType::float32)
+        volume.notes.emplace_back("integers beyond 16,777,216 are rounded");
+    return {};
 }
 
 Bytes encode(const Volume& volume) {

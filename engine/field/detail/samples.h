@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bytes.h"
+#include "core/error.h"
 #include "field/volume.h"
 
 namespace thaum::field {
@@ -38,8 +39,20 @@ struct StoredSamples {
     bool big_endian{};
 };
 
-/// Fills volume.samples from stored ones, which must be all that the order names.
+/// What samples say of the byte order in which they are read.
+enum class ByteOrder : std::uint8_t {
+    plausible,
+    doubtful,  ///< every integer is a multiple of 256
+    wrong,     ///< many floats are beyond or below all quantities, and none is in the other byte order
+};
+ByteOrder check_byte_order(const StoredSamples& stored);
+
+/// Fills volume.samples and volume.rounding from stored samples, which must be all that the order names.
 void decode(const StoredSamples& stored, const StoredOrder& order, Volume& volume);
+
+/// Checks that rounding has left the samples of a volume apart, and adds a note if it has moved them. The error says
+/// what to do with the samples.
+Expected<void> check_rounding(Volume& volume);
 
 /// Samples as little-endian bytes of the type volume.stored_as. Integers are rounded and limited to the range
 /// of the type; NaN becomes 0.
