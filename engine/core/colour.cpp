@@ -1,12 +1,20 @@
 #include "core/colour.h"
 
+#include <array>
+
 namespace thaum {
 
+double linear_from_srgb(double s) { return s <= 0.04045 ? s / 12.92 : det::pow((s + 0.055) / 1.055, 2.4); }
+
 vec3 linear_colour(std::uint32_t hex) {
-    const auto channel = [hex](unsigned shift) {
-        const double s = static_cast<double>((hex >> shift) & 0xFFU) / 255;
-        return s <= 0.04045 ? s / 12.92 : det::pow((s + 0.055) / 1.055, 2.4);
-    };
+    // Pictures ask for hundreds of colours a frame.
+    static const auto of_byte = [] {
+        std::array<double, 256> light{};
+        for (std::size_t i = 0; i < light.size(); ++i)
+            light[i] = linear_from_srgb(static_cast<double>(i) / 255);
+        return light;
+    }();
+    const auto channel = [hex](unsigned shift) { return of_byte[(hex >> shift) & 0xFFU]; };
     return {channel(16), channel(8), channel(0)};
 }
 

@@ -5,7 +5,10 @@
 
 namespace thaum {
 
-/// Linear light, 0 to 1, of an sRGB colour 0xRRGGBB (IEC 61966-2-1).
+/// Linear light of one sRGB channel, both 0 to 1 (IEC 61966-2-1).
+double linear_from_srgb(double s);
+
+/// Linear light, 0 to 1, of an sRGB colour 0xRRGGBB.
 vec3 linear_colour(std::uint32_t hex);
 
 /// Reads a colour as linear light: "#RRGGBB", or three shares of linear light, as older files have it.

@@ -25,7 +25,8 @@ struct Light {
 
 Light light_of(const Image& image) {
     std::array<float, 256> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = linear_from_srgb(static_cast<float>(i) / 255);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<float>(linear_from_srgb(static_cast<double>(i) / 255));
     Light out{image.width, image.height, std::vector<float>(image.rgb.size())};
     std::transform(image.rgb.begin(), image.rgb.end(), out.rgb.begin(),
                    [&](auto byte) { return table[byte]; });

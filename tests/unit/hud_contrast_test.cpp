@@ -59,7 +59,7 @@ fvec3 linear_at(const render::Image& image, fvec2 place) {
               y = std::clamp(static_cast<int>(place.y), 0, image.height - 1);
     const auto at = 3 * static_cast<std::size_t>(y * image.width + x);
     const auto channel = [&](std::size_t c) {
-        return render::linear_from_srgb(static_cast<float>(image.rgb[at + c]) / 255);
+        return static_cast<float>(linear_from_srgb(image.rgb[at + c] / 255.0));
     };
     return {channel(0), channel(1), channel(2)};
 }
