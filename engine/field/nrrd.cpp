@@ -91,6 +91,15 @@ void keep_luminance(NrrdColour colour, Volume& volume) {
     if (colour == NrrdColour::red_green_blue) volume.stored_as = SampleType::float32;
 }
 
+/// Keeps colours as they are, or their luminance alone, with a note where none was made before.
+void take_colours(const NrrdHeader& header, const ReadChoice& choice, Volume& volume) {
+    volume.is_colour = choice.colours_as_vectors;
+    if (choice.colours_as_vectors) return;
+    keep_luminance(header.colour, volume);
+    if (!header.is_colour_by_guess)
+        volume.notes.emplace_back("the samples are colours, of which the luminance is read");
+}
+
 /// Turns vector values from the file's frame to the volume's. Values of the same frame keep their bits; turned
 /// integers are stored as floats from then on.
 void turn_values(const mat3& to_own, Volume& volume) {
@@ -134,6 +143,17 @@ Expected<void> check_order(const NrrdHeader& header, std::span<const std::byte> 
     return {};
 }
 
+/// Order of the stored samples of one moment.
+StoredOrder order_of(const NrrdHeader& header, const Arrangement& a, int frame) {
+    StoredOrder order{.first = frame * header.frame_stride, .component_stride = header.component_stride};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t stride = header.stride[a.from[axis]], last = header.sizes[a.from[axis]] - 1;
+        order.stride[axis] = a.is_reversed[axis] ? -stride : stride;
+        order.first += a.is_reversed[axis] ? last * stride : 0;
+    }
+    return order;
+}
+
 /// Puts stored samples in the volume's order. `volume` has what was noted before. The error says what is wrong with the
 /// samples, without the path.
 Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<const std::byte> samples,
@@ -145,16 +165,11 @@ Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<co
     volume.units = header.units;
     volume.is_of_patient = header.is_of_patient;
     volume.frames = header.frames;
-    StoredOrder order{.first = choice.frame * header.frame_stride,
-                      .component_stride = header.component_stride};
     vec3 half(0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t from = a.from[axis];
-        const int last = header.sizes[from] - 1;
-        volume.count[axis] = last + 1;
-        order.stride[axis] = a.is_reversed[axis] ? -header.stride[from] : header.stride[from];
-        order.first += a.is_reversed[axis] ? last * header.stride[from] : 0;
-        half += 0.5 * (static_cast<double>(last) * header.direction[from]);
+        const int count = header.sizes[a.from[axis]];
+        volume.count[axis] = count;
+        half += 0.5 * (static_cast<double>(count - 1) * header.direction[a.from[axis]]);
     }
     volume.placement.turn = a.turn;
     if (header.first) volume.placement.origin = *header.first + half;
@@ -166,16 +181,11 @@ Expected<void> fill(const NrrdHeader& header, const Arrangement& a, std::span<co
     constexpr bool big = std::endian::native == std::endian::big;
     decode(in_text ? StoredSamples{samples, SampleType::float64, big}
                    : StoredSamples{samples, header.type, header.big_endian},
-           order, volume);
+           order_of(header, a, choice.frame), volume);
     if (header.frames > 1)
         volume.notes.push_back(text("moment ", choice.frame + 1, " of ", header.frames, " is read"));
     if (auto kept = check_rounding(volume); !kept) return kept;
-    volume.is_colour = header.colour == NrrdColour::red_green_blue && choice.colours_as_vectors;
-    if (header.colour != NrrdColour::none && !choice.colours_as_vectors) {
-        keep_luminance(header.colour, volume);
-        if (!header.is_colour_by_guess)
-            volume.notes.emplace_back("the samples are colours, of which the luminance is read");
-    }
+    if (header.colour != NrrdColour::none) take_colours(header, choice, volume);
     if (header.of_values != mat3(0.0)) turn_values(glm::transpose(a.turn) * header.of_values, volume);
     return {};
 }

@@ -68,34 +68,38 @@ struct OtherFormat {
 };
 
 constexpr std::string_view by_fiji = "convert it to .nrrd, for example with Fiji";
+constexpr std::string_view by_samples =
+    "write the samples as raw bytes, and describe them in a .toml or .nhdr";
 constexpr std::array other_formats{
-    OtherFormat{".mha", "a MetaImage"},
-    OtherFormat{".mhd", "a MetaImage"},
-    OtherFormat{".nii", "NIfTI"},
-    OtherFormat{".hdr", "Analyze or NIfTI"},
-    OtherFormat{".img", "Analyze or NIfTI"},
-    OtherFormat{".mgh", "an image of FreeSurfer"},
-    OtherFormat{".mgz", "an image of FreeSurfer"},
-    OtherFormat{".mnc", "MINC"},
-    OtherFormat{".dcm", "DICOM"},
-    OtherFormat{".ima", "DICOM"},
-    OtherFormat{".vtk", "a file of VTK"},
-    OtherFormat{".vti", "a file of VTK"},
-    OtherFormat{".tif", "TIFF", by_fiji},
-    OtherFormat{".tiff", "TIFF", by_fiji},
-    OtherFormat{".mrc", "MRC", by_fiji},
-    OtherFormat{".npy", "an array of NumPy", "save it with pynrrd: nrrd.write('volume.nrrd', array)"},
-    OtherFormat{".mat", "a file of MATLAB", "save its array as .nrrd there"},
-    OtherFormat{".raw", "samples without a header", "describe them in a .toml or .nhdr and open that"},
-    OtherFormat{".gz", "packed", "unpack it; a .nrrd may pack its samples inside, with 'encoding: gzip'"},
-    OtherFormat{".zip", "packed", "unpack it"},
+    OtherFormat{".mha", "MetaImage files"},
+    OtherFormat{".mhd", "MetaImage files"},
+    OtherFormat{".nii", "NIfTI files"},
+    OtherFormat{".hdr", "Analyze and NIfTI files"},
+    OtherFormat{".img", "Analyze and NIfTI files"},
+    OtherFormat{".mgh", "FreeSurfer files"},
+    OtherFormat{".mgz", "FreeSurfer files"},
+    OtherFormat{".mnc", "MINC files", by_samples},
+    OtherFormat{".dcm", "DICOM files"},
+    OtherFormat{".ima", "DICOM files"},
+    OtherFormat{".vtk", "VTK files", by_samples},
+    OtherFormat{".vti", "VTK files", by_samples},
+    OtherFormat{".h5", "HDF5 files", by_samples},
+    OtherFormat{".tif", "TIFF files", by_fiji},
+    OtherFormat{".tiff", "TIFF files", by_fiji},
+    OtherFormat{".mrc", "MRC files", by_fiji},
+    OtherFormat{".npy", "NumPy arrays", "save it with pynrrd: nrrd.write('volume.nrrd', array)"},
+    OtherFormat{".mat", "MATLAB files", by_samples},
+    OtherFormat{".raw", "samples without a header", "describe them in a .toml or .nhdr, and open that"},
+    OtherFormat{".gz", "packed files",
+                "unpack it; a .nrrd may pack its samples inside, with 'encoding: gzip'"},
+    OtherFormat{".zip", "packed files", "unpack it"},
 };
 
 /// What a file of another ending is, and what to do with it.
 std::string advice_for(std::string_view ending) {
     const auto found = std::ranges::find(other_formats, ending, &OtherFormat::ending);
     if (found == other_formats.end()) return "volumes are files that end in .nrrd, .nhdr or .toml";
-    return text(found->name, ", which is not read (read are .nrrd, .nhdr, .toml); ", found->conversion);
+    return text(found->name, " are not read (read are .nrrd, .nhdr, .toml); ", found->conversion);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Volume files that cannot be read as they stand: samples that floats do not tell apart, files that came from another
 // computer, bytes of another encoding or order, other formats. Each is read rightly, or refused with its line and what to
 // do.
+#include <algorithm>
 #include <cstring>
 
 #include "core/one_line.h"
@@ -50,7 +51,7 @@ TEST_F(VolumeFiles, SmallDifferencesOnALargeOffset) {
     expect_refused(with("double", std::vector<double>{1e9 + 1, 1e9, 1e9 + 2, 1e9 + 3}), same);
     expect_refused(with("double", std::vector<double>{1e-300, 2e-300, 0, 0}), "multiply all samples");
     expect_refused(with("double", std::vector<double>{1e300, 2, 0, 0}),
-                   "1 of its 4 samples are beyond 3.4e+38");
+                   "of its 4 samples, 1 is beyond 3.4e+38 in size");
     expect_refused(read(fields("double", "2 1 1", "ascii"), "1000000000.5 1000000000.75"), same);
     put("d.raw", bytes_of(std::vector<double>{1e9 + 1, 1e9}));
     expect_refused(read_volume(put("d.toml",
@@ -94,7 +95,7 @@ TEST_F(VolumeFiles, FilesOfSamplesFromOtherComputers) {
         EXPECT_EQ(v->files[1].lexically_normal(), in_folder(place));
     }
     put("sub/w.raw", shorts(24));
-    for (const char* name : {"C:\\Users\\x\\W.raw", "C:\\Users\\some one\\w.raw", "/home/else/w.raw",
+    for (const char* name : {"C:\\Users\\x\\W.raw", "C:\\Users\\some one\\w.raw", "/elsewhere/w.raw",
                              "\\\\server\\w.raw", "\"w.raw\""}) {
         const auto v = detached(name);
         ASSERT_TRUE(v) << v.error().message;
@@ -152,6 +153,19 @@ TEST_F(VolumeFiles, BytesOfAnotherEncodingAreNamed) {
     EXPECT_TRUE(read(fields("short", "2 3 4", "ascii") + "\nbyte skip: 1", short_numbers))
         << "as many bytes as raw samples, but numbers in text";
     EXPECT_TRUE(in("raw", "\x78\x01" + shorts(24))) << "the first bytes of zlib, but plain samples";
+    expect_refused(in("ascii", "1,5;2,5;1,5;2,5;1,5;2,5;1,5;2,5;1,5;2,5;1,5;2,5;"),
+                   "'5;2' at place 2 is no number; write points");
+    expect_refused(in("ascii", "1 2 3"), "promises 24 numbers of samples, but there are 3");
+    const std::string line = "; the header seems to have an empty line too many";
+    const auto displaced = in("raw", "\n" + shorts(24));
+    ASSERT_TRUE(displaced) << displaced.error().message;
+    EXPECT_EQ(displaced->notes, std::vector<std::string>{"what follows the samples is left out" + line});
+    expect_refused(in("gzip", "\r\n" + gzipped(shorts(24))), "no gzip bytes" + line);
+    put("s.raw", shorts(24));
+    const auto detached =
+        read_nrrd(put("d.nhdr", text("NRRD0004\n", fields("int8", "2 3 4"), "\ndata file: s.raw\n")));
+    ASSERT_TRUE(detached) << detached.error().message;
+    EXPECT_EQ(detached->notes, std::vector<std::string>{"s.raw: " + more->notes[0]});
     put("s.raw", gzipped(shorts(24)));
     expect_refused(
         read_nrrd(put("d.nhdr", text("NRRD0004\n", fields("short", "2 3 4"), "\ndata file: s.raw\n"))),
@@ -185,17 +199,26 @@ TEST_F(VolumeFiles, FaultsOfHeadersHaveTheirLine) {
     faulty(good + "\nspace: LPS\nspace directions: (1,0,0) (0.2,1,0) (0,0,1)",
            ":8: field 'space directions': the axes are not at right angles");
     faulty(good + "\nspacings: 0,5 0,5 1,0", ":7: field 'spacings': '0,5' is no number; write a point");
+    faulty(good + "\nspace orgin: (0,0,0)",
+           ":7: NRRD has no field 'space orgin'; did you mean 'space origin'?");
+    faulty(good + "\npatient: x",
+           ":7: NRRD has no field 'patient'; a key of your own is written 'patient:=value'");
     expect_refused(read_nrrd(put("v.nrrd", "NRRD0009\n\n")), "v.nrrd:1: a version of NRRD");
     EXPECT_TRUE(read_nrrd(put("v.nrrd", text("\xef\xbb\xbfNRRD0004\n", good, "\n\n", shorts(24)))))
         << "a byte order mark";
+    auto with_returns = text("NRRD0004\n", good, "\n\n");
+    std::ranges::replace(with_returns, '\n', '\r');
+    const auto old = read_nrrd(put("v.nrrd", with_returns + shorts(24)));
+    ASSERT_TRUE(old) << old.error().message;
+    EXPECT_EQ(old->samples[23], 23);
 }
 
 TEST_F(VolumeFiles, OtherFormatsAreNamed) {
-    for (const auto& [file, name] : {std::pair{"v.mha", "a MetaImage, which is not read"},
+    for (const auto& [file, name] : {std::pair{"v.mha", "MetaImage files are not read"},
                                      {"v.NII.gz", "NIfTI"},
-                                     {"v.nrrd.gz", "packed"},
+                                     {"v.nrrd.gz", "packed files"},
                                      {"v.tif", "Fiji"},
-                                     {"v.raw", "describe them in a .toml"}})
+                                     {"v.raw", "describe them in a .toml or .nhdr, and open that"}})
         expect_refused(read_volume(in_folder(file)), name);
 }
 

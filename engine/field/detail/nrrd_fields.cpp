@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/letters.h"
+#include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -66,14 +67,23 @@ std::string name_of_field(std::string_view name) {
 }
 
 /// Names of fields with blanks, as the format writes them.
-constexpr std::array<std::string_view, 8> names_with_blanks{
-    "space dimension", "space directions",  "space origin", "space units",
-    "data file",       "measurement frame", "byte skip",    "line skip"};
+constexpr std::array<std::string_view, 14> names_with_blanks{
+    "space dimension",   "space directions", "space origin", "space units", "data file",
+    "measurement frame", "byte skip",        "line skip",    "axis mins",   "axis maxs",
+    "old min",           "old max",          "sample units", "block size"};
 
 /// "datafile" -> "data file".
 std::string_view written_name(std::string_view field) {
     const auto found = std::ranges::find(names_with_blanks, field, name_of_field);
     return found == names_with_blanks.end() ? field : *found;
+}
+
+/// What a field that the format does not have may be meant as.
+std::string advice_for_field(std::string_view name) {
+    std::array<std::string_view, known_fields.size()> names{};
+    std::ranges::transform(known_fields, names.begin(), written_name);
+    const auto near = did_you_mean(name, std::span<const std::string_view>(names));
+    return near.empty() ? text("; a key of your own is written '", printable(name, shown), ":=value'") : near;
 }
 
 std::vector<std::string_view> split(std::string_view s) {
@@ -153,7 +163,8 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
             number, text("'", printable(line, shown), "' is no field of a header, such as 'sizes: 8 8 8'"));
     const std::string field = name_of_field(line.substr(0, colon));
     if (std::ranges::find(known_fields, field) == known_fields.end())
-        return at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'"));
+        return at_line(number, text("NRRD has no field '", printable(line.substr(0, colon), shown), "'",
+                                    advice_for_field(line.substr(0, colon))));
     const bool added = fields_
                            .emplace(field, Line{std::string(trimmed(line.substr(colon + 1))), number,
                                                 printable(line.substr(0, colon), shown)})
@@ -171,10 +182,15 @@ Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) 
         return result.at_line(1, text("not an NRRD file, which begins with ", magic));
     if (first[magic.size()] < '1' || first[magic.size()] > '5')
         return result.at_line(1, "a version of NRRD that is not known; convert the file to NRRD0005");
+    // Lines may also end as on old computers of Apple.
+    const auto first_end = file.find_first_of("\r\n");
+    const bool by_return =
+        first_end < file.size() && file[first_end] == '\r' && file.substr(first_end + 1, 1) != "\n";
+    const char line_end = by_return ? '\r' : '\n';
     std::size_t at = 0, number = 1;
     for (;; ++number) {
         result.last_line_ = number;
-        const std::size_t end = std::min(file.find('\n', at), file.size());
+        const std::size_t end = std::min(file.find(line_end, at), file.size());
         if (end > longest_header)
             return fail(text(result.name_, ": the header is longer than ", longest_header, " bytes"));
         std::string_view line = file.substr(at, end - at);

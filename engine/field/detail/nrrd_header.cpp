@@ -30,7 +30,7 @@ struct Axes {
 
 void read_type(NrrdFields& fields, NrrdHeader& header) {
     header.type = static_cast<SampleType>(
-        fields.choice("type", "an integer of 8 to 64 bits, float or double",
+        fields.choice("type", "int8, uint8, int16, uint16, int32, uint32, int64, uint64, float or double",
                       {{"int8", "signed char", "int8_t"},
                        {"uint8", "uchar", "unsigned char", "uint8_t"},
                        {"int16", "short", "short int", "signed short", "signed short int", "int16_t"},

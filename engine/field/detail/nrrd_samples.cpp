@@ -33,6 +33,7 @@ struct FileOfSamples {
     Path path;
     std::span<const std::byte> bytes;  ///< behind the header, if it is in the same file
     std::size_t samples{};             ///< how many are promised
+    std::size_t not_read{};            ///< bytes of the file behind these
 };
 
 /// Returns the bytes behind the lines that a header tells to skip.
@@ -83,6 +84,13 @@ bool begins_with_numbers(std::string_view bytes) {
            std::ranges::all_of(start, [&](char c) { return within(of_numbers)(c) || within(between)(c); });
 }
 
+/// True if the bytes begin with characters alone.
+bool begins_with_text(std::string_view bytes) {
+    return std::ranges::all_of(bytes.substr(0, 256), [](char c) {
+        return (c >= ' ' && c <= '~') || c == '\t' || c == '\r' || c == '\n';
+    });
+}
+
 /// What the bytes are and what to do, if they are clearly of another encoding than the header's; else empty.
 std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
@@ -90,7 +98,8 @@ std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) 
         return text("the samples in ", name_in_message(header, file), " are ", what, "; ", advice);
     };
     const std::size_t skipped = header.skipped_bytes < 0 ? 0 : static_cast<std::size_t>(header.skipped_bytes);
-    if (header.encoding != NrrdEncoding::raw && bytes.size() == skipped + size_of(header.type) * file.samples)
+    const bool may_be_plain = header.encoding != NrrdEncoding::raw && !begins_with_text(bytes);
+    if (may_be_plain && bytes.size() == skipped + size_of(header.type) * file.samples)
         return is("as many plain bytes as the sizes and the type promise", "write 'encoding: raw'");
     for (const Form& form : forms) {
         // Plain samples may begin with the two bytes of zlib.
@@ -121,11 +130,23 @@ Error too_few(const NrrdHeader& header, const FileOfSamples& file, std::string_v
              "; correct ", type.empty() ? "the sizes" : "type or sizes", " or copy the file again"));
 }
 
+/// What bytes that begin with the end of a line say of a header before them; empty: nothing.
+std::string_view line_too_many(const NrrdHeader& header, const FileOfSamples& file) {
+    const auto bytes = characters_of(file.bytes);
+    const bool begins_so = bytes.starts_with("\n") || bytes.starts_with("\r\n");
+    return begins_so && header.data_files.empty() ? "; the header seems to have an empty line too many" : "";
+}
+
 void note_more(const NrrdHeader& header, const FileOfSamples& file, std::vector<std::string>& notes) {
     const auto where = header.data_files.empty() ? "" : text(file.path.filename().string(), ": ");
-    const auto type =
-        header.encoding == NrrdEncoding::raw ? other_type(header, file.samples, file.bytes.size()) : "";
-    notes.push_back(in_one_line(text(where, "what follows the samples is left out", type)));
+    const auto type = header.encoding == NrrdEncoding::raw
+                          ? other_type(header, file.samples, file.bytes.size() + file.not_read)
+                          : "";
+    // One more byte at the beginning moves all samples.
+    const bool one_line_more =
+        header.encoding == NrrdEncoding::raw && file.bytes.size() <= size_of(header.type) * file.samples + 2;
+    const auto ends = one_line_more ? line_too_many(header, file) : "";
+    notes.push_back(in_one_line(text(where, "what follows the samples is left out", type, ends)));
 }
 
 // ---- reading ----------------------------------------------------------------------------------------------
@@ -137,7 +158,8 @@ Expected<std::string> unpacked(const NrrdHeader& header, const FileOfSamples& fi
         if (const auto other = other_encoding(header, file); !other.empty())
             return fail_field(header, "encoding", other);
         return fail_field(header, "encoding",
-                          text("the samples in ", name_in_message(header, file), " are no gzip bytes"));
+                          text("the samples in ", name_in_message(header, file), " are no gzip bytes",
+                               line_too_many(header, file)));
     }
     if (promised / most_packed > file.bytes.size())
         return fail_field(header, "sizes",
@@ -197,8 +219,6 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
         const auto encoding = other_encoding(header, file);
         return encoding.empty() ? std::move(other) : fail_field(header, "encoding", encoding);
     };
-    if (file.samples > rest.size() / 2 + 1)
-        return fault(too_few(header, file, "numbers", file.samples, rest.size() / 2 + 1));
     constexpr std::string_view between = " \t\r\n,";
     std::size_t changed = 0;
     for (std::size_t n = 0; n < file.samples; ++n) {
@@ -207,8 +227,9 @@ Expected<void> append_numbers(const NrrdHeader& header, const FileOfSamples& fil
         if (word.empty()) return fault(too_few(header, file, "numbers", file.samples, n));
         double value = number_of(word);
         if (std::isnan(value) && in_lower_case(word).find("nan") == std::string::npos)
-            return fault(fail(in_one_line(text(file.path.string(), ": '", printable(word, 40), "' at place ",
-                                               n + 1, " is no number"))));
+            return fault(fail(in_one_line(
+                text(file.path.string(), ": '", printable(word, 40), "' at place ", n + 1, " is no number",
+                     word.find(';') == std::string_view::npos ? "" : "; write points, and blanks between"))));
         if (header.type < SampleType::float32) {
             const double whole = whole_number(value, header.type);
             if (whole != value && changed++ == 0)
@@ -236,9 +257,15 @@ Expected<Bytes> read_part(const NrrdHeader& header, const Path& path, std::size_
     const bool ends_known =
         header.encoding == NrrdEncoding::raw && header.skipped_lines == 0 && header.skipped_bytes >= 0;
     if (!ends_known) return read_file(path, most_bytes);
-    // Up to 8 bytes for each sample, so that a wrong type can be told.
-    const std::size_t most = samples * size_of(SampleType::float64) + 1;
-    return read_start(path, static_cast<std::size_t>(header.skipped_bytes) + most);
+    return read_start(path,
+                      static_cast<std::size_t>(header.skipped_bytes) + samples * size_of(header.type) + 1);
+}
+
+/// Bytes of a file that were not read.
+std::size_t rest_of(const Path& path, std::size_t read) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    return error || size < read ? 0 : static_cast<std::size_t>(size) - read;
 }
 
 /// Reads one of the files that a header names, and adds its path to the volume.
@@ -264,9 +291,9 @@ Expected<Bytes> read_named(const NrrdHeader& header, const Path& path, const Nrr
 
 Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std::size_t most_bytes,
                                  NrrdSamples& out, Volume& volume) {
-    const auto take = [&](const Path& from, std::span<const std::byte> bytes,
-                          std::size_t samples) -> Expected<void> {
-        const FileOfSamples one{from, behind_lines(bytes, header.skipped_lines), samples};
+    const auto take = [&](const Path& from, std::span<const std::byte> bytes, std::size_t samples,
+                          std::size_t not_read) -> Expected<void> {
+        const FileOfSamples one{from, behind_lines(bytes, header.skipped_lines), samples, not_read};
         if (header.encoding == NrrdEncoding::ascii)
             return append_numbers(header, one, out.joined, volume.notes);
         const auto part = bytes_in(header, one, out.from_gzip, volume.notes);
@@ -281,13 +308,16 @@ Expected<void> read_nrrd_samples(const NrrdHeader& header, const Path& path, std
     if (header.data_files.empty()) {
         const auto data =
             std::span<const std::byte>(out.file).subspan(std::min(header.data_at, out.file.size()));
-        if (auto done = take(path, data, header.stored); !done) return done;
+        if (auto done = take(path, data, header.stored, 0); !done) return done;
     }
     for (const auto& named : header.data_files) {
         auto bytes = read_named(header, path, named, most_bytes, volume);
         if (!bytes) return bytes.error();
         out.file = std::move(*bytes);
-        if (auto done = take(volume.files.back(), out.file, header.stored / header.data_files.size()); !done)
+        const auto& place = volume.files.back();
+        if (auto done = take(place, out.file, header.stored / header.data_files.size(),
+                             rest_of(place, out.file.size()));
+            !done)
             return done;
     }
     if (out.all.empty()) out.all = out.joined;

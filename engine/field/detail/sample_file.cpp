@@ -50,7 +50,7 @@ std::optional<Path> entry_at(Path folder, const Path& relative) {
 }  // namespace
 
 Path sample_file(const Path& header, std::string_view name) {
-    const Path named = as_named(header, name);
+    Path named = as_named(header, name);
     if (is_there(named)) return named;
     // Some programs put the name in quotes.
     if (name.size() > 2 && name.starts_with('"') && name.ends_with('"'))

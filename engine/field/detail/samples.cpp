@@ -209,9 +209,11 @@ Expected<void> check_rounding(Volume& volume) {
     const Rounding& r = volume.rounding;
     const auto width = three_digits(r.width), step = three_digits(r.step);
     if (r.beyond > 0)
-        return fail(text(r.beyond, " of its ", volume.samples.size(), " samples are beyond ",
-                         three_digits(most),
-                         ", the largest number that is kept; divide all samples by one number"));
+        return fail(
+            text("of its ", volume.samples.size(), " samples, ", r.beyond, r.beyond == 1 ? " is" : " are",
+                 " beyond ", three_digits(most),
+                 " in size, the most that is kept; check type, byte order and skipped bytes, or divide all "
+                 "samples by one number"));
     const bool is_offset = std::max(std::abs(r.low), std::abs(r.high)) > 2 * r.width;
     const auto advice =
         is_offset ? text("subtract ", r.low, " from all samples") : "multiply all samples by one number";
