@@ -206,6 +206,8 @@ public:
     Json result;
     std::string fault;  ///< fault of the text, for the error's line
 
+    explicit Builder(std::string_view source) : source_(source) {}
+
     bool null() { return add({}); }
     bool boolean(bool value) { return add(value); }
     bool number_integer(std::int64_t value) { return add(value); }
@@ -224,7 +226,7 @@ public:
     bool parse_error(std::size_t byte, const std::string& /*token*/, const Library::exception& error) {
         constexpr int number_overflow = 406;
         fault = error.id == number_overflow ? "is not JSON: a number is too large"
-                                            : text("is not JSON from byte ", byte, " on");
+                                            : text("is not JSON from byte ", byte, " on", place_of(byte));
         return false;
     }
 
@@ -255,6 +257,15 @@ private:
         return true;
     }
 
+    /// Words on the place of a byte, counted from 1: ", in line 3, column 5".
+    std::string place_of(std::size_t byte) const {
+        if (byte > source_.size()) return ": it ends before all brackets and quotes are closed";
+        const auto before = source_.substr(0, byte - 1);
+        const auto line = 1 + std::ranges::count(before, '\n');
+        return text(", in line ", line, ", column ", before.size() - (before.rfind('\n') + 1) + 1);
+    }
+
+    std::string_view source_;
     std::vector<Open> open_;
 };
 
@@ -285,7 +296,7 @@ Library in_library(const Json& json) {
 }  // namespace
 
 Expected<Json> parse_json(std::string_view source) {
-    Builder builder;
+    Builder builder(source);
     if (!Library::sax_parse(source, &builder)) return fail(std::move(builder.fault));
     return std::move(builder.result);
 }
