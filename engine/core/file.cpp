@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "core/file_writer.h"
+#include "core/left_behind.h"
 #include "core/near_name.h"
 #include "core/text.h"
 #include "core/write_rule.h"
@@ -70,7 +71,8 @@ Expected<std::vector<std::filesystem::path>> files_in(const std::filesystem::pat
     std::error_code error;
     std::filesystem::directory_iterator it(folder, error);
     for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error)) {
-        if (it->path().extension() == ending) files.push_back(it->path());
+        const auto& path = it->path();
+        if (path.extension() == ending && !is_left_behind(path.filename().string())) files.push_back(path);
     }
     if (error) return fail(text(folder.string(), ": the folder cannot be read: ", error.message()));
     std::sort(files.begin(), files.end());

@@ -4,6 +4,7 @@
 #include <map>
 #include <string_view>
 
+#include "core/left_behind.h"
 #include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
@@ -100,7 +101,7 @@ private:
 
     void look_at(const std::filesystem::path& path, const std::string& folder) {
         const auto file = path.filename().string();
-        if (file.starts_with('.') || file.ends_with('~')) return;  // an editor's own
+        if (is_left_behind(file)) return;
         const auto name = folder.empty() ? file : text(folder, "/", file);
         std::error_code unknown;
         if (!std::filesystem::is_directory(path, unknown)) return check_file(path, folder, name);

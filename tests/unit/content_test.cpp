@@ -293,6 +293,27 @@ TEST_F(Content, TheShippedFilesHaveNoFault) {
     EXPECT_EQ(short_words(report), "");
 }
 
+/// Systems and editors leave these, and people explain their files.
+TEST_F(Content, FilesThatSystemsLeaveAreNoFaults) {
+    const auto files = check_content(assets_).files;
+    for (const auto* name : {"desktop.ini", "Thumbs.db", ".DS_Store", ".directory", "arenas/README.md",
+                             "wands/bolt.toml.bak", "wands/bolt.toml~", "wands/.bolt.toml.swp",
+                             "potions/._haste.toml", "sounds/#stir.toml#", "__MACOSX/bolt.toml"}) {
+        fs::create_directories((assets_ / name).parent_path());
+        put(assets_ / name, "leftover");
+    }
+    const auto report = check_content(assets_);
+    EXPECT_EQ(report.faults, std::vector<std::string>());
+    EXPECT_EQ(report.files, files);
+}
+
+TEST_F(Content, TheShippedFilesHaveNoFault) {
+    const auto report = check_content(assets_);
+    EXPECT_EQ(report.faults, std::vector<std::string>());
+    EXPECT_GT(report.files, 150U);
+    EXPECT_EQ(short_words(report), "");
+}
+
 /// One report answers the mistakes of several files.
 TEST_F(Content, MistakesWithinAFileAreAnswered) {
     std::vector<Mistake> mistakes;
