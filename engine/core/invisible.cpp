@@ -12,24 +12,25 @@ namespace {
 struct Invisible {
     char32_t first, last;
     std::string_view name;
+    bool is_blank = false;
 };
-constexpr Invisible invisible[] = {{0xA0, 0xA0, "no-break space"},
+constexpr Invisible invisible[] = {{0xA0, 0xA0, "no-break space", true},
                                    {0xAD, 0xAD, "soft hyphen"},
                                    {0x34F, 0x34F, "grapheme joiner"},
                                    {0x61C, 0x61C, "mark of the direction of writing"},
                                    {0x180E, 0x180E, "vowel separator"},
-                                   {0x2000, 0x200A, "a space of another width"},
+                                   {0x2000, 0x200A, "a space of another width", true},
                                    {0x200B, 0x200B, "zero-width space"},
                                    {0x200C, 0x200C, "zero-width non-joiner"},
                                    {0x200D, 0x200D, "zero-width joiner"},
                                    {0x200E, 0x200F, "mark of the direction of writing"},
                                    {0x2028, 0x2029, "line separator"},
                                    {0x202A, 0x202E, "mark of the direction of writing"},
-                                   {0x202F, 0x202F, "narrow no-break space"},
-                                   {0x205F, 0x205F, "a space of another width"},
+                                   {0x202F, 0x202F, "narrow no-break space", true},
+                                   {0x205F, 0x205F, "a space of another width", true},
                                    {0x2060, 0x2064, "word joiner"},
                                    {0x2066, 0x2069, "mark of the direction of writing"},
-                                   {0x3000, 0x3000, "wide space"},
+                                   {0x3000, 0x3000, "wide space", true},
                                    {0xFE00, 0xFE0F, "variation selector"},
                                    {0xFEFF, 0xFEFF, "byte order mark"},
                                    {0xFFF9, 0xFFFB, "mark of a note"},
@@ -50,13 +51,20 @@ std::string number_words(char32_t character) {
     return text("U+", digits);
 }
 
-}  // namespace
-
-std::string invisible_character(std::string_view words) {
-    for (const auto character : decode_utf8(words))
-        if (const auto* kind = kind_of(character); kind != nullptr)
+/// The first invisible character in words, blanks among them if `blanks`.
+std::string first_of(std::string_view words, bool blanks) {
+    for (const auto character : decode_utf8(words)) {
+        const auto* kind = kind_of(character);
+        if (kind != nullptr && (blanks || !kind->is_blank))
             return text("an invisible character, ", number_words(character), " (", kind->name, ")");
+    }
     return {};
 }
+
+}  // namespace
+
+std::string invisible_character(std::string_view words) { return first_of(words, true); }
+
+std::string hidden_character(std::string_view words) { return first_of(words, false); }
 
 }  // namespace thaum

@@ -9,4 +9,7 @@ namespace thaum {
 /// none. Blanks of other kinds than a space, such as the no-break space, count: they look like a space and are none.
 std::string invisible_character(std::string_view text);
 
+/// The same for characters without width: blanks of other kinds, which words may have, do not count.
+std::string hidden_character(std::string_view text);
+
 }  // namespace thaum

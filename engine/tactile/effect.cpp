@@ -184,11 +184,13 @@ Expected<Effect> load_effect(const std::filesystem::path& path) {
     if (!file) return file.error();
     auto effect = read_effect(*file, path.stem().string());
     if (!effect || effect->pattern != Pattern::clip) return effect;
-    const auto json = read_text_file(path.parent_path() / effect->clip_file, most_tact_bytes);
-    if (!json) return json.error();
+    const auto clip = path.parent_path() / effect->clip_file;
+    const auto json = read_text_file(clip, most_tact_bytes);
+    if (!json)
+        return fail(text(path.string(), ": 'file': ", json.error().message,
+                         near_file(clip.stem().string(), path.parent_path(), ".tact")));
     auto imported = import_tact(*json);
-    if (!imported)
-        return fail(text((path.parent_path() / effect->clip_file).string(), ": ", imported.error().message));
+    if (!imported) return fail(text(clip.string(), ": ", imported.error().message));
     effect->clip = std::move(imported->clip.frames);
     return effect;
 }

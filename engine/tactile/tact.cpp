@@ -288,7 +288,8 @@ Expected<TactImport> import_tact(std::string_view json) {
         return fail(text("the file has more than ", most_tact_bytes >> 20U, " MiB"));
     if (depth_of(json) > deepest) return fail(text("the file is nested deeper than ", deepest, " levels"));
     const auto root = parse_json(json);
-    if (!root || !root->is_object()) return fail("the file is not a JSON object");
+    if (!root) return fail(text("the file ", root.error().message));
+    if (!root->is_object()) return fail("the file is not a JSON object");
     Reader reader;
     Canvas canvas;
     const auto* project = root->find("project");

@@ -21,7 +21,8 @@ rules, bots, wands, spells, potions, gestures, devices, sounds, shaders, what is
 felt on the body, lessons and settings. A line has the file, its line, the key,
 what is wrong, and what is allowed there. Names in the files are compared with
 the files: a sound that an event names and that is not there is a fault, and so
-is a file that nothing reads or names.
+is a file that nothing reads or names. A note is on what can be played and is
+probably not meant, such as an ingredient of which an arena has no niche.
 
   FOLDER        the folder of data files; without it: the one that the game uses
   --json FILE   the faults as JSON, replacing an older file; - for stdout
@@ -45,12 +46,14 @@ std::string as_json(const std::filesystem::path& assets, const ContentReport& re
     const Json json{{"faults", list},
                     {"files", static_cast<std::uint64_t>(report.files)},
                     {"folder", assets.string()},
+                    {"notes", report.notes},
                     {"thaum", THAUM_VERSION}};
     return dump(json, 2) + "\n";
 }
 
 void print(const std::filesystem::path& assets, const ContentReport& report) {
     for (const auto& fault : report.faults) std::printf("%s\n", fault.c_str());
+    for (const auto& note : report.notes) std::printf("note: %s\n", note.c_str());
     const auto count = report.faults.size();
     std::printf("%s: %zu files, %s\n", assets.c_str(), report.files,
                 count == 0 ? "no fault" : text(count, count == 1 ? " fault" : " faults").c_str());

@@ -6,10 +6,14 @@
 #include "audio/synth.h"
 #include "core/config.h"
 #include "core/file.h"
+#include "core/invisible.h"
+#include "core/near_name.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "field/carving_tools.h"
 #include "field/materials.h"
 #include "game/app/content_names.h"
+#include "game/app/content_use.h"
 #include "game/bots/apprentice.h"
 #include "game/bots/bot.h"
 #include "game/bots/range.h"
@@ -20,6 +24,7 @@
 #include "game/settings/settings.h"
 #include "game/sound/sound_names.h"
 #include "game/tactile/match_effects.h"
+#include "gesture/gesture_file.h"
 #include "haptics/device.h"
 
 namespace thaum::app {
@@ -28,6 +33,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 1U << 20U;
+
+/// A line up to its comment, which begins the line or follows a blank.
+std::string_view without_comment(std::string_view line) {
+    return line.starts_with('#') ? std::string_view() : line.substr(0, line.find(" #"));
+}
 
 /// Names of sounds or effects that something uses.
 using UsedNames = std::set<std::string, std::less<>>;
@@ -39,7 +49,8 @@ public:
     ContentReport run() {
         const auto known = check_file_names(assets_);
         read_matches();
-        if (!has_data_) return {known.files, std::move(faults_)};  // there is no such folder
+        if (!has_data_)
+            return {.files = known.files, .faults = std::move(faults_)};  // there is no such folder
         read_practice();
         read_tools();
         read_single_files();
@@ -47,9 +58,13 @@ public:
         compare_sounds(whole);
         compare_effects(whole);
         read_layouts();
-        if (whole) find_unused_gestures();
+        if (whole) {
+            find_unused_gestures();
+            find_unusable_data();
+        }
         for (const auto& fault : known.faults) add(fault);
-        return {known.files, std::move(faults_)};
+        for (const auto& file : known.read) find_invisible(file);
+        return {.files = known.files, .faults = std::move(faults_), .notes = std::move(notes_)};
     }
 
 private:
@@ -136,6 +151,32 @@ private:
         const auto settings = read_settings(*words, game::shown_path(assets_, "settings.toml"));
         add_fault_of(settings);
         if (settings && settings->fault) add(*settings->fault);
+        if (settings) check_last_choice(settings->settings.last);
+    }
+
+    /// The start screen chooses what the settings name, and the first one where there is none.
+    void check_last_choice(const LastChoice& last) {
+        std::vector<std::string> arenas;
+        for (const auto& file : files_in(assets_ / "arenas", ".toml").value_or({}))
+            arenas.push_back(file.stem().string());
+        check_choice("arena", last.arena, arenas);
+        check_choice("match", last.match, game::match_lengths(assets_));
+        if (last.bot_level > game::hardest_bot)
+            add_missing({{.file = "settings.toml",
+                          .table = "",
+                          .key = "bot_level",
+                          .words = text("is ", last.bot_level, ", and bots have the levels ",
+                                        game::easiest_bot, " to ", game::hardest_bot)}},
+                        "");
+    }
+
+    void check_choice(std::string_view key, std::string_view name, const std::vector<std::string>& known) {
+        if (std::ranges::find(known, name) != known.end()) return;
+        std::string all;
+        for (const auto& one : known) all += text(all.empty() ? "" : ", ", one);
+        const auto words = text("there is no ", key, " '", printable(name, 64), "'; there are: ", all,
+                                did_you_mean(name, known));
+        add_missing({{.file = "settings.toml", .table = "", .key = std::string(key), .words = words}}, "");
     }
 
     void read_layouts() {
@@ -235,6 +276,41 @@ private:
         }
     }
 
+    void find_unusable_data() {
+        const auto found = find_unusable(readings_);
+        add_missing(found.faults, "");
+        for (const auto& note : found.notes) notes_.push_back(text(place_of(note), ": ", note.words));
+        const auto gestures = files_in(assets_ / "gestures", ".toml").value_or({});
+        for (const auto& file : gestures) note_name_of_gesture(file);
+    }
+
+    /// Spells and potions name a gesture as its file does, so another name of the file is confusing.
+    void note_name_of_gesture(const fs::path& file) {
+        const auto name = text("gestures/", file.filename().string());
+        const auto gesture = gesture::load_gesture(file);
+        if (!gesture || gesture->name == file.stem().string()) return;
+        notes_.push_back(text(place_of({.file = name, .table = "", .key = "name", .words = ""}), " is '",
+                              printable(gesture->name, 64),
+                              "', and the file has another name; spells and potions use '",
+                              printable(gesture->name, 64), "'"));
+    }
+
+    /// Characters that nobody sees make a name another one. Comments may have them, and words no-break spaces.
+    void find_invisible(const std::string& file) {
+        auto words = read_text_file(assets_ / file, most_bytes).value_or("");
+        std::string_view rest = words;
+        if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
+        for (std::size_t line = 1; !rest.empty(); ++line) {
+            const auto end = std::min(rest.find('\n'), rest.size());
+            const auto found = hidden_character(without_comment(rest.substr(0, end)));
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+            const auto place = text(game::shown_path(assets_, file), ":", line, ": ");
+            const auto is_told = [&](const std::string& fault) { return fault.starts_with(place); };
+            if (!found.empty() && std::ranges::none_of(faults_, is_told))
+                faults_.push_back(text(place, "the line has ", found, ": delete it"));
+        }
+    }
+
     void find_unused_gestures() {
         UsedNames used;
         for (const auto& reading : readings_) {
@@ -257,7 +333,7 @@ private:
     }
 
     const fs::path& assets_;
-    std::vector<std::string> faults_;
+    std::vector<std::string> faults_, notes_;
     std::vector<game::MatchData> readings_;
     bool has_data_ = false;
 };

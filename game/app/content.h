@@ -8,8 +8,9 @@
 namespace thaum::app {
 
 struct ContentReport {
-    std::size_t files{};              ///< files of the folder
-    std::vector<std::string> faults;  ///< one line each: file, line, key, what is wrong, what is allowed
+    std::size_t files{};                ///< files of the folder
+    std::vector<std::string> faults{};  ///< one line each: file, line, key, what is wrong, what is allowed
+    std::vector<std::string> notes{};   ///< lines on what can be played, and is probably not meant
 };
 
 /// Reads all data files of a folder. A file that nothing reads, and one that nothing names, are faults.

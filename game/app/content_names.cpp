@@ -82,6 +82,7 @@ public:
     KnownFiles walk() {
         look_into(assets_, "");
         std::sort(found_.faults.begin(), found_.faults.end());
+        std::sort(found_.read.begin(), found_.read.end());
         return std::move(found_);
     }
 
@@ -121,11 +122,23 @@ private:
                                          listed(rule.endings), did_you_mean(ending, rule.endings)));
             return;
         }
-        if (rule.names.empty() || std::ranges::find(rule.names, stem) != rule.names.end()) return;
+        if (rule.names.empty() || std::ranges::find(rule.names, stem) != rule.names.end()) {
+            if (ending == ".toml") found_.read.push_back(name);
+            if (folder == "rules" || folder == "arenas") check_chosen_name(name, stem);
+            return;
+        }
         const auto names = views_of(rule.names);
         found_.faults.push_back(text(shown(name), ": nothing reads this file: there is no ", rule.what, " '",
                                      printable(stem, 64), "', only ", listed(names),
                                      did_you_mean(stem, names)));
+    }
+
+    /// A name that the menu and the command line choose.
+    void check_chosen_name(const std::string& name, const std::string& stem) {
+        constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789_";
+        if (stem.find_first_not_of(allowed) != stem.npos)
+            found_.faults.push_back(
+                text(shown(name), ": the name of a data file may have a-z, 0-9 and _, at most 64 of them"));
     }
 
     const std::filesystem::path& assets_;

@@ -10,6 +10,8 @@ namespace thaum::app {
 struct KnownFiles {
     std::size_t files{};
     std::vector<std::string> faults;
+    std::vector<std::string>
+        read{};  ///< data files in TOML that have a right name: "wands/bolt.toml", sorted
 };
 
 KnownFiles check_file_names(const std::filesystem::path& assets);

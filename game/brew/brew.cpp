@@ -107,8 +107,12 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .ingredients = {}};
     read_brewing(root.table("brewing"), rules);
     const auto look = root.table("look");
-    for (const auto& table : root.tables("ingredient"))
-        rules.ingredients.push_back(read_ingredient(table, look));
+    for (const auto& table : root.tables("ingredient")) {
+        auto read = read_ingredient(table, look);
+        if (std::ranges::find(rules.ingredients, read.name, &Ingredient::name) != rules.ingredients.end())
+            table.report("name", text("there are two ingredients '", read.name, "'"));
+        rules.ingredients.push_back(std::move(read));
+    }
     if (rules.ingredients.empty()) root.report("ingredient", "there must be an ingredient at least");
     return rules;
 }

@@ -45,13 +45,16 @@ std::string read_control_words(const ConfigTable& table, std::string_view key,
                                const std::vector<std::string_view>& wands) {
     auto words = table.string(key);
     const auto pieces = control_pieces_of(words);
-    if (!std::all_of(pieces.begin(), pieces.end(), [&](const auto& p) { return is_sound(p, wands); })) {
-        std::string all;
-        for (const auto name : control_names) all += text("{", name, "}, ");
-        for (const auto name : wands)
-            all += text(name == wands.front() ? "" : ", ", "{", wand_prefix, name, "}");
-        table.report(key, text("'", key, "' may contain ", all));
-    }
+    const auto wrong = std::find_if_not(pieces.begin(), pieces.end(),
+                                        [&](const auto& piece) { return is_sound(piece, wands); });
+    if (wrong == pieces.end()) return words;
+    std::vector<std::string> known(control_names.begin(), control_names.end());
+    for (const auto wand : wands) known.push_back(text(wand_prefix, wand));
+    std::string all;
+    for (const auto& name : known) all += text(all.empty() ? "{" : ", {", name, "}");
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    const auto braces = has_brace(wrong->plain) ? wrong->plain : text("{", wand_prefix, wrong->wand, "}");
+    table.report(key, text("'", key, "' may contain ", all, words_on_braces(braces, names)));
     return words;
 }
 

@@ -9,6 +9,7 @@
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/components/potions.h"
+#include "game/data/name_finder.h"
 #include "gesture/gesture_file.h"
 
 namespace thaum::game {
@@ -206,19 +207,20 @@ void load_cauldron(MatchData& data, const std::optional<Config>& arena, Loader& 
 /// Loads the device that haptics.toml names from its own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
     const auto name = data.haptic_rules.device;
-    if (!plain_name(name)) {
-        return loader.check_across(haptics, [&](const ConfigTable& root) {
-            root.report("device", text("device '", name, "' is no name of a device (a-z, 0-9, _)"));
-        });
-    }
     const auto file = text("devices/", name, ".toml");
     std::error_code ignored;
-    if (!std::filesystem::exists(loader.assets() / file, ignored)) {
-        return loader.check_across(haptics, [&](const ConfigTable& root) {
-            root.report("device", text("device '", name, "': there is no ", file,
-                                       near_file(name, loader.assets() / "devices", ".toml")));
+    const auto refuse = [&](std::string_view what) {
+        const auto folder = loader.assets() / "devices";
+        const auto bare = bare_name(name);
+        const bool is_meant = bare != name && std::filesystem::exists(folder / text(bare, ".toml"), ignored);
+        const auto meant = is_meant ? text("; did you mean '", bare, "'?") : near_file(bare, folder, ".toml");
+        loader.check_across(haptics, [&](const ConfigTable& root) {
+            root.report("device", text("device '", name, "'", what, meant));
         });
-    }
+    };
+    if (!plain_name(name)) return refuse(" is no name of a device (a-z, 0-9, _)");
+    if (!std::filesystem::exists(loader.assets() / file, ignored))
+        return refuse(text(": there is no ", file));
     auto device = loader.load(file, haptics::read_device);
     if (device)
         data.device = std::move(*device);

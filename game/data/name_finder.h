@@ -21,6 +21,13 @@ bool is_left_out(const Bank& bank, std::string_view name) {
     return std::ranges::any_of(bank.faulty, [&](const LeftOut& faulty) { return faulty.name == name; });
 }
 
+/// A name without the folder and the ending that it must not have: "bolt_shot" of "sounds/bolt_shot.toml".
+inline std::string bare_name(std::string_view name) {
+    name.remove_prefix(std::min(name.rfind('/') + 1, name.size()));
+    if (name.ends_with(".toml")) name.remove_suffix(5);
+    return std::string(name);
+}
+
 /// Looks names up in a bank of sounds or effects, `things` of which each has a name.
 template <class Bank, class Thing>
 class NameFinder {
@@ -35,8 +42,8 @@ public:
         if (name.empty()) return std::nullopt;
         const auto number = bank_.find(name);
         if (number || is_left_out(bank_, name)) return number;
-        place.words = text("there is no ", kind_, " '", name, "', ", folder_, "/", name, ".toml",
-                           did_you_mean(name, things_, &Thing::name));
+        place.words =
+            text("there is no ", kind_, " '", name, "', ", folder_, "/", name, ".toml", meant_by(name));
         missing.push_back(std::move(place));
         return number;
     }
@@ -44,6 +51,12 @@ public:
     std::vector<MissingName> missing{};
 
 private:
+    std::string meant_by(std::string_view name) const {
+        const auto bare = bare_name(name);
+        if (bare != name && bank_.find(bare)) return text("; did you mean '", bare, "'?");
+        return did_you_mean(bare, things_, &Thing::name);
+    }
+
     const Bank& bank_;
     const std::vector<Thing>& things_;
     std::string_view kind_, folder_;

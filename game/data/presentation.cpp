@@ -22,13 +22,12 @@ constexpr std::array<std::string_view, 12> word_names{"by",     "whom",  "cause"
                                                       "amount", "gain",  "spell",  "potion",
                                                       "effect", "fault", "recipe", "ingredient"};
 
-bool has_brace(std::string_view plain) { return plain.find_first_of("{}") != std::string_view::npos; }
-
-/// Whether all braces of the words are names of controls.
-bool only_controls_in_braces(std::string_view words) {
-    const auto pieces = control_pieces_of(words);
-    return std::none_of(pieces.begin(), pieces.end(),
-                        [](const auto& piece) { return has_brace(piece.plain); });
+/// Plain text with braces in words of an event; empty: there is none. `controls`: names of controls are known, too.
+std::string unknown_braces_in(std::string_view plain, bool controls) {
+    if (!controls) return has_brace(plain) ? std::string(plain) : "";
+    for (const auto& piece : control_pieces_of(plain))
+        if (has_brace(piece.plain)) return piece.plain;
+    return "";
 }
 
 /// Reads words, and reports braces without a known name. `controls`: names of controls are known, too.
@@ -36,13 +35,13 @@ std::string read_words(const ConfigTable& table, std::string_view key, std::stri
                        bool controls = false) {
     auto words = table.string(key, std::move(fallback));
     for (const auto& piece : pieces_of(words)) {
-        if (controls ? !only_controls_in_braces(piece.plain) : has_brace(piece.plain))
-            table.report(
-                key,
-                text("'", key,
-                     "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, "
-                     "{effect}, {fault}, {recipe}, {ingredient}",
-                     controls ? ", and controls such as {fire}" : ""));
+        const auto unknown = unknown_braces_in(piece.plain, controls);
+        if (unknown.empty()) continue;
+        table.report(
+            key, text("'", key,
+                      "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}, {spell}, {potion}, "
+                      "{effect}, {fault}, {recipe}, {ingredient}",
+                      controls ? ", and controls such as {fire}" : "", words_on_braces(unknown, word_names)));
     }
     return words;
 }

@@ -1,8 +1,13 @@
 // Patterns of words from data files, in which {names} stand for words that are known later.
 #pragma once
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/near_name.h"
+#include "core/one_line.h"
+#include "core/text.h"
 
 namespace thaum::game {
 
@@ -23,6 +28,17 @@ std::vector<Piece> split_at_names(std::string_view pattern, Fill&& fill) {
         }
     }
     return pieces;
+}
+
+inline bool has_brace(std::string_view plain) { return plain.find_first_of("{}") != std::string_view::npos; }
+
+/// Words on the first braces in plain text, for the end of a message: "; '{fier}' is none of them; did you mean 'fire'?".
+inline std::string words_on_braces(std::string_view plain, std::span<const std::string_view> known) {
+    const auto open = plain.find_first_of("{}");
+    const auto close = plain.find('}', open);
+    if (close == plain.npos || close == open) return "; a brace has no partner";
+    const auto name = plain.substr(open + 1, close - open - 1);
+    return text("; '{", printable(name, 40), "}' is none of them", did_you_mean(name, known));
 }
 
 }  // namespace thaum::game
