@@ -80,8 +80,8 @@ NINJA
 # fresh_tree FOLDER: makes a tree there, which becomes the tree that `run` starts.
 fresh_tree() {
     tree=$1
-    mkdir -p "$tree/tools" "$tree/engine" "$tree/assets"
-    cp "$source/thaum" "$tree/"
+    mkdir -p "$tree"/{tools,engine,game,assets}
+    cp "$source"/{thaum,CMakeLists.txt,CMakePresets.json} "$tree/"
     cp "$source/tools/packages.txt" "$tree/tools/"
     echo first >"$tree/engine/code"
     echo usual >"$tree/assets/word"
@@ -192,7 +192,7 @@ for step in 1 2 3; do echo "[$step/3] Building CXX object $step.o"; done
 printf '#!/bin/bash\necho "started: $*"\n' >"$2/game/thaum"
 chmod +x "$2/game/thaum"
 NINJA
-output=$(PATH=$fake:$PATH script -qec "$tree/thaum" /dev/null </dev/null 2>&1) && code=0 || code=$?
+output=$(TERM=xterm PATH=$fake:$PATH script -qec "$tree/thaum" /dev/null </dev/null 2>&1) && code=0 || code=$?
 expect "says that a long build takes minutes" says "building release (about "
 expect "shows a bar on a terminal" says "building [##################            ]  60 %"
 expect "which is full at the end" says "building [##############################] 100 %"
@@ -269,13 +269,13 @@ chmod u+w "$tree/engine/code"
 echo second >"$tree/engine/code"
 chmod a-w "$tree/engine/code"
 run
-expect "says where it cannot build" says "and cannot build in $HOME/.cache/thaum/tree-"
+expect "says where it cannot build" says "and cannot make the folder $HOME/.cache/thaum/tree-"
 expect "and stops, if the cache folder cannot be written either" code_is 2
 mkdir -p "$HOME/.cache"
 chmod a+rwx "$HOME/.cache"
 run
 expect "builds what changed in the user's cache folder" runs "" second usual
-expect "and says so" says "building in $(cache_place), because cannot write to $tree"
+expect "and says so" says "building in $(cache_place), because cannot write to $tree/build"
 rm -f "$place/calls"
 run
 expect "and starts that again" runs "" second usual
@@ -301,7 +301,7 @@ expect "makes what an archive brought with an old time" runs "" archive usual
 rm -f "$place/calls"
 run
 expect "once" test ! -e "$place/calls"
-touch -d '10 years' "$tree/build/release/.built-thaum" "$tree/build/release/game/thaum"
+touch -d '10 years' "$tree/build/release/"{.began,.built-thaum,game/thaum}
 echo later >"$tree/engine/code"
 run
 expect "makes what changed, too, after a build by a clock that was ahead" runs "" later usual
@@ -355,6 +355,52 @@ if ((EUID == 0)) && unshare -m true 2>/dev/null; then
     expect "builds a tree on a read-only file system" runs "" first usual
 fi
 
+# ---- disks --------------------------------------------------------------------------------------------------------
+
+ready_machine
+tool df <<<'printf "%s\n" "Size Avail" "1000 5"'
+run
+expect "stops before a build that cannot fit on the disk" code_is 2
+expect "and says so" says "no space left on $tree/build (5 MB free, about 170 MB needed)"
+expect "and makes nothing" not_called .
+rm "$fake/df"
+run
+tool df <<<'printf "%s\n" "Size Avail" "1000 5"'
+echo second >"$tree/engine/code"
+run
+expect "builds a change on a nearly full disk" runs "" second usual
+tool df <<<'printf "%s\n" "Size Avail" "0 0"'
+rm -rf "$tree/build"
+run
+expect "builds where the file system does not know how much is free" runs "" second usual
+
+ready_machine
+tool ninja <<<'echo "LLVM ERROR: IO failure on output stream: No space left on device"; exit 1'
+run
+expect "says that the disk was full" says "no space left on $tree/build ("
+expect "in the last line" test "$(grep -c 'no space' <<<"${output##*$'\n'}")" = 1
+
+# own_disk OPTIONS: gives the build folder a disk of its own in the next runs.
+own_disk() {
+    mkdir -p "$tree/build"
+    # shellcheck disable=SC2016
+    as_user=(unshare -m bash -c 'mount -t tmpfs -o "$0" none "$1/build" && shift && exec "$@"' "$1" "$tree")
+}
+if ((EUID == 0)) && unshare -m true 2>/dev/null; then
+    ready_machine
+    tool df <<<'exit 1'
+    tool ninja <<<'head -c 9000000 /dev/zero >"$2/a" 2>/dev/null || exit 1'
+    own_disk size=1200k
+    run
+    expect "finds a full disk by itself where no program names it" says "no space left on $tree/build ("
+
+    ready_machine
+    own_disk noexec
+    run
+    expect "builds elsewhere if programs in the build folder may not be started" runs "" first usual
+    expect "and says so" says "because programs in $tree/build may not be started (its disk is mounted with noexec)"
+fi
+
 # ---- surroundings -------------------------------------------------------------------------------------------------
 
 fresh_machine
@@ -395,6 +441,89 @@ for start in ./link 'bash link' 'sh link' "bash $place/tree/thaum" 'bash --posix
     expect "starts by $start" says "started: --demo two words"
 done
 
+# A machine without some of its usual programs.
+# without NAME...: starts the launcher with a PATH that lacks these programs.
+without() {
+    local name
+    mkdir "$place/bin"
+    ln -s /usr/bin/* "$place/bin"
+    for name in "$@"; do rm -f "$place/bin/$name" "$fake/$name"; done
+    as_user=(env PATH="$fake:$place/bin")
+}
+ready_machine
+without flock
+run
+expect "starts without flock" runs "" first usual
+expect "and says that it takes no turns" says "no program 'flock' (package util-linux)"
+expect "once" test "$(grep -c flock <<<"$output")" = 1
+for name in cmp ninja; do
+    ready_machine
+    without "$name"
+    run
+    expect "stops where there is no $name" code_is 2
+    expect "and names it" test "${output##*$'\n'}" = "thaum: there is no program '$name' in the folders of PATH, which are $fake:$place/bin"
+done
+
+ready_machine
+tool cmake <<<'echo "a fault of a kind that nobody foresaw"; exit 1'
+run
+expect "shows the end of a log that names no error" says "a fault of a kind that nobody foresaw"
+
+ready_machine
+mkdir "$place/alone"
+cp "$tree/thaum" "$place/alone/"
+tree=$place/alone
+run
+expect "stops where the launcher was copied alone" code_is 2
+expect "and says what to do instead" says "no CMakeLists.txt in $place/alone, so the game's folder is not complete; to start"
+expect "in one line" test "$(wc -l <<<"$output")" = 1
+
+ready_machine
+fresh_tree "$place/"$'red\e(0'
+: >"$tree/build"
+run
+expect "builds elsewhere where 'build' is a file" runs "" first usual
+expect "and says so" says "cannot make the folder $place/red?(0/build: File exists"
+expect "without a control character of a folder's name" says_not $'\e'
+
+# Streams that are closed or full, and a working folder that is gone.
+for streams in '<&-' '>&-' '2>&-' '<&- >&- 2>&-' '>/dev/full' '2>/dev/full'; do
+    ready_machine
+    as_user=(bash -c "exec \"\$@\" $streams" --)
+    run
+    expect "starts with $streams" grep -qsx "code: first" "$place/facts"
+done
+ready_machine
+mkdir "$place/gone"
+mv "$fake/cmake" "$fake/real-cmake"
+tool cmake <<<'/bin/pwd >/dev/null || exit 1; exec "${0%/*}/real-cmake" "$@"'
+# shellcheck disable=SC2016
+as_user=(bash -c 'cd "$0" && rmdir "$0" && exec "$@"' "$place/gone")
+run
+expect "builds from a working folder that is gone" runs "" first usual
+
+# Two users' languages may sort names differently.
+ready_machine
+tool sort <<<'language=${LC_ALL:-${LANG:-}}; [[ $language != de* ]] || set -- -r "$@"; exec /usr/bin/sort "$@"'
+export LANG=de_DE.UTF-8
+run
+export LANG=C
+rm -f "$place/calls"
+run
+expect "has built for users of all languages" test "$output" = "started: " -a ! -e "$place/calls"
+unset LANG
+
+ready_machine
+mv "$fake/ninja" "$fake/real-ninja"
+tool ninja <<'NINJA'
+"${0%/*}/real-ninja" "$@"
+[[ $* != *build.ninja && $* != *" -n "* ]] || exit 0
+printf '[1/3] Building CXX object a.o\n'
+NINJA
+output=$(TERM=dumb PATH=$fake:$PATH script -qec "$tree/thaum" /dev/null </dev/null 2>&1) && code=0 || code=$?
+expect "sends no commands to a terminal that has none" says_not $'\e'
+expect "and starts there" says "started:"
+
 # ---- two at once -----------------------------------------------------------------------------------------------------
 
 # Each tool reports one that works at the same time. The first apt-get waits until the second start waits for it.
@@ -428,5 +557,17 @@ expect "a start is killed" code_is 137
 mv "$fake/real-cmake" "$fake/cmake"
 run
 expect "and the next one builds" runs "" first usual
+
+# A first build that was killed has made a program of the first source. Then another source with an old time takes its place.
+ready_machine
+mv "$fake/ninja" "$fake/real-ninja"
+tool ninja <<<'"${0%/*}/real-ninja" "$@"; [[ $* == *build.ninja || $* == *" -n "* ]] || kill -9 $PPID'
+run
+expect "a build is killed" test "$code" != 0 -a -e "$tree/build/release/game/thaum"
+mv "$fake/real-ninja" "$fake/ninja"
+echo archive >"$tree/engine/code"
+touch -d '20 years ago' "$tree/engine/code"
+run
+expect "and the next one sees what an archive brought meanwhile" runs "" archive usual
 
 ((failures == 0))
