@@ -41,6 +41,10 @@ bool write_all(int fd, std::span<const std::byte> bytes);
 /// failure, nor is a file system without a disk.
 bool flush_to_disk(int fd);
 
+/// Occupies those of the numbers of standard input, output and error that are closed, so that no file gets them which the
+/// program opens later: what is printed would be written into it. Printing to a closed stream fails as before.
+void occupy_closed_streams();
+
 /// Creates the folder and any missing parent folders. The error names the folder, which cannot be created or
 /// is not writable.
 Expected<void> make_folder(const std::filesystem::path& folder);

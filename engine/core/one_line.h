@@ -6,7 +6,7 @@
 
 namespace thaum {
 
-/// Replaces every control character by a blank. Text beyond 1,000 bytes is replaced by "...".
+/// Replaces ends of lines and tabs by blanks and escapes the rest as `printable` does, with at most 1,000 bytes.
 std::string in_one_line(std::string_view message);
 
 /// Escapes text from outside for display in a terminal. Control characters, bidirectional marks and bytes

@@ -1,5 +1,6 @@
 #include "core/tell_user.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -12,6 +13,16 @@
 namespace thaum {
 
 void tell_user(std::string_view line) { std::fprintf(stderr, "%s\n", in_one_line(line).c_str()); }
+
+void print_line(std::string_view line) { std::printf("%s\n", printable(line, std::string::npos).c_str()); }
+
+void print_lines(std::string_view lines) {
+    while (!lines.empty()) {
+        const auto end = std::min(lines.find('\n'), lines.size());
+        print_line(lines.substr(0, end));
+        lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+}
 
 std::string words_of_exception() {
     try {

@@ -56,15 +56,6 @@ std::string clock_text(unsigned long long seconds) {
     return text(seconds / 60, rest < 10 ? ":0" : ":", rest);
 }
 
-std::string in_one_line(std::string_view message) {
-    constexpr std::size_t most = 1000;
-    auto line = message.size() > most ? text(message.substr(0, most), "...") : std::string(message);
-    for (auto& c : line) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    }
-    return line;
-}
-
 namespace {
 
 /// Returns the length in bytes and the code point of the first UTF-8 character of `s`. The length is 0 if the
@@ -113,6 +104,15 @@ std::string printable(std::string_view outside, std::size_t most) {
         outside.remove_prefix(used);
     }
     return out;
+}
+
+std::string in_one_line(std::string_view message) {
+    constexpr std::size_t most = 1000;
+    std::string line(message.substr(0, most + 1));
+    for (auto& c : line) {
+        if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+    }
+    return printable(line, most);
 }
 
 }  // namespace thaum

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/environment.h"
 #include "core/tell_user.h"
 #include "core/text.h"
 
@@ -22,8 +23,8 @@ bool speaks(std::string_view system) {
 }
 
 std::string value_of(const char* variable) {
-    const char* value = std::getenv(variable);
-    return value == nullptr || *value == '\0' ? std::string() : text(variable, "=", value);
+    const auto value = environment_value(variable);
+    return value ? text(variable, "=", *value) : std::string();
 }
 
 int on_lost_display(void*) {

@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "core/json.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/content.h"
@@ -52,11 +53,11 @@ std::string as_json(const std::filesystem::path& assets, const ContentReport& re
 }
 
 void print(const std::filesystem::path& assets, const ContentReport& report) {
-    for (const auto& fault : report.faults) std::printf("%s\n", fault.c_str());
-    for (const auto& note : report.notes) std::printf("note: %s\n", note.c_str());
+    for (const auto& fault : report.faults) print_line(fault);
+    for (const auto& note : report.notes) print_line(text("note: ", note));
     const auto count = report.faults.size();
-    std::printf("%s: %zu files, %s\n", assets.c_str(), report.files,
-                count == 0 ? "no fault" : text(count, count == 1 ? " fault" : " faults").c_str());
+    print_line(text(assets.string(), ": ", report.files, " files, ",
+                    count == 0 ? "no fault" : text(count, count == 1 ? " fault" : " faults")));
 }
 
 int run_check(const std::vector<std::string>& words) {

@@ -8,7 +8,7 @@
 namespace thaum::app {
 
 struct ContentReport {
-    std::size_t files{};                ///< files of the folder
+    std::size_t files{};                ///< files of the folder, without those that nothing reads
     std::vector<std::string> faults{};  ///< one line each: file, line, key, what is wrong, what is allowed
     std::vector<std::string> notes{};   ///< lines on what can be played, and is probably not meant
 };

@@ -114,7 +114,6 @@ private:
     }
 
     void check_file(const std::filesystem::path& path, const std::string& folder, const std::string& name) {
-        ++found_.files;
         const auto& rule = rules_.at(folder);
         const auto ending = path.extension().string(), stem = path.stem().string();
         if (std::ranges::find(rule.endings, ending) == rule.endings.end()) {
@@ -123,6 +122,7 @@ private:
             return;
         }
         if (rule.names.empty() || std::ranges::find(rule.names, stem) != rule.names.end()) {
+            ++found_.files;
             if (ending == ".toml") found_.read.push_back(name);
             if (folder == "rules" || folder == "arenas") check_chosen_name(name, stem);
             return;

@@ -6,9 +6,9 @@
 
 namespace thaum::app {
 
-/// Files of the folder, and a line on each that nothing reads because of its name, ending or folder.
+/// The folder's files, and a line on each that nothing reads because of its name, ending or folder.
 struct KnownFiles {
-    std::size_t files{};
+    std::size_t files{};  ///< files that something may read
     std::vector<std::string> faults;
     std::vector<std::string>
         read{};  ///< data files in TOML that have a right name: "wands/bolt.toml", sorted

@@ -9,6 +9,7 @@
 
 #include "core/file.h"
 #include "core/jobs.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "ecs/diff.h"
 #include "game/app/command.h"
@@ -42,8 +43,8 @@ int print(const std::vector<ecs::Difference>& differences) {
     for (const auto& d : differences) {
         const auto what = d.component.empty() ? std::string("entity") : d.component;
         const auto where = d.entity == ecs::none ? std::string("all entities") : text("entity ", d.entity);
-        std::printf("%-12s %-13s %-24s %s | %s\n", what.c_str(), where.c_str(), d.field.c_str(), d.a.c_str(),
-                    d.b.c_str());
+        std::printf("%-12s %-13s %-24s ", what.c_str(), where.c_str(), d.field.c_str());
+        print_line(text(d.a, " | ", d.b));
     }
     if (differences.empty()) std::printf("no difference\n");
     return differences.empty() ? done : does_not_hold;

@@ -15,6 +15,7 @@
 #include "core/json.h"
 #include "core/one_line.h"
 #include "core/processor.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/content.h"
@@ -398,8 +399,9 @@ std::string as_json(const std::vector<Finding>& findings) {
 
 void print(const std::vector<Finding>& findings) {
     for (const auto& f : findings) {
-        std::printf("%-8s %-12s %s\n", std::string(word(f.state)).c_str(), f.what.c_str(), f.detail.c_str());
-        if (!f.advice.empty()) std::printf("         %-12s -> %s\n", "", f.advice.c_str());
+        std::printf("%-8s %-12s ", std::string(word(f.state)).c_str(), f.what.c_str());
+        print_line(f.detail);
+        if (!f.advice.empty()) print_line(text("                      -> ", f.advice));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/clock.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/named_arm.h"
@@ -164,12 +165,12 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     if (!forces.fill(hand) && hand.waiting() == 0) {
         if (!forces.divergence())
             return refuse({"--feel: the log has no tick of play after --at; choose an earlier second"});
-        std::printf("%s\n", game::described(*forces.divergence()).c_str());
+        print_line(game::described(*forces.divergence()));
         return does_not_hold;
     }
-    std::printf("player %u's forces on %s, at most %s of %s N: any key or Ctrl-C ends them\n",
-                plan.player + 1, input::name_of((*arm)->facts()).c_str(),
-                fixed(share * spec.peak_force, 2).c_str(), fixed(spec.peak_force, 1).c_str());
+    print_line(text("player ", plan.player + 1, "'s forces on ", input::name_of((*arm)->facts()),
+                    ", at most ", fixed(share * spec.peak_force, 2), " of ", fixed(spec.peak_force, 1),
+                    " N: any key or Ctrl-C ends them"));
     std::fflush(stdout);
     if (const auto started = (*arm)->start(hand.tick()); !started) return refuse(started.error());
     const auto why = play(forces, hand, **arm);
@@ -177,8 +178,8 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     hand.stop();
     tell(hand, **arm);
     arm->reset();  // ends the arm's thread before `hand`, which that thread uses, is destroyed
-    if (why) std::printf("%s\n", why->c_str());
-    if (forces.divergence()) std::printf("%s\n", game::described(*forces.divergence()).c_str());
+    if (why) print_line(*why);
+    if (forces.divergence()) print_line(game::described(*forces.divergence()));
     return fault || forces.divergence() ? does_not_hold : done;
 }
 

@@ -111,7 +111,7 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     if (!played) return refuse(played.error());
     const auto drawn = picture(duel, data, *played);
     const auto lines = report(duel, *played, log, drawn.line);
-    std::printf("%s", lines.c_str());
+    print_lines(lines);
     for (const auto& fault : {played->log_fault, drawn.fault})
         if (fault) tell_user(text("thaum: ", fault->message));
     if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)

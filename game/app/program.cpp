@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/file.h"
 #include "core/memory.h"
 #include "core/tell_user.h"
 #include "core/text.h"
@@ -47,6 +48,7 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
     // Without this signal a file beyond the shell's size limit is a failed write, as on a full disk, and does
     // not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
+    occupy_closed_streams();
     tell_unhandled_exceptions();
     keep_freed_memory();
     const int code = with_output_checked(dispatch_guarded(dispatch, {argv + 1, argv + argc}));

@@ -156,13 +156,13 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
 /// Tests whether the replay has diverged from the recorded match, and prints the difference.
 bool has_diverged(const game::Playback& playback) {
     if (!playback.divergence()) return false;
-    std::printf("%s\n", game::described(*playback.divergence()).c_str());
+    print_line(game::described(*playback.divergence()));
     return true;
 }
 
 /// Prints the line unless it is empty. Returns whether it was printed.
 bool says(const std::string& line) {
-    if (!line.empty()) std::printf("%s\n", line.c_str());
+    if (!line.empty()) print_line(line);
     return !line.empty();
 }
 
@@ -195,10 +195,10 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     const auto checked =
         pass.verify ? text(", ", compared, " state hashes agree, the last at tick ", last_compared) : "";
     const auto drawn = out->shots ? text(", ", out->shots->taken(), " pictures") : std::string();
-    std::printf("%llu ticks%s%s; %s (%s s, %s x real time)\n",
-                static_cast<unsigned long long>(playback.match().now()), checked.c_str(), drawn.c_str(),
-                game::result_line(playback.match(), recorded_names(playback.log().header())).c_str(),
-                fixed(took, 2).c_str(), fixed(seconds(playback.match().now()) / took, 1).c_str());
+    print_line(text(playback.match().now(), " ticks", checked, drawn, "; ",
+                    game::result_line(playback.match(), recorded_names(playback.log().header())), " (",
+                    fixed(took, 2), " s, ", fixed(seconds(playback.match().now()) / took, 1),
+                    " x real time)"));
     return done;
 }
 
@@ -214,8 +214,8 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
     Bytes state;
     playback.match().save(state);
     if (const auto written = write_file(values[1], state); !written) return refuse(written.error());
-    std::printf("tick %llu: state %s written to %s\n", static_cast<unsigned long long>(*tick),
-                hex(playback.match().state_hash()).c_str(), values[1].c_str());
+    print_line(
+        text("tick ", *tick, ": state ", hex(playback.match().state_hash()), " written to ", values[1]));
     return has_diverged(playback) ? does_not_hold : done;
 }
 

@@ -1,10 +1,11 @@
 // thaum scenario: runs gameplay scenarios, and shows that each gives the same match again.
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
+#include "core/environment.h"
 #include "core/file.h"
 #include "core/one_line.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -67,9 +68,10 @@ private:
 
 /// Prints a result, and below it what the script has printed.
 void print_result(const game::ScenarioResult& result) {
-    std::printf("%-6s %-28s %8llu ticks  %s\n", result.passed ? "passed" : "FAILED", result.name.c_str(),
-                static_cast<unsigned long long>(result.ticks), result.message.c_str());
     constexpr std::size_t longest = 1000;
+    std::printf("%-6s %-28s %8llu ticks  ", result.passed ? "passed" : "FAILED",
+                printable(result.name, longest).c_str(), static_cast<unsigned long long>(result.ticks));
+    print_line(result.message);
     for (std::string_view rest = result.output; !rest.empty();) {
         const auto end = std::min(rest.find('\n'), rest.size());
         std::string line(rest.substr(0, end));
@@ -93,7 +95,7 @@ game::ScenarioOptions options_of(const Arguments& arguments, Painter& painter) {
     if (arguments.has("--once")) chosen.same_again = game::SameAgain::unchecked;
     if (arguments.has("--twice")) chosen.same_again = game::SameAgain::by_second_run;
     chosen.read_screen = game::words_over_views;
-    if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
+    chosen.keep_forces = environment_value("THAUM_KEEP_FORCES").value_or("");
     return chosen;
 }
 

@@ -2,7 +2,6 @@
 #include "game/app/shots.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "core/file.h"
 #include "core/tell_user.h"
@@ -138,7 +137,7 @@ int run_shots(const std::vector<std::string>& words) {
     if (!still) return refuse(still.error());
     if (const auto saved = still->save(match, hud_of(*playback), file, senses.get()); !saved)
         return refuse(saved.error());
-    std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best.tick), file.c_str());
+    print_line(text("tick ", best.tick, " in ", file.string()));
     return done;
 }
 

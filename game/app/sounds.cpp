@@ -7,6 +7,8 @@
 #include "audio/wav.h"
 #include "core/file.h"
 #include "core/near_name.h"
+#include "core/one_line.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
@@ -53,15 +55,18 @@ std::string_view name_of(audio::SoundGroup group) {
     return names[static_cast<std::size_t>(group)];
 }
 
+constexpr std::size_t most_of_name_shown = 100;
+
 void print_list(const Chosen& sounds) {
     std::printf("%-20s %-9s %7s %5s %7s  %s\n", "sound", "group", "s", "peak", "dB", "what is heard");
     for (const auto* sound : sounds) {
         const double seconds = static_cast<double>(sound->samples.size()) / audio::sample_rate;
-        std::printf("%-20s %-9s %7s %5s %7s  %s\n", sound->name.c_str(),
+        std::printf("%-20s %-9s %7s %5s %7s  ", printable(sound->name, most_of_name_shown).c_str(),
                     std::string(name_of(sound->group)).c_str(),
                     text(fixed(seconds, 2), sound->loops ? "~" : "").c_str(),
                     fixed(audio::peak_of(sound->samples), 2).c_str(),
-                    fixed(audio::loudest_db(sound->samples), 1).c_str(), sound->description.c_str());
+                    fixed(audio::loudest_db(sound->samples), 1).c_str());
+        print_line(sound->description);
     }
     std::printf("~: loops\n");
 }

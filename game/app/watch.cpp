@@ -1,7 +1,5 @@
 #include "game/app/watch.h"
 
-#include <cstdio>
-
 #include "core/file.h"
 #include "core/tell_user.h"
 #include "core/text.h"
@@ -19,7 +17,7 @@ namespace {
 /// Exit code of a shown replay: does_not_hold, with a message, if the replay diverged from the record.
 int verdict(const std::optional<game::Divergence>& divergence) {
     if (!divergence) return done;
-    std::printf("%s\n", game::described(*divergence).c_str());
+    print_line(game::described(*divergence));
     return does_not_hold;
 }
 
@@ -78,8 +76,8 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
     Bytes state;
     match.save(state);
     if (const auto saved = write_file(stem.string() + ".dump", state); !saved) return refuse(saved.error());
-    std::printf("no display: tick %llu, state %s, in %s.png and .dump\n",
-                static_cast<unsigned long long>(match.now()), hex(match.state_hash()).c_str(), stem.c_str());
+    print_line(text("no display: tick ", match.now(), ", state ", hex(match.state_hash()), ", in ",
+                    stem.string(), ".png and .dump"));
     return verdict(playback.divergence());
 }
 

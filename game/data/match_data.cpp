@@ -1,9 +1,9 @@
 #include "game/data/match_data.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 
+#include "core/environment.h"
 #include "core/file.h"
 #include "core/near_name.h"
 #include "core/one_line.h"
@@ -130,7 +130,7 @@ std::vector<std::string> stems_in(const std::filesystem::path& folder) {
 
 /// Refuses a folder that holds no data files at all: each of them would be reported as missing.
 Expected<void> check_folder(const std::filesystem::path& assets) {
-    const auto whose = std::getenv("THAUM_ASSETS") != nullptr
+    const auto whose = environment_value("THAUM_ASSETS")
                            ? std::string("set THAUM_ASSETS to the folder with the data files, or unset it")
                            : std::string("start thaum from its folder, or set THAUM_ASSETS");
     std::error_code error;
@@ -572,8 +572,8 @@ std::filesystem::path shipped_assets() {
 }
 
 std::filesystem::path find_assets() {
-    const char* given = std::getenv("THAUM_ASSETS");
-    return given != nullptr ? std::filesystem::path(given) : shipped_assets();
+    const auto given = environment_value("THAUM_ASSETS");
+    return given ? std::filesystem::path(*given) : shipped_assets();
 }
 
 }  // namespace thaum::game

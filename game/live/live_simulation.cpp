@@ -210,7 +210,7 @@ void follow_practice(SimulationThread& s) {
     }
     const auto* reload = s.round.watcher->take();
     if (reload == nullptr) return;
-    std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
+    reload->data ? print_line(reload->line) : tell_user(reload->line);
     std::fflush(stdout);
     practice->adopt(*reload);
     if (!reload->data) return;

@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
 #include <tuple>
 
 #include "core/config.h"
+#include "core/environment.h"
 #include "core/file.h"
 #include "core/tell_user.h"
 #include "core/text.h"
@@ -31,8 +31,8 @@ constexpr std::array<std::string_view, session_keys> session_defaults{
 /// The user's home folder; empty if there is none. A relative HOME is ignored, because its meaning would
 /// change with the working folder.
 std::filesystem::path home_folder() {
-    const char* home = std::getenv("HOME");
-    if (home != nullptr && std::filesystem::path(home).is_absolute()) return home;
+    const auto home = environment_value("HOME");
+    if (home && std::filesystem::path(*home).is_absolute()) return *home;
     const auto* user = ::getpwuid(::getuid());
     if (user == nullptr || user->pw_dir == nullptr) return {};
     std::filesystem::path listed = user->pw_dir;
@@ -42,8 +42,8 @@ std::filesystem::path home_folder() {
 /// An XDG folder: the absolute path in the variable, else the usual place below the home folder. The
 /// specification says that relative paths are ignored. Empty if there is no home folder.
 std::filesystem::path base_folder(const char* variable, const char* usual) {
-    const char* set = std::getenv(variable);
-    if (set != nullptr && std::filesystem::path(set).is_absolute()) return set;
+    const auto set = environment_value(variable);
+    if (set && std::filesystem::path(*set).is_absolute()) return *set;
     const auto home = home_folder();
     return home.empty() ? home : home / usual;
 }

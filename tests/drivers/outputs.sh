@@ -197,6 +197,14 @@ for words in "replay log --verify" "doctor --json -" "bench primitives --quick -
     output=$("$thaum" $words 2>&1 >/dev/full </dev/null)
     [[ $? == 2 && $output == *"cannot write to standard output"* ]] || fail "thaum $words >/dev/full: said ${output:0:200}"
 done
+# A terminal acts on nothing that a name from outside has.
+for words in "check odd" "--headless --seconds 1 --out odd" "replay odd/duel.thaumlog --dump 5 odd/d" "doctor" "odd" "--odd"; do
+    THAUM_ASSETS=$([[ $words == doctor ]] && echo $'/gone/\e[2J' || echo "$folder/assets") XDG_CONFIG_HOME=$'/gone/\e[2J' \
+        "$thaum" ${words//odd/$'\e[2J'} >said 2>&1 </dev/null
+    ! grep -q $'\e' said || fail "thaum $words: sends a command to the terminal: $(cat -v said)"
+    grep -qF '\x1b[2J' said || fail "thaum $words: hides a control character: $(cat -v said)"
+done
+
 ln -s /proc/self/fd/1 standard_output
 "$thaum" replay log --events standard_output >said 2>line && fail "a table over its own standard output"
 unharmed "at the end"

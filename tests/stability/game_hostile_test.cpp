@@ -138,7 +138,7 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
     EXPECT_EQ(refusal([](Tables& t) {
                   t.back().kinds.push_back({6, "hail\x1b[2J\n"});
               }),
-              text("wand 6 is 'hail [2J ' in the log and nothing in this program", advice));
+              text("wand 6 is 'hail\\x1b[2J ' in the log and nothing in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) { t[0].kinds.erase(t[0].kinds.begin()); }),
               text("cause 0 is nothing in the log and 'bolt' in this program", advice));
     EXPECT_EQ(refusal([](Tables& t) { std::swap(t[2].kinds[0].name, t[2].kinds[1].name); }),

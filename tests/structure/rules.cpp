@@ -215,6 +215,10 @@ const std::set<std::string, std::less<>> may_read_own = {
     "game/settings/own_pads.cpp",
 };
 
+/// Files that may read environment variables themselves.
+const std::set<std::string, std::less<>> may_read_environment = {"engine/core/environment.cpp",
+                                                                 "tools/suite/mutant_switch.h"};
+
 /// Beginnings of code that opens a file.
 constexpr std::array<std::string_view, 16> openers = {
     "::open(",     "::openat(",    "::creat(",   "fopen(",     "freopen(", "fdopen(",
@@ -245,6 +249,10 @@ void check_opens(const std::string& name, const std::string& text, Faults& fault
             faults.push_back(at_line(name, number,
                                      "reads a file as the program's own, so that an output may replace it; "
                                      "use read_text_file, or list the file in tests/structure/rules.cpp"));
+        if (!may_read_environment.contains(name) && code.find("getenv(") != std::string::npos)
+            faults.push_back(at_line(name, number,
+                                     "reads the environment itself; use core/environment.h, for which an "
+                                     "empty variable is not set"));
     }
 }
 

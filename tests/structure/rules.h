@@ -22,7 +22,7 @@ Faults unbuilt_tests(const std::filesystem::path& root);
 Faults headers_without_title(const std::filesystem::path& root);
 
 /// No file of engine/, game/ or tools/ may open files itself, except those listed: other readers would not declare what
-/// they read (core/write_rule.h). Only those listed may read a file as the program's own.
+/// they read (core/write_rule.h). Only those listed may read a file as the program's own, or an environment variable.
 Faults opens_around_the_rule(const std::filesystem::path& root);
 
 /// A source in engine/, game/, tools/ or tests/ has at most 600 lines.

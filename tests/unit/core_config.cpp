@@ -573,7 +573,7 @@ TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     file->root().report("kind", "unknown kind '" + kind + "'");
     const auto checked = file->check();
     ASSERT_FALSE(checked.has_value());
-    EXPECT_EQ(checked.error().message, "f.toml:2: unknown kind 'a b [2J '");
+    EXPECT_EQ(checked.error().message, "f.toml:2: unknown kind 'a b\\x1b[2J\\x7f'");
     EXPECT_EQ(in_one_line(std::string(100'000, 'x')), std::string(1000, 'x') + "...");
 }
 

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -51,6 +52,17 @@ protected:
 private:
     fs::path folder_;
 };
+
+TEST(CoreStreams, NoFileGetsTheNumberOfAClosedStream) {
+    const auto attempt = [] {
+        for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) ::close(stream);
+        occupy_closed_streams();
+        const int file = ::dup(STDIN_FILENO);
+        const bool refused = ::write(STDOUT_FILENO, "a", 1) < 0 && errno == EBADF;
+        std::_Exit(file > STDERR_FILENO && refused ? 0 : 1);
+    };
+    EXPECT_EXIT(attempt(), ::testing::ExitedWithCode(0), "");
+}
 
 TEST_F(CoreFile, ReadsWhatWasWritten) {
     const auto path = in_folder("a");

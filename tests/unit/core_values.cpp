@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "core/assert.h"
+#include "core/environment.h"
 #include "core/hash.h"
 #include "core/one_line.h"
 #include "core/random.h"
@@ -224,6 +226,22 @@ TEST(Printable, CutsBetweenCharacters) {
     EXPECT_EQ(printable(std::string(100, 'x'), 10), "xxxxxxxxxx...");
     EXPECT_EQ(printable("aaaaaaaaa\x1b", 10), "aaaaaaaaa...");
     EXPECT_EQ(printable("ab\xe8\xa7\xa6", 4), "ab...");
+}
+
+TEST(Printable, InOneLineHasBlanksForEndsOfLinesAlone) {
+    EXPECT_EQ(in_one_line("two\r\nlines\tand \x1b[2J"), "two  lines and \\x1b[2J");
+    EXPECT_EQ(in_one_line("\xc2\x9b\xff"), "\\xc2\\x9b\\xff");
+    EXPECT_EQ(in_one_line(std::string(1000, 'x') + "\xc3\xbc"), std::string(1000, 'x') + "...");
+    EXPECT_EQ(in_one_line(std::string(999, 'x') + "\xc3\xbc"), std::string(999, 'x') + "...");
+}
+
+TEST(Environment, AnEmptyVariableIsNotSet) {
+    ::setenv("THAUM_TEST_VARIABLE", "", 1);
+    EXPECT_EQ(environment_value("THAUM_TEST_VARIABLE"), std::nullopt);
+    ::setenv("THAUM_TEST_VARIABLE", " ", 1);
+    EXPECT_EQ(environment_value("THAUM_TEST_VARIABLE"), " ");
+    ::unsetenv("THAUM_TEST_VARIABLE");
+    EXPECT_EQ(environment_value("THAUM_TEST_VARIABLE"), std::nullopt);
 }
 
 TEST(CoreUtf8, EveryCodePointReadsBack) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "audio/mixer.h"
+#include "core/environment.h"
 #include "core/text.h"
 
 namespace thaum::audio::detail {
@@ -19,7 +20,7 @@ constexpr std::string_view short_periods = "[general]\nfrequency = 48000\nperiod
 
 /// Gives OpenAL its settings as a file in memory. It has no call for them.
 void choose_short_periods() {
-    if (std::getenv("ALSOFT_CONF") != nullptr) return;
+    if (environment_value("ALSOFT_CONF")) return;
     const int fd = ::memfd_create("thaum-openal", MFD_CLOEXEC);
     if (fd < 0) return;
     if (::write(fd, short_periods.data(), short_periods.size()) ==

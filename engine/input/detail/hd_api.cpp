@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <list>
 #include <mutex>
 
+#include "core/environment.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -92,10 +92,7 @@ bool Function<R(Arguments...)>::find(void* library, const char* name) {
     return call_ != nullptr;
 }
 
-std::string library_name() {
-    const char* set = std::getenv("THAUM_LIBHD");
-    return set != nullptr && *set != '\0' ? set : "libHD.so";
-}
+std::string library_name() { return environment_value("THAUM_LIBHD").value_or("libHD.so"); }
 
 namespace {
 

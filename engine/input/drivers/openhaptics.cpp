@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <sstream>
 
 #include "core/clock.h"
+#include "core/environment.h"
 #include "core/text.h"
 #include "input/arm_driver.h"
 #include "input/detail/hd_api.h"
@@ -313,8 +313,7 @@ void OpenHaptics::leave() {
 // ---- registration -----------------------------------------------------------------------------------------
 
 std::vector<std::string> find_arms() {
-    const char* named = std::getenv("THAUM_HD_ARMS");
-    std::istringstream words(named != nullptr ? named : "");
+    std::istringstream words(environment_value("THAUM_HD_ARMS").value_or(""));
     std::vector<std::string> arms;
     for (std::string arm; std::getline(words, arm, ',');)
         if (!arm.empty() && std::find(arms.begin(), arms.end(), arm) == arms.end()) arms.push_back(arm);

@@ -10,6 +10,7 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/one_line.h"
+#include "core/tell_user.h"
 #include "core/text.h"
 #include "field/volume_file.h"
 #include "game/app/command.h"
@@ -533,7 +534,7 @@ int run_volume_lab(const std::vector<std::string>& words) {
         return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
     auto plan = read_volume_plan(*arguments);
     if (!plan) return refuse(plan.error());
-    for (const auto& note : plan->notes) std::printf("%s\n", note.c_str());
+    for (const auto& note : plan->notes) print_line(note);
     std::fflush(stdout);
     return arguments->has("--headless") ? run_headless(std::move(*plan))
                                         : run_volume_window(std::move(*plan));
