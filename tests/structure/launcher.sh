@@ -558,6 +558,23 @@ mv "$fake/real-cmake" "$fake/cmake"
 run
 expect "and the next one builds" runs "" first usual
 
+# Ctrl-C reaches all programs of the terminal. ninja ends by itself then.
+ready_machine
+mv "$fake/ninja" "$fake/real-ninja"
+tool ninja <<'NINJA'
+[[ $* != *build.ninja && $* != *" -n "* ]] || exec "${0%/*}/real-ninja" "$@"
+trap 'echo "[1/9] Building CXX object a.o"; echo "ninja: build stopped: interrupted by user."; exit 2' INT
+kill -INT 0
+sleep 1
+NINJA
+as_user=(setsid -w)
+run
+expect "is interrupted by Ctrl-C" code_is 130
+expect "and says so and nothing else" test "$(grep -v 'not used' <<<"$output")" = "thaum: interrupted; start again to go on"
+mv "$fake/real-ninja" "$fake/ninja"
+run
+expect "and goes on at the next start" runs "" first usual
+
 # A first build that was killed has made a program of the first source. Then another source with an old time takes its place.
 ready_machine
 mv "$fake/ninja" "$fake/real-ninja"
