@@ -226,7 +226,9 @@ std::string words_of(const toml::node& node) {
                     invisible_words(word->get()));
     if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
     if (const auto* whole = node.as_integer()) return text(whole->get());
-    if (const auto* real = node.as_floating_point()) return text(real->get());
+    if (const auto* real = node.as_floating_point())
+        return text(real->get(),
+                    real->get() == std::floor(real->get()) && std::abs(real->get()) < 1e6 ? ".0" : "");
     if (const auto* list = node.as_array()) return text("a list of ", list->size());
     return node.is_table() ? "a table" : "a date or time";
 }
@@ -532,7 +534,7 @@ ConfigTable ConfigTable::table(std::string_view key) const {
     const auto* node = ask(*state_, table_, key);
     if (node != nullptr && !node->is_table())
         state_->report(node, FaultKind::value, key,
-                       text("'", key, "' must be a table, not ", words_of(*node)), true);
+                       text("'", key, "' must be a table, [", key, "], not ", words_of(*node)), true);
     if (node != nullptr && node->is_table()) return {state_, node, node, ""};
     return {state_, nullptr, holder_, path_.empty() ? std::string(key) : text(path_, ".", key)};
 }

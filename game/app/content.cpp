@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "audio/synth.h"
 #include "core/config.h"
@@ -48,7 +49,7 @@ public:
 
     ContentReport run() {
         const auto known = check_file_names(assets_);
-        read_matches();
+        read_matches(known.faults);
         if (!has_data_)
             return {.files = known.files, .faults = std::move(faults_)};  // there is no such folder
         read_practice();
@@ -85,10 +86,15 @@ private:
     }
 
     /// Each arena with the rules of most matches, and the first one with the other rules, too.
-    void read_matches() {
+    /// `faults_of_names`: an arena with a wrong name is told there.
+    void read_matches(std::span<const std::string> faults_of_names) {
         std::vector<game::DataChoice> choices;
-        for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({}))
-            choices.push_back({.arena = arena.stem().string()});
+        for (const auto& arena : files_in(assets_ / "arenas", ".toml").value_or({})) {
+            const auto shown = game::shown_path(assets_, text("arenas/", arena.filename().string(), ":"));
+            const auto is_of_it = [&](const std::string& fault) { return fault.starts_with(shown); };
+            if (std::ranges::none_of(faults_of_names, is_of_it))
+                choices.push_back({.arena = arena.stem().string()});
+        }
         if (choices.empty()) choices.emplace_back();
         const auto first = choices[0];
         for (const auto rules : game::rule_set_names())
@@ -305,7 +311,9 @@ private:
             const auto found = hidden_character(without_comment(rest.substr(0, end)));
             rest.remove_prefix(std::min(end + 1, rest.size()));
             const auto place = text(game::shown_path(assets_, file), ":", line, ": ");
-            const auto is_told = [&](const std::string& fault) { return fault.starts_with(place); };
+            const auto is_told = [&](const std::string& fault) {
+                return fault.starts_with(place) && fault.find("invisible character") != fault.npos;
+            };
             if (!found.empty() && std::ranges::none_of(faults_, is_told))
                 faults_.push_back(text(place, "the line has ", found, ": delete it"));
         }

@@ -99,7 +99,11 @@ MenuContext find_menu_context(const LivePlan& plan) {
     for (const auto& wand : plan.data->wands)
         context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
     for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {
-        if (game::load_bot_skill(plan.assets, level)) context.levels.push_back(level);
+        const auto skill = game::load_bot_skill(plan.assets, level);
+        if (skill)
+            context.levels.push_back(level);
+        else if (context.level_fault.empty())
+            context.level_fault = text("No level ", level, ": ", skill.error().message);
     }
     // The easiest stands in; the match will report the missing file.
     if (context.levels.empty()) context.levels.push_back(game::easiest_bot);

@@ -66,6 +66,7 @@ struct MenuContext {
         std::string fault{};  ///< what is wrong with the file; empty: it can be chosen
     };
     std::vector<int> levels{};
+    std::string level_fault{};  ///< why some levels of bots cannot be chosen; empty: all can
     std::vector<Named> rules{};
     std::vector<Named> arenas{};
     WandNames wands{};

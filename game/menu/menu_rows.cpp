@@ -117,7 +117,9 @@ void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows)
     rows.push_back({RowKind::level,
                     0,
                     {.label = "Bot",
-                     .help = "Sets how well the bot plays, which takes a seat that nobody joins.",
+                     .help = context.level_fault.empty()
+                                 ? "Sets how well the bot plays, which takes a seat that nobody joins."
+                                 : context.level_fault,
                      .value = text("level ", context.levels[s.level]),
                      .adjustable = context.levels.size() > 1,
                      .dim = joined(s) == game::players}});

@@ -105,7 +105,7 @@ TEST(CoreConfig, TheVersionIsDemanded) {
               "wand.toml:2: 'version' must be a whole number from 0 to 1e+09, "
               "not the text \"1\"; write 1 without quotes");
     EXPECT_EQ(parse_fault("version = 1.0"),
-              "wand.toml:1: 'version' must be a whole number from 0 to 1e+09, not 1");
+              "wand.toml:1: 'version' must be a whole number from 0 to 1e+09, not 1.0");
     EXPECT_NE(parse_fault("version = -1"), "");
     EXPECT_NE(parse_fault("version = 9223372036854775807"), "");
 }
@@ -174,7 +174,7 @@ TEST(CoreConfig, WrongTypesAreNamed) {
                        t.choice("x", {"a", "b"});
                    }),
               "wand.toml:2: 'x' must be one of: a, b; it is 3");
-    EXPECT_EQ(said("1", [](auto& t) { t.table("x"); }), "wand.toml:2: 'x' must be a table, not 1");
+    EXPECT_EQ(said("1", [](auto& t) { t.table("x"); }), "wand.toml:2: 'x' must be a table, [x], not 1");
     EXPECT_EQ(said("{}", [](auto& t) { t.tables("x"); }),
               "wand.toml:2: 'x' must be a list of tables, [[x]], not a table");
     EXPECT_EQ(said("[1, 2]", [](auto& t) { t.tables("x"); }),

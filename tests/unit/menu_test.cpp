@@ -1,4 +1,6 @@
 // Tests of menus: the start screen, the pause and the pages of controls. Events in, state and rows out.
+#include <fstream>
+
 #include "core/file.h"
 #include "game/data/match_data.h"
 #include "game/live/menu_choices.h"
@@ -166,6 +168,13 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     EXPECT_EQ(after.rules[1].fault.find("thaum_menu_assets/rules/broken.toml:2: 'kills' must be"), 0U)
         << after.rules[1].fault;
     EXPECT_EQ(after.arenas[1].fault.find("thaum_menu_assets/arenas/broken.toml:2: "), 0U);
+    EXPECT_EQ(after.level_fault, "");
+
+    std::ofstream(folder / "bots" / "level_2.toml", std::ios::app) << "nonsense\n";
+    const auto without = find_menu_context(plan);
+    EXPECT_EQ(without.levels, (std::vector<int>{0, 1, 3}));
+    EXPECT_EQ(without.level_fault.find("No level 2: thaum_menu_assets/bots/level_2.toml:"), 0U)
+        << without.level_fault;
 }
 
 TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
