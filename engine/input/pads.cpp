@@ -252,6 +252,17 @@ const std::vector<Stick>& PadReader::sticks() const { return state_->sticks; }
 
 const std::vector<std::string>& PadReader::left_over() const { return state_->left_over; }
 
+std::vector<std::string> PadReader::without_right_stick() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < state_->pads.size(); ++i) {
+        auto* controller = state_->open.at(i).controller.get();
+        if (state_->pads.at(i).present &&
+            SDL_GameControllerHasAxis(controller, SDL_CONTROLLER_AXIS_RIGHTX) == SDL_FALSE)
+            names.push_back(state_->pads.at(i).name);
+    }
+    return names;
+}
+
 const std::string& PadReader::fault() const {
     state_->wait();
     return state_->fault;

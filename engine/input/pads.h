@@ -32,6 +32,8 @@ public:
     const std::vector<Stick>& sticks() const;
     /// Names of pads that cannot play, since Pads has no place for them.
     const std::vector<std::string>& left_over() const;
+    /// Names of pads without a right stick.
+    std::vector<std::string> without_right_stick() const;
     /// Why there are no pads at all, or which mapping is faulty; empty: all is well.
     const std::string& fault() const;
 

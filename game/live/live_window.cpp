@@ -61,6 +61,7 @@ void look_at_sticks(LiveSession& session, LiveWindow& window) {
                       .own = window.pads.own(),
                       .locked = window.locked,
                       .left_over = window.pads.left_over(),
+                      .without_right_stick = window.pads.without_right_stick(),
                       .faults = window.pad_faults};
     if (!window.pads.fault().empty()) sticks.faults.push_back(window.pads.fault());
     const auto change = session.look_at_sticks(std::move(sticks));

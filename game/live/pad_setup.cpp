@@ -21,6 +21,19 @@ std::string question_of(const input::PadAssignment& assignment) {
     return text(assignment.number() + 1, " of ", input::PadAssignment::count(), ": ", assignment.asks());
 }
 
+/// Whether a pad turns its player to both sides by other controls than the right stick.
+bool turns_without_right_stick(const Settings& settings) {
+    const auto& bindings = settings.bindings_of(input::DeviceKind::pad);
+    const auto other = [](const input::Control& control) {
+        const bool axis = control.source == input::Control::Source::pad_axis;
+        const bool right_stick = axis && (control.code == static_cast<int>(input::PadAxis::right_x) ||
+                                          control.code == static_cast<int>(input::PadAxis::right_y));
+        return !right_stick;
+    };
+    return std::ranges::any_of(bindings.of(input::Action::turn_left), other) &&
+           std::ranges::any_of(bindings.of(input::Action::turn_right), other);
+}
+
 }  // namespace
 
 std::vector<std::string> faults_of(const IdleSticks& sticks) {
@@ -32,6 +45,10 @@ std::vector<std::string> faults_of(const IdleSticks& sticks) {
         faults.push_back(text("only ", std::tuple_size_v<Pads>, " pads can be used at once: '",
                               shown(sticks.left_over.front()), "'",
                               count > 1 ? text(" and ", count - 1, " more") : "", " cannot play"));
+    for (const auto& name : sticks.without_right_stick)
+        faults.push_back(
+            text("pad '", shown(name),
+                 "' has no right stick: give \"Turn left\" and the like other controls (Controls, Pad)"));
     for (const auto& stick : sticks.unknown)
         faults.push_back(text("joystick '", shown(stick.name),
                               "' is not known: 'Set up' on the page Controls asks for its buttons"));
@@ -75,6 +92,7 @@ bool PadSetup::carry_out(MenuRequest request, const LiveMenu& menu) {
 
 std::optional<PadChange> PadSetup::follow(IdleSticks sticks, LiveMenu& menu) {
     sticks_ = std::move(sticks);
+    if (turns_without_right_stick(menu.settings())) sticks_.without_right_stick.clear();
     tell_faults(menu);
     if (due_) return std::exchange(due_, {});
     if (!menu.sets_up_pad()) assignment_.reset();

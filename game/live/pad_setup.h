@@ -11,11 +11,12 @@ namespace thaum::app {
 
 /// Joysticks that do not play, and pads that play by a set-up.
 struct IdleSticks {
-    std::vector<input::Stick> unknown{};       ///< those that SDL does not know
-    std::vector<input::Stick> own{};           ///< pads that were set up by hand
-    std::vector<input::LockedStick> locked{};  ///< those that this user may not read
-    std::vector<std::string> left_over{};      ///< names of pads without a place
-    std::vector<std::string> faults{};         ///< faults of SDL, and of the file of mappings
+    std::vector<input::Stick> unknown{};             ///< those that SDL does not know
+    std::vector<input::Stick> own{};                 ///< pads that were set up by hand
+    std::vector<input::LockedStick> locked{};        ///< those that this user may not read
+    std::vector<std::string> left_over{};            ///< names of pads without a place
+    std::vector<std::string> without_right_stick{};  ///< names of pads that cannot turn by default
+    std::vector<std::string> faults{};               ///< faults of SDL, and of the file of mappings
 };
 
 /// A change of the mappings of one joystick's model.

@@ -185,6 +185,21 @@ TEST_F(PadSetupTest, FaultsOfTheFileAndPadsWithoutAPlaceAreTold) {
     EXPECT_EQ(screen().menu.note, "only 4 pads can be used at once: 'Fifth pad' and 2 more cannot play");
 }
 
+TEST_F(PadSetupTest, APadThatCannotTurnIsTold) {
+    const IdleSticks sticks{.without_right_stick = {"Old pad"}};
+    look(sticks);
+    EXPECT_EQ(
+        screen().menu.note,
+        "pad 'Old pad' has no right stick: give \"Turn left\" and the like other controls (Controls, Pad)");
+    auto& pad = plan_.settings.bindings_of(input::DeviceKind::pad);
+    pad.of(input::Action::turn_left) = {{input::Control::Source::pad_button, 4, 0}};
+    pad.of(input::Action::turn_right) = {{input::Control::Source::pad_button, 5, 0}};
+    session_.emplace(shared_, plan_);
+    session_->open_start_screen(now_);
+    look(sticks);
+    EXPECT_EQ(screen().menu.note, "") << "its buttons turn";
+}
+
 TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     open_setup();
     look({.unknown = {stick_with(4)}});
