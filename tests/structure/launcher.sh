@@ -56,11 +56,14 @@ mkdir -p "$dir/game"
 cache=$dir/CMakeCache.txt
 $fresh || ! grep -s ^CMAKE_HOME_DIRECTORY: "$cache" | grep -vqxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source" ||
     { echo "CMake Error: another source"; exit 1; }
-touch "$dir/build.ninja" "$cache"
+[[ ! -e $cache ]] || $fresh || grep -q ^CMAKE_GENERATOR:INTERNAL=Ninja "$cache" || { echo "CMake Error: another generator"; exit 1; }
+touch "$cache"
+echo rules >"$dir/build.ninja"
 $fresh || mapfile -t -O "${#entries[@]}" entries < <(grep -v '^CMAKE_' "$cache")
-printf '%s\n' "${entries[@]}" "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "CMAKE_CACHEFILE_DIR:INTERNAL=$dir" >"$cache"
+printf '%s\n' "${entries[@]}" "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "CMAKE_CACHEFILE_DIR:INTERNAL=$dir" CMAKE_GENERATOR:INTERNAL=Ninja >"$cache"
 CMAKE
     tool ninja <<'NINJA'
+[[ -s $2/build.ninja ]] || { echo "ninja: error: no targets"; exit 1; }
 [[ $* != *build.ninja && $* != *" -n "* ]] || exit 0
 source=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$2/CMakeCache.txt")
 program=$2/game/thaum
@@ -284,6 +287,11 @@ export XDG_CACHE_HOME=
 unset HOME
 run
 expect "stops where there is no place for a cache" code_is 2
+export HOME=relative
+run
+expect "also where HOME is relative" says "and there is no HOME for a cache folder"
+unset HOME
+run
 expect "and says what to do" says "set XDG_CACHE_HOME to a folder to build in"
 export XDG_CACHE_HOME=$place/other
 mkdir -m 777 "$XDG_CACHE_HOME"
@@ -379,6 +387,11 @@ tool ninja <<<'echo "LLVM ERROR: IO failure on output stream: No space left on d
 run
 expect "says that the disk was full" says "no space left on $tree/build ("
 expect "in the last line" test "$(grep -c 'no space' <<<"${output##*$'\n'}")" = 1
+ready_machine
+as_user=(bash -c 'ulimit -f 100; exec "$@"' --)
+tool ninja <<<'exit 1'
+run
+expect "names other limits where the disk is not full" says "no file of 1 MB can be made in"
 
 # own_disk OPTIONS: gives the build folder a disk of its own in the next runs.
 own_disk() {
@@ -463,6 +476,31 @@ for name in cmp ninja; do
     expect "stops where there is no $name" code_is 2
     expect "and names it" test "${output##*$'\n'}" = "thaum: there is no program '$name' in the folders of PATH, which are $fake:$place/bin"
 done
+
+ready_machine
+run
+printf '%s\n' '#!/bin/bash' env >"$tree/build/release/game/thaum"
+as_user=(env -u PATH)
+run
+expect "gives programs a PATH where none was set" grep -q "^PATH=/" <<<"$output"
+
+ready_machine
+as_user=(env LD_PRELOAD=/gone.so)
+run
+expect "takes the words of a loader for no fault" runs "" first usual
+expect "and builds in the tree" test -x "$tree/build/release/game/thaum"
+
+ready_machine
+run
+: >"$tree/build/release/build.ninja"  # as after a loss of power
+echo second >"$tree/engine/code"
+run
+expect "configures anew where nothing is in build.ninja" runs "" second usual
+sed -i '/^CMAKE_GENERATOR/d' "$tree/build/release/CMakeCache.txt"
+rm "$tree/build/release/.configured"
+echo third >"$tree/engine/code"
+run
+expect "and after another generator" runs "" third usual
 
 ready_machine
 tool cmake <<<'echo "a fault of a kind that nobody foresaw"; exit 1'
