@@ -99,8 +99,8 @@ const std::string quick = "rules/quick.toml", bolt = "wands/bolt.toml", lob = "w
                   wizard = "wizards/wizard.toml", settings = "settings.toml", lessons = "apprentice.toml",
                   v = "gestures/v.toml";
 
-/// Mistakes in how a file is written.
-std::vector<Mistake> slips_of_writing() {
+/// Mistakes in how a number is written, and a line with a key.
+std::vector<Mistake> slips_of_numbers() {
     return {
         {quick, "seconds = 240 ", "seconds = 240,5 ", {"240.5"}},
         {quick, "seconds = 240 ", "seconds = 240, ", {"leave out the ','"}},
@@ -120,6 +120,12 @@ std::vector<Mistake> slips_of_writing() {
         {quick, "version = 1", "version = 2", {"only version 1"}},
         {quick, "version = 1\n", "", {"'version' is missing", "version = 1"}},
         {quick, "version", "verison", {"unknown key 'verison'", "'version'"}},
+    };
+}
+
+/// Mistakes in how texts, lists and tables are written.
+std::vector<Mistake> slips_of_texts_and_tables() {
+    return {
         {court, "name = \"Boiling Court\"", "name = Boiling Court", {"in quotes"}},
         {court, "name = \"Boiling Court\"", "name = “Boiling Court”", {"straight quotes"}},
         {court, "name = \"Boiling Court\"", "name = \"Boiling Court", {"not closed"}},
@@ -379,7 +385,7 @@ TEST_F(Content, WhatIsProbablyNotMeantIsNoted) {
 /// One report answers the mistakes of several files.
 TEST_F(Content, MistakesWithinAFileAreAnswered) {
     std::vector<Mistake> mistakes;
-    for (const auto& some : {slips_of_writing(), wrong_names(), wrong_values()})
+    for (const auto& some : {slips_of_numbers(), slips_of_texts_and_tables(), wrong_names(), wrong_values()})
         mistakes.insert(mistakes.end(), some.begin(), some.end());
     std::size_t good = 0;
     for (const auto& set : sets_of(mistakes)) good += answered(set);
