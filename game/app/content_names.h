@@ -10,8 +10,7 @@ namespace thaum::app {
 struct KnownFiles {
     std::size_t files{};  ///< files that something may read
     std::vector<std::string> faults;
-    std::vector<std::string>
-        read{};  ///< data files in TOML that have a right name: "wands/bolt.toml", sorted
+    std::vector<std::string> read{};  ///< TOML files with a right name: "wands/bolt.toml", sorted
 };
 
 KnownFiles check_file_names(const std::filesystem::path& assets);
