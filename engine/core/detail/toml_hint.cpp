@@ -259,7 +259,7 @@ std::string hint_of_line(std::string_view line, std::string_view parsers_words) 
     if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
     if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))
         return "a mark of two versions that were not merged: keep one of them, and delete the marks";
-    if (const auto hint = hint_of_characters(line); !hint.empty()) return hint;
+    if (auto hint = hint_of_characters(line); !hint.empty()) return hint;
     const auto words = trimmed(without_comment(line));
     if (words.empty()) return "";
     if (begins_other_comment(words)) return std::string(comment_words);
