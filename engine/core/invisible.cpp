@@ -45,7 +45,7 @@ const Invisible* kind_of(char32_t character) {
 /// "U+200B"
 std::string number_words(char32_t character) {
     auto digits = hex(character);
-    digits = digits.substr(std::min(digits.find_first_not_of("0"), digits.size() - 4));
+    digits = digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 4));
     for (auto& digit : digits)
         if (digit >= 'a') digit = static_cast<char>(digit - 'a' + 'A');
     return text("U+", digits);
