@@ -52,8 +52,7 @@ double share_of(std::int16_t value) { return std::max(-1.0, value / 32767.0); }
 struct OpenPad {
     SDL_JoystickID id = -1;
     Controller controller{nullptr, SDL_GameControllerClose};
-    std::string
-        own_model{};  ///< model of the program's mapping by which it plays; empty: SDL has its mapping
+    std::string own_model{};  ///< model of the program's mapping that it plays by; empty: SDL has its own
 };
 
 struct OpenStick {

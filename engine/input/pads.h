@@ -43,7 +43,8 @@ public:
 
     /// Adds a mapping, which makes pads of the joysticks of its model. The error says what is wrong with it.
     Expected<void> add(const std::string& mapping);
-    /// Takes the mappings of a model back that the constructor or `add` has taken. All pads are looked for again, which takes some milliseconds.
+    /// Takes the mappings of a model back that the constructor or `add` has taken. All pads are looked for again, which
+    /// takes some milliseconds.
     void forget(const std::string& model);
 
 private:
