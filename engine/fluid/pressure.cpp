@@ -1,5 +1,7 @@
 #include "fluid/pressure.h"
 
+#include "fluid/independent_iterations.h"
+
 namespace thaum::fluid {
 namespace {
 
@@ -23,7 +25,7 @@ void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocit
             const float* u = velocity[0].data() + at;
             const float* v = velocity[1].data() + at;
             const float* w = velocity[2].data() + at;
-#pragma GCC ivdep
+            THAUM_INDEPENDENT_ITERATIONS
             for (std::ptrdiff_t i = 0; i < nx; ++i)
                 out[i] = per_h * (difference<fourth>(u, i, x) +
                                   (difference<fourth>(v, i, y) + difference<fourth>(w, i, z)));
@@ -40,7 +42,7 @@ void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array
             const auto s = rows.lattice.stride[axis];
             const float* before = potential.data() + row.at - s;
             float* u = velocity[axis].data() + row.at;
-#pragma GCC ivdep
+            THAUM_INDEPENDENT_ITERATIONS
             for (std::ptrdiff_t i = 0; i < row.count; ++i) u[i] -= per_h * difference<fourth>(before, i, s);
         }
     });

@@ -4,6 +4,7 @@
 
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
+#include "fluid/independent_iterations.h"
 #include "fluid/sums.h"
 
 namespace thaum::fluid {
@@ -34,7 +35,7 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     each_row(rows, [&](Row row) {
         float* x = to.data() + row.at;
         const float* y = from.data() + row.at;
-#pragma GCC ivdep
+        THAUM_INDEPENDENT_ITERATIONS
         for (std::ptrdiff_t i = 0; i < row.count; ++i) x[i] += factor * y[i];
     });
 }
@@ -83,7 +84,7 @@ void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
         float* u = velocity[axis].data();
         each_row(lattice_, [&](std::ptrdiff_t at) {
             const std::ptrdiff_t end = at + lattice_.cells[0];
-#pragma GCC ivdep
+            THAUM_INDEPENDENT_ITERATIONS
             for (std::ptrdiff_t i = at; i < end; ++i) u[i] = open[i] > 0 ? u[i] : 0.0F;
         });
     }

@@ -6,6 +6,7 @@
 #include "fluid/buoyancy.h"
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
+#include "fluid/independent_iterations.h"
 #include "fluid/pressure.h"
 #include "fluid/sample.h"
 #include "fluid/sums.h"
@@ -151,7 +152,7 @@ void StaggeredSolver::mix_property(const Settings& settings, const State& now, d
         for (std::size_t s = 0; s < now.substances.size(); ++s) {
             const auto factor = static_cast<float>(settings.substances[s].*part);
             const float* density = now.substances[s].data() + row.at;
-#pragma GCC ivdep
+            THAUM_INDEPENDENT_ITERATIONS
             for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
     });

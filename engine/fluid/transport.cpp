@@ -7,6 +7,7 @@
 #include "fluid/ceiling.h"
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
+#include "fluid/independent_iterations.h"
 
 // F is the flux of fifth order, and q, q1, q2 are the fields of the three Runge-Kutta stages:
 //
@@ -145,7 +146,7 @@ template <TransportTerms terms>
     const Floats ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
     const std::ptrdiff_t sy = faces[1].step, sz = faces[2].step;
     const float u = scale.courant, k = scale.diffusion;
-#pragma GCC ivdep
+    THAUM_INDEPENDENT_ITERATIONS
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const float left =
             start[i] -
@@ -182,7 +183,7 @@ inline float limited_difference(Floats difference, Floats part, Floats room, std
                                          std::ptrdiff_t count, float* __restrict result) {
     const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
     const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
-#pragma GCC ivdep
+    THAUM_INDEPENDENT_ITERATIONS
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const float now =
             value[i] -
@@ -424,7 +425,7 @@ bool is_empty(const Rows& rows, const Samples& density) {
 [[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
     const Floats x = courant.low[0], y = courant.low[1], z = courant.low[2];
     const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];
-#pragma GCC ivdep
+    THAUM_INDEPENDENT_ITERATIONS
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const float out =
             ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
