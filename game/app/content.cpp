@@ -225,7 +225,10 @@ private:
         for (const auto name : menu_sound_names) {
             used.emplace(name);
             if (!name.empty() && !bank->find(name) && !game::is_left_out(*bank, name))
-                add_missing({{.words = text("there is no sound '", name, "', sounds/", name, ".toml")}},
+                add_missing({{.file = "",
+                              .table = "",
+                              .key = "",
+                              .words = text("there is no sound '", name, "', sounds/", name, ".toml")}},
                             "sounds");
         }
         for (const auto& reading : readings_) {

@@ -97,7 +97,7 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
 TEST(GameMatchLog, AnotherDataFileIsRefusedAndOnlyMaterialsMayBeUnnamed) {
     const auto data = load_match_data(assets(), {});
     ASSERT_TRUE(data);
-    const auto header = log_header(*data, {.seed = 1}, {"a", "b"});
+    const auto header = log_header(*data, {.seed = 1, .devices = {}}, {"a", "b"});
     const auto named = [](input::LogHeader& log, std::string_view name) {
         return std::ranges::find(log.files, name, &input::DataFile::name);
     };

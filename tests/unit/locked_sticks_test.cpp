@@ -19,7 +19,9 @@ struct AsNobody {
     AsNobody(const AsNobody&) = delete;
     AsNobody& operator=(const AsNobody&) = delete;
     void change(uid_t user) const {
-        if (was_root) ASSERT_EQ(::seteuid(user), 0);
+        if (was_root) {
+            ASSERT_EQ(::seteuid(user), 0);
+        }
     }
 };
 
