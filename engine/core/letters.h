@@ -1,4 +1,4 @@
-// core/letters.h: letters of ASCII, whatever the locale.
+// core/letters.h: letters, digits and blanks of ASCII, whatever the locale.
 #pragma once
 #include <algorithm>
 #include <string_view>
@@ -7,6 +7,16 @@ namespace thaum {
 
 /// The small letter of a capital; other characters stay.
 constexpr char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A part of a line without the blanks, tabs and carriage returns at both ends.
+constexpr std::string_view trimmed(std::string_view words) {
+    constexpr std::string_view blanks = " \t\r";
+    const auto first = words.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return words.substr(first, words.find_last_not_of(blanks) - first + 1);
+}
 
 /// Whether two words differ in nothing but capitals.
 constexpr bool same_word(std::string_view a, std::string_view b) {

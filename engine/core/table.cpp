@@ -9,6 +9,7 @@
 #include "core/letters.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "core/utf8.h"
 
 namespace thaum {
 namespace {
@@ -17,7 +18,6 @@ constexpr std::size_t most_columns = 1000;
 constexpr std::size_t most_shown = 40;          // bytes of a cell in an error
 constexpr std::size_t most_titles_shown = 200;  // bytes of all titles in an error
 constexpr std::size_t most_looked_at = 64;      // bytes at the start that tell what a file is
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::string_view separator_line = "sep=";
 
 /// Names the kind of a file that cannot be a table; empty if it may be one.
@@ -63,7 +63,7 @@ TableReader::TableReader(std::string_view csv, std::string_view name, std::strin
         report(text("this is ", other, "; save the table as CSV in UTF-8"));
         return;
     }
-    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+    rest_ = without_byte_order_mark(rest_);
     if (rest_.find('\n') == std::string_view::npos) line_end_ = '\r';
     read_titles(usual_titles);
 }

@@ -8,6 +8,12 @@ namespace thaum {
 /// Decodes UTF-8 to code points. Each invalid byte becomes U+FFFD.
 std::u32string decode_utf8(std::string_view text);
 
+/// A text without the byte order mark that some editors write before it.
+constexpr std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.substr(text.starts_with(mark) ? mark.size() : 0);
+}
+
 /// Encodes one code point; what is none becomes U+FFFD.
 std::string encode_utf8(char32_t code_point);
 

@@ -53,7 +53,7 @@ struct FileAxes {
     Placement placement{};
 };
 
-/// What became of samples that floats do not hold exactly.
+/// How floats round samples that they do not hold exactly.
 struct Rounding {
     double low{}, high{};  ///< smallest and largest finite sample of the file
     double width{};        ///< their difference, computed in the file's type
@@ -80,7 +80,7 @@ struct Volume {
     /// Name of the save that this file and others belong to, for properties of one body; may be empty.
     std::string save_name{};
     std::vector<std::filesystem::path> files{};  ///< files that the volume was read from
-    Rounding rounding{};                         ///< of the samples, when they were read
+    Rounding rounding{};                         ///< how reading has rounded the samples
     int frames{1};                               ///< moments of time in the file, of which one was read
     std::vector<std::string> notes{};  ///< messages of the file's reader for the user, one line each
 

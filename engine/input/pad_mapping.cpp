@@ -10,7 +10,7 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t most_of_line_shown = 40;  // of a word from the file, in an error
+constexpr std::size_t most_of_line_shown = 40;  // bytes of a word of the file that an error shows
 constexpr std::size_t model_digits = 32;
 
 /// Names of SDL's controls without a side of an axis.
@@ -30,8 +30,6 @@ bool is_remark(std::string_view field) {
     return field == "platform" || field == "crc" || field == "hint" || field == "type" || field == "face" ||
            field.starts_with("sdk");
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes a number of one to three digits off the beginning of a word. Returns whether there is one.
 bool take_number(std::string_view& word) {
@@ -63,17 +61,10 @@ bool is_model(std::string_view word) {
            });
 }
 
-std::string_view without_blanks(std::string_view word) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!word.empty() && blank(word.front())) word.remove_prefix(1);
-    while (!word.empty() && blank(word.back())) word.remove_suffix(1);
-    return word;
-}
-
 /// Takes the words up to the next comma off the beginning of a line.
 std::string_view take_word(std::string_view& line) {
     const auto end = std::min(line.find(','), line.size());
-    const auto word = without_blanks(line.substr(0, end));
+    const auto word = trimmed(line.substr(0, end));
     line.remove_prefix(std::min(end + 1, line.size()));
     return word;
 }
@@ -81,7 +72,7 @@ std::string_view take_word(std::string_view& line) {
 }  // namespace
 
 Expected<PadMapping> read_pad_mapping(std::string_view line) {
-    line = without_blanks(line);
+    line = trimmed(line);
     PadMapping mapping{.words = std::string(line), .for_linux = true};
     const auto model = take_word(line);
     const bool printable_line =
@@ -112,7 +103,7 @@ Expected<PadMapping> read_pad_mapping(std::string_view line) {
 }
 
 std::string_view model_of_mapping(std::string_view mapping) {
-    return without_blanks(mapping.substr(0, mapping.find(',')));
+    return trimmed(mapping.substr(0, mapping.find(',')));
 }
 
 bool same_pad_controls(std::string_view a, std::string_view b) {

@@ -11,6 +11,7 @@
 #include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "core/utf8.h"
 #include "field/carving_tools.h"
 #include "field/materials.h"
 #include "game/app/content_names.h"
@@ -307,8 +308,7 @@ private:
     /// Characters that nobody sees make a name another one. Comments may have them, and words no-break spaces.
     void find_invisible(const std::string& file) {
         auto words = read_text_file(assets_ / file, most_bytes).value_or("");
-        std::string_view rest = words;
-        if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
+        auto rest = without_byte_order_mark(words);
         for (std::size_t line = 1; !rest.empty(); ++line) {
             const auto end = std::min(rest.find('\n'), rest.size());
             const auto found = hidden_character(without_comment(rest.substr(0, end)));

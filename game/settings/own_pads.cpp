@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/letters.h"
 #include "core/text.h"
+#include "core/utf8.h"
 #include "input/pad_mapping.h"
 
 namespace thaum::app {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 20U;
 constexpr std::size_t most_faults_told = 5;
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 constexpr std::string_view head =
     "# Mappings of pads that were set up in Thaum, as in SDL's gamecontrollerdb.txt. Lines may be added by "
     "hand.\n";
@@ -21,7 +21,7 @@ constexpr std::string_view head =
 /// Calls f with each line, without a byte order mark.
 template <class F>
 void each_line(std::string_view words, F&& f) {
-    if (words.starts_with(byte_order_mark)) words.remove_prefix(byte_order_mark.size());
+    words = without_byte_order_mark(words);
     while (!words.empty()) {
         const auto end = std::min(words.find('\n'), words.size());
         f(words.substr(0, end));

@@ -18,12 +18,6 @@ constexpr std::string_view blanks = " \t\r";
 /// A part of the source for a message of one line.
 std::string shown(std::string_view words) { return printable(words, 60); }
 
-std::string_view trimmed(std::string_view words) {
-    const auto first = words.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return words.substr(first, words.find_last_not_of(blanks) - first + 1);
-}
-
 std::string_view line_of(std::string_view source, std::size_t line) {
     for (; line > 1; --line) {
         const auto end = source.find('\n');
@@ -33,7 +27,6 @@ std::string_view line_of(std::string_view source, std::size_t line) {
     return source.substr(0, source.find('\n'));
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Returns true if the digits around the dot are a number, not part of a key such as 1.1.1.
@@ -129,7 +122,7 @@ std::string hint_of_characters(std::string_view line) {
     return "";
 }
 
-/// What follows the number at the beginning of a value.
+/// Says what is wrong behind the number at the beginning of a value.
 std::string hint_after_number(std::string_view number, std::string_view rest) {
     if (rest.find('=') != rest.npos) return "a line has one KEY = VALUE";
     if (begins_other_comment(rest)) return std::string(comment_words);
@@ -254,7 +247,7 @@ std::string hint_of_key(std::string_view key) {
     return std::ranges::all_of(key, is_plain) ? "" : "a key has only letters a-z, digits, '_' and '-'";
 }
 
-/// What is wrong with a line, whatever the lines before it.
+/// Says what is wrong with a line, whatever the lines before it.
 std::string hint_of_line(std::string_view line, std::string_view parsers_words) {
     if (line.find('\r') < line.size() - 1) return "end lines with a line feed";
     if (begins_with_one_of(line, {"<<<<<<<", "=======", ">>>>>>>", "|||||||"}))

@@ -19,7 +19,7 @@ std::size_t overdotted_line(std::string_view source);
 /// A fault of a text that is no TOML.
 struct TomlSlip {
     std::size_t line{};  ///< line to mend, counted from 1
-    std::string words;   ///< what is wrong there, and what to write if that is plain
+    std::string words;   ///< says what is wrong there, and what to write if that is plain
 };
 
 /// Explains why a file is no TOML. `line` and `parsers_words` are what the parser says, which stands for slips that are none of

@@ -10,13 +10,13 @@
 #include "core/near_name.h"
 #include "core/one_line.h"
 #include "core/text.h"
+#include "core/utf8.h"
 
 namespace thaum::field {
 namespace {
 
 constexpr std::size_t shown = 60;  ///< bytes of a value in a message
 constexpr std::string_view magic = "NRRD000";
-constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  ///< of UTF-8, as some editors write it
 
 /// Fields of the format, without blanks, that are read or skipped.
 constexpr std::array<std::string_view, 31> known_fields{"type",
@@ -78,7 +78,7 @@ std::string_view written_name(std::string_view field) {
     return found == names_with_blanks.end() ? field : *found;
 }
 
-/// What a field that the format does not have may be meant as.
+/// Names the field that is probably meant by one which the format does not have.
 std::string advice_for_field(std::string_view name) {
     std::array<std::string_view, known_fields.size()> names{};
     std::ranges::transform(known_fields, names.begin(), written_name);
@@ -177,7 +177,7 @@ Expected<void> NrrdFields::add(std::string_view line, std::size_t number) {
 
 Expected<NrrdFields> NrrdFields::parse(std::string_view file, std::string name) {
     NrrdFields result(std::move(name));
-    const auto first = file.substr(file.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+    const auto first = without_byte_order_mark(file);
     if (!first.starts_with(magic) || first.size() <= magic.size())
         return result.at_line(1, text("not an NRRD file, which begins with ", magic));
     if (first[magic.size()] < '1' || first[magic.size()] > '5')

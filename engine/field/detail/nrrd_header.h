@@ -20,13 +20,13 @@ enum class NrrdColour : std::uint8_t { none, red_green_blue, value_last, luminan
 /// A file of samples that a header names.
 struct NrrdDataFile {
     std::string name;
-    std::size_t line{};  ///< of the header
+    std::size_t line{};  ///< line of the header that names it
 };
 
 /// A header whose values agree with each other. Lengths are in m; the frame of space is right-handed.
 struct NrrdHeader {
     std::string path;                                       ///< for messages
-    std::map<std::string, std::size_t, std::less<>> lines;  ///< of the fields by their names, for messages
+    std::map<std::string, std::size_t, std::less<>> lines;  ///< lines of the fields, by their names
     SampleType type{};
     bool big_endian{};
     NrrdEncoding encoding{};

@@ -91,7 +91,7 @@ bool begins_with_text(std::string_view bytes) {
     });
 }
 
-/// What the bytes are and what to do, if they are clearly of another encoding than the header's; else empty.
+/// Says what the bytes are and what to do, if they are clearly of another encoding than the header's; else empty.
 std::string other_encoding(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
     const auto is = [&](std::string_view what, std::string_view advice) {
@@ -130,7 +130,7 @@ Error too_few(const NrrdHeader& header, const FileOfSamples& file, std::string_v
              "; correct ", type.empty() ? "the sizes" : "type or sizes", " or copy the file again"));
 }
 
-/// What bytes that begin with the end of a line say of a header before them; empty: nothing.
+/// Words on a header before bytes that begin with the end of a line; empty if they do not.
 std::string_view line_too_many(const NrrdHeader& header, const FileOfSamples& file) {
     const auto bytes = characters_of(file.bytes);
     const bool begins_so = bytes.starts_with("\n") || bytes.starts_with("\r\n");

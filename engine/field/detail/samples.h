@@ -39,7 +39,7 @@ struct StoredSamples {
     bool big_endian{};
 };
 
-/// What samples say of the byte order in which they are read.
+/// Whether samples make sense in the byte order in which they are read.
 enum class ByteOrder : std::uint8_t {
     plausible,
     doubtful,  ///< every integer is a multiple of 256
