@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/letters.h"
 #include "core/text.h"
 
 // Defaults have the same form as the settings file. So one reader serves both, and a menu can show them.
@@ -100,11 +101,6 @@ std::optional<int> index_in(std::span<const std::string_view> names, std::string
 
 /// Takes the part before `separator` off `rest`, without surrounding spaces.
 std::string_view take_piece(std::string_view& rest, char separator) {
-    const auto trimmed = [](std::string_view s) {
-        while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
-        while (!s.empty() && s.back() == ' ') s.remove_suffix(1);
-        return s;
-    };
     rest = trimmed(rest);
     const auto end = std::min(rest.find(separator), rest.size());
     const auto piece = trimmed(rest.substr(0, end));

@@ -361,7 +361,7 @@ void LiveSession::take_drawn_gesture() {
         words = {text("only until you leave: ", saved.error().message)};
         profile_ = with_own_gesture(std::move(profile_), *drawn, game::practising);
     }
-    std::printf("gesture wall: %s\n", words.front().c_str());
+    print_line(text("gesture wall: ", words.front()));
     std::fflush(stdout);
     const auto verdict = fits ? Verdict::kept : Verdict::refused;
     shared_.requests.own_gestures.put({profile_, std::move(words), verdict});

@@ -145,7 +145,7 @@ void close_log(Round& round) {
 }
 
 void tell_score(Round& round) {
-    if (auto* practice = practice_of(round)) std::printf("%s\n", practice->last_words().c_str());
+    if (auto* practice = practice_of(round)) print_line(practice->last_words());
 }
 
 /// Lets the Apprentice look at the tick, and names each new step outside the window, too.
@@ -155,7 +155,7 @@ void follow_lessons(Round& round) {
     practice->follow_lessons();
     auto step = practice->step_words();
     if (step == round.told_step) return;
-    std::printf("apprentice: %s\n", step.c_str());
+    print_line(text("apprentice: ", step));
     std::fflush(stdout);
     round.told_step = std::move(step);
 }

@@ -128,7 +128,7 @@ void PadSetup::ask(LiveMenu& menu) {
     auto question =
         assignment_->asks().empty() ? std::string("let go of the joystick") : question_of(*assignment_);
     if (question == asked_) return;
-    std::printf("set up: %s\n", question.c_str());
+    print_line(text("set up: ", question));
     std::fflush(stdout);
     asked_ = question;
     menu.ask_for_control(std::move(question), assignment_->needs_answer());

@@ -53,12 +53,6 @@ constexpr std::array<std::string_view, 31> known_fields{"type",
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-std::string_view trimmed(std::string_view s) {
-    while (!s.empty() && is_blank(s.front())) s.remove_prefix(1);
-    while (!s.empty() && (is_blank(s.back()) || s.back() == '\r')) s.remove_suffix(1);
-    return s;
-}
-
 /// "Data File" -> "datafile".
 std::string name_of_field(std::string_view name) {
     std::string out = in_lower_case(name);
