@@ -16,7 +16,7 @@ struct DeviceSpec {
     int sensed{};               ///< measured degrees of freedom: 3, 6 or 7 (the seventh is a gripper)
     int actuated{};             ///< driven degrees of freedom, at most `sensed`; 3: forces without torques
     double peak_force{};        ///< largest length of the force vector (N)
-    double continuous_force{};  ///< force that the motors can hold without overheating (N)
+    double continuous_force{};  ///< force that the motors can hold without overheating (N); 0: unknown
     double max_stiffness{};     ///< largest stiffness that the device renders stably at its rate (N/m)
     double max_damping{};       ///< largest damping that the device renders stably at its rate (N s/m)
     vec3 workspace{};           ///< edges of the reachable box (m, device frame)

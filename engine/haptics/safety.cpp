@@ -20,6 +20,9 @@ constexpr double excess_over_peak = 4;  // multiple of the device's peak
 // Multiple of the device's peak. A small thing caught behind a corner stretches the lift wand's spring to 125
 // N before it slips away. That is 38 times the peak of a Touch. Such a force is clipped and is no fault.
 constexpr double stretched_over_peak = 50;
+/// Continuous force of a device that does not tell its own, as a share of its peak. The smallest share of the known
+/// ones: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
+constexpr double unknown_continuous = 0.16;
 constexpr double switching_slew = 40;  // N/s (game.md, "Total force")
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
 // Chosen, without a source.
@@ -292,7 +295,8 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
     return {.cap = part * spec.peak_force,
             .excess = excess_over_peak * spec.peak_force,
             .spring_excess = stretched_over_peak * spec.peak_force,
-            .continuous = spec.continuous_force,
+            .continuous =
+                spec.continuous_force > 0 ? spec.continuous_force : unknown_continuous * spec.peak_force,
             .slew = switching_slew,
             .max_speed = fastest_hand};
 }

@@ -59,6 +59,20 @@ TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
     EXPECT_EQ(safety_limits(omni_like(), 7).cap, 3.3);
 }
 
+/// A driver may not know what its motors can hold. Such an arm is neither dead from the start nor without a limit: it
+/// takes a burst at its peak, and then less than any known arm holds.
+TEST(HapticsSafety, AnUnknownContinuousForceIsASmallOne) {
+    auto spec = omni_like();
+    spec.continuous_force = 0;
+    Stage stage;
+    stage.limits = safety_limits(spec, 1);
+    stage.feel({.wanted = vec3(0)}, 10);
+    EXPECT_NEAR(stage.feel({.wanted = vec3(3, 0, 0)}, 200).x, 3, 1e-9);
+    const double held = stage.feel({.wanted = vec3(3, 0, 0)}, 30'000).x;
+    EXPECT_GT(held, 0.1 * spec.peak_force);
+    EXPECT_LT(held, 0.165 * spec.peak_force);
+}
+
 TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     Stage at_once;
     EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);  // the start is a switch too
