@@ -3,11 +3,22 @@
 // file.
 //
 //     class Mine : public ArmDriver { open, spec, read, write, status, close };
-//     const ArmDriverRegistration mine({.name = "mine", .about = "...", .find = find_mine, .make = make_mine});
+//     const ArmDriverRegistration mine({.name = "mine", .about = "...", .find = find_mine, .make = make_mine,
+//                                       .at_hang = AtHang::write_zero});
 //
 // The engine (input/open_arm.h) does the rest for every driver. It runs the servo thread, unless the vendor's
 // library has one. It gives up calls that hang, limits the force, and makes it zero at every end of the
-// program. It reports an arm without ticks as lost, and it cleans the vendor's texts.
+// program. Its watchdog ends the force within 50 ms when ticks stop, in the way that the driver allows (AtHang).
+// It reports an arm without ticks as lost, and it cleans the vendor's texts.
+//
+// A process that is stopped (SIGSTOP, a debugger) or killed (SIGKILL) runs no watchdog. Then the last force
+// stays until the device ends it by itself. A driver turns on what its device has:
+//
+//     OpenHaptics (Touch, Omni, Premium)     unknown: its documents name no such limit
+//     Force Dimension (omega, delta, sigma)  dhdSetWatchdog: the firmware disables forces if no new one comes for
+//                                            1 to 255 periods of 125 us, 31.9 ms at most; 0 turns it off
+//     Novint Falcon by libnifalcon           unknown: it depends on the firmware that the program loads
+//     Haply                                  unknown
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -22,6 +33,14 @@ namespace thaum::input {
 
 /// A driver's own number for a fault of its arm; 0: none.
 using ArmFault = std::uint32_t;
+
+/// How the engine's watchdog ends the force when ticks stop: the servo thread hangs in a call, or the vendor's thread
+/// does not call.
+enum class AtHang : std::uint8_t {
+    keeps_force,  ///< the library takes no call beside one that hangs: only the device's own watchdog can end the force
+    write_zero,  ///< by write_zero, again every few milliseconds. Ticks that come after all go on.
+    give_up,     ///< by give_up. The arm is lost.
+};
 
 /// One arm, as its driver sees it.
 class ArmDriver {
@@ -44,7 +63,8 @@ public:
     /// Ends the force if `write_zero` could not, ends the vendor's thread, and frees the arm. A read or write may still
     /// hang in another thread.
     virtual void close() = 0;
-    /// Ends the force while `close` hangs in another thread.
+    /// Ends the force while another thread hangs in `close`, `read` or `write`, or the vendor's thread does not call. It
+    /// waits for none of them. It may hang, and may be called again, also while it hangs.
     virtual void give_up() {}
 
     // Calls of the servo thread, once a tick. They take no lock, allocate nothing and open no file.
@@ -54,8 +74,8 @@ public:
     virtual ArmFault read(ArmReading& reading) noexcept = 0;
     /// Gives the arm a force (N, device frame), never more than its peak force.
     virtual ArmFault write(vec3 force) noexcept = 0;
-    /// Gives the arm zero force as the last call of a tick, after any fault, also in a signal handler. Returns whether
-    /// the arm took it.
+    /// Gives the arm zero force as the last call of a tick, after any fault, also in a signal handler. With
+    /// AtHang::write_zero also in another thread, beside a read or write. Returns whether the arm took it.
     virtual bool write_zero() noexcept { return write(vec3(0)) == 0; }
     /// Keeps the vendor's words for a fault, after the last zero force. It may hang.
     virtual void note(ArmFault) noexcept {}
@@ -76,6 +96,7 @@ struct ArmDriverKind {
     /// Arms that may be plugged in, by words that `make` understands. Finding them opens none.
     std::vector<std::string> (*find)();
     std::unique_ptr<ArmDriver> (*make)(const std::string& arm);
+    AtHang at_hang{};
 };
 
 /// Registers a driver when the program starts.

@@ -2,9 +2,9 @@
 // last command, so the last command must be zero. The arm's own thread sends it. That thread runs as long as
 // the process lives, also while another thread handles a signal or aborts.
 //
-// This does not help against SIGKILL, a power cut, or a library that stops calling us or rejects the zero. It
-// does not help if the stack overflows in a thread that start_thread did not start. Only the device's own
-// watchdog acts then.
+// While a library hangs or stops calling, the engine's watchdog ends the force (detail/stall_watch.h). Nothing helps
+// against SIGKILL, SIGSTOP, a power cut or a library that rejects the zero, or if the stack overflows in a thread that
+// start_thread did not start. Only the device's own watchdog acts then (input/arm_driver.h).
 #pragma once
 
 namespace thaum::input {

@@ -10,11 +10,12 @@
 #include "core/threads.h"
 #include "input/arm_silence.h"
 #include "input/detail/arm_ticks.h"
+#include "input/detail/stall_watch.h"
 #include "input/detail/watchdog.h"
 
 namespace thaum::input {
 
-/// The engine's servo thread of an arm whose driver brings none.
+/// A thread of the engine that calls an arm's driver: the servo thread, unless the driver brings one, or the watchdog.
 enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
 
 namespace {
@@ -25,12 +26,12 @@ constexpr std::size_t most_line = 600;
 }  // namespace
 
 /// Everything that the threads which call the driver share.
-struct OpenArm::State {
+struct OpenArm::State : std::enable_shared_from_this<OpenArm::State> {
     ArmPlace place{};
     ArmPatience patience{};
     ArmFacts facts{};
     std::int64_t started_ns = 0;  ///< time at which ticks were asked for; 0: not yet
-    std::atomic<OwnThread> own_thread{OwnThread::none};
+    std::atomic<OwnThread> servo{OwnThread::none}, watch{OwnThread::none};
     std::unique_ptr<ArmDriver> driver{};
     std::unique_ptr<ArmTicks> ticks = std::make_unique<ArmTicks>();
 };
@@ -106,7 +107,7 @@ ArmFacts checked(ArmFacts facts) {
     spec.sensed = std::clamp(spec.sensed, 0, most_freedom);
     spec.actuated = std::clamp(spec.actuated, 0, most_freedom);
     spec.peak_force = believable(spec.peak_force, most_force);
-    spec.continuous_force = believable(spec.continuous_force, most_force);
+    spec.continuous_force = std::min(believable(spec.continuous_force, most_force), spec.peak_force);
     spec.max_stiffness = believable(spec.max_stiffness, most_stiffness);
     spec.max_damping = believable(spec.max_damping, most_damping);
     for (int axis = 0; axis < 3; ++axis) spec.workspace[axis] = believable(spec.workspace[axis], most_edge);
@@ -173,53 +174,74 @@ void keep_for_ever(const std::shared_ptr<State>& state) {
     kept->push_back(state);
 }
 
-// ---- the engine's servo thread ----------------------------------------------------------------------------
+// ---- the engine's threads ---------------------------------------------------------------------------------
 
-/// Ticks at 1 kHz until the ticks end. A thread that was given up while the driver hung is no longer counted.
-template <class State>
-void run_servo(State& s) {
-    constexpr std::int64_t period_ns = 1'000'000, most_late_ns = 5 * period_ns;
-    auto due = monotonic_ns();
-    while (run_tick(s.ticks->number)) {
-        due += period_ns;
-        if (monotonic_ns() > due + most_late_ns) due = monotonic_ns();
-        sleep_until_ns(due);
-    }
-    if (s.own_thread.exchange(OwnThread::ended) == OwnThread::given_up)
-        note_hanging(s.place.kind->name, false);
-}
-
-template <class State>
-Expected<void> start_servo(const std::shared_ptr<State>& state) {
-    state->own_thread = OwnThread::runs;
-    auto thread = start_thread([state] { run_servo(*state); });
+/// Runs the body in a thread that is counted as hanging from the time at which it is given up until it ends.
+template <class State, class Body>
+Expected<void> start_own(const std::shared_ptr<State>& state, std::atomic<OwnThread> State::*which,
+                         Body body) {
+    (*state).*which = OwnThread::runs;
+    auto thread = start_thread([=] {
+        body(*state);
+        if (((*state).*which).exchange(OwnThread::ended) == OwnThread::given_up)
+            note_hanging(state->place.kind->name, false);
+    });
     if (!thread) {
-        state->own_thread = OwnThread::none;
+        (*state).*which = OwnThread::none;
         return thread.error();
     }
     thread->detach();  // it ends with the ticks; a thread that hangs in the driver cannot be joined
     return {};
 }
 
-/// Waits until the engine's thread has left the driver, so that `close` finds it alone.
-template <class State>
-void leave_servo(State& s) {
+/// Waits until the thread has left the driver, so that `close` finds it alone.
+void leave(std::atomic<OwnThread>& thread, std::string_view driver) {
     constexpr std::int64_t patience_ns = 100'000'000, look_ns = 200'000;
     const auto until = monotonic_ns() + patience_ns;
-    while (s.own_thread == OwnThread::runs && monotonic_ns() < until)
-        sleep_until_ns(monotonic_ns() + look_ns);
+    while (thread == OwnThread::runs && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + look_ns);
     auto runs = OwnThread::runs;
-    if (s.own_thread.compare_exchange_strong(runs, OwnThread::given_up))
-        note_hanging(s.place.kind->name, true);
+    if (thread.compare_exchange_strong(runs, OwnThread::given_up)) note_hanging(driver, true);
 }
 
-/// Asks the driver to start ticks, or starts the engine's thread.
+/// Ticks at 1 kHz until the ticks end.
+void run_servo(ArmTicks& ticks) {
+    constexpr std::int64_t period_ns = 1'000'000, most_late_ns = 5 * period_ns;
+    auto due = monotonic_ns();
+    while (run_tick(ticks.number)) {
+        due += period_ns;
+        if (monotonic_ns() > due + most_late_ns) due = monotonic_ns();
+        sleep_until_ns(due);
+    }
+}
+
+/// Ends the force of ticks that stop, until the arm is closed.
+template <class State>
+void run_watch(State& s) {
+    // A give_up that hangs holds up the next one no longer than this. The driver may have another way then.
+    constexpr std::int64_t patience_ns = 200'000'000;
+    const auto name = s.place.kind->name;
+    const auto state = s.shared_from_this();
+    watch_for_stalls(*s.ticks, s.place.kind->at_hang, [&] {
+        run_counted(
+            name, patience_ns, nullptr, [state] { state->driver->give_up(); }, [] {});
+    });
+}
+
+template <class State>
+Expected<void> start_watch(const std::shared_ptr<State>& state) {
+    if (state->place.kind->at_hang == AtHang::keeps_force) return {};
+    return start_own(state, &State::watch, [](State& s) { run_watch(s); });
+}
+
+/// Asks the driver to start ticks, or starts the engine's thread. They give no force before the watchdog runs.
 template <class State>
 Expected<void> start_ticks(const std::shared_ptr<State>& state) {
     const auto by_vendor = state->driver->start(state->ticks->number);
     if (!by_vendor) return cleaned(by_vendor.error());
+    if (auto watched = start_watch(state); !watched) return watched;
     state->ticks->accepted = true;
-    return *by_vendor ? Expected<void>() : start_servo(state);
+    if (*by_vendor) return {};
+    return start_own(state, &State::servo, [](State& s) { run_servo(*s.ticks); });
 }
 
 }  // namespace
@@ -233,7 +255,9 @@ OpenArm::~OpenArm() {
     if (s.started_ns != 0) {
         end_ticks(*s.ticks);
         if (!close_ticks(*s.ticks)) keep_for_ever(state_);
-        leave_servo(s);
+        leave(s.servo, s.place.kind->name);
+        s.ticks->unwatched = true;
+        leave(s.watch, s.place.kind->name);
     }
     close_watched(state_);
 }

@@ -147,7 +147,12 @@ Finding finding_of(const MeasuredArm& measured) {
 void add_arms(std::vector<Finding>& findings) {
     constexpr std::int64_t measured_ns = 2'000'000'000;
     for (const auto& kind : input::arm_drivers())
-        findings.push_back({"arm driver", State::good, text(kind.name, ": ", kind.about), ""});
+        findings.push_back({"arm driver", State::good,
+                            text(kind.name, ": ", kind.about,
+                                 kind.at_hang == input::AtHang::keeps_force
+                                     ? "; its arms keep their force while the library hangs"
+                                     : ""),
+                            ""});
     std::vector<std::unique_ptr<MeasuredArm>> arms;
     const auto places = input::arm_places();
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -83,10 +83,12 @@ struct Pusher {
 
 // ---- a driver of the test, whose calls go wrong on demand -------------------------------------------------
 
-std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false};
+std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false}, read_hangs{false},
+    write_hangs{false};
 std::atomic<double> told_peak{1};
-std::atomic<int> opened{0}, closed{0};
+std::atomic<int> opened{0}, closed{0}, given_up{0};
 std::atomic<double> last_force{0};
+std::atomic<double> greatest_change{0};  ///< largest rise of the force in a tick (N)
 
 void wait_while(const std::atomic<bool>& hangs) {
     while (hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -114,8 +116,14 @@ public:
         if (start_fails) return fail("the arm\n does not start: wait");
         return false;
     }
-    ArmFault read(ArmReading&) noexcept override { return 0; }
-    ArmFault write(vec3 force) noexcept override { return last_force = force.z, 0; }
+    ArmFault read(ArmReading&) noexcept override { return wait_while(read_hangs), 0; }
+    ArmFault write(vec3 force) noexcept override {
+        greatest_change = std::max(greatest_change.load(), force.z - last_force);
+        last_force = force.z;
+        if (force.z != 0) wait_while(write_hangs);
+        return 0;
+    }
+    void give_up() override { last_force = 0, ++given_up; }
     ArmStatus status(ArmFault) const override { return {}; }
     void close() override {
         if (may_hang_) wait_while(close_hangs);
@@ -131,23 +139,29 @@ std::unique_ptr<ArmDriver> make_fickle(const std::string&) { return std::make_un
 std::unique_ptr<ArmDriver> make_hanging(const std::string&) { return std::make_unique<Fickle>(true); }
 
 // Registered against the alphabet: the list is sorted all the same.
-const ArmDriverRegistration last_driver({.name = "zz", .about = "", .find = find_one, .make = make_hanging});
-const ArmDriverRegistration first_driver({.name = "aa", .about = "", .find = find_one, .make = make_fickle});
+const ArmDriverRegistration last_driver(
+    {.name = "zz", .about = "", .find = find_one, .make = make_hanging, .at_hang = AtHang::write_zero});
+const ArmDriverRegistration first_driver(
+    {.name = "aa", .about = "", .find = find_one, .make = make_fickle, .at_hang = AtHang::write_zero});
+const ArmDriverRegistration deaf_driver(
+    {.name = "keeps", .about = "", .find = find_one, .make = make_fickle, .at_hang = AtHang::keeps_force});
+const ArmDriverRegistration lost_driver(
+    {.name = "lets go", .about = "", .find = find_one, .make = make_fickle, .at_hang = AtHang::give_up});
 
 // ---- the list ---------------------------------------------------------------------------------------------
 
 TEST(ArmDrivers, AreSortedByNameWhateverTheLinkerDid) {
     std::vector<std::string_view> names;
     for (const auto& kind : arm_drivers()) names.push_back(kind.name);
-    EXPECT_EQ(names, (std::vector<std::string_view>{"aa", "fake", "openhaptics", "zz"}));
+    EXPECT_EQ(names, (std::vector<std::string_view>{"aa", "fake", "keeps", "lets go", "openhaptics", "zz"}));
 }
 
 TEST(ArmDrivers, PlacesListTheArmsOfEachInItsOrder) {
     plug_in("name=First;name=Second");
     std::vector<std::string> places;
     for (const auto& place : arm_places()) places.push_back(std::string(place.kind->name) + " " + place.arm);
-    EXPECT_EQ(places, (std::vector<std::string>{"aa one", "fake 0", "fake 1", "openhaptics Default Device",
-                                                "zz one"}));
+    EXPECT_EQ(places, (std::vector<std::string>{"aa one", "fake 0", "fake 1", "keeps one", "lets go one",
+                                                "openhaptics Default Device", "zz one"}));
 }
 
 // ---- a driver that reads and writes -----------------------------------------------------------------------
@@ -359,6 +373,81 @@ TEST(ArmDrivers, AReadThatHangsIsALostArm) {
         std::_Exit(arms_hang() && !again && pusher.ticks == 49 ? 0 : 6);
     };
     EXPECT_EXIT(lose(), ::testing::ExitedWithCode(0), "");
+}
+
+// ---- the watchdog -----------------------------------------------------------------------------------------
+
+/// An arm that is pushed with 1 N.
+struct Pushed {
+    Pusher pusher{};
+    std::unique_ptr<OpenArm> arm{};
+
+    explicit Pushed(std::string_view driver) {
+        arm = std::move(*open_of(driver));
+        EXPECT_TRUE(arm->start(pusher.tick()));
+        EXPECT_TRUE(eventually([] { return last_force == 1; }));
+    }
+};
+
+/// Nobody closes the arm: the watchdog alone ends the force of a read or a write that hangs. Ticks that come after all
+/// push again, not at once.
+TEST(ArmDrivers, ACallThatHangsLeavesNoForce) {
+    for (auto* hangs : {&read_hangs, &write_hangs}) {
+        const Pushed pushed("aa");
+        *hangs = true;
+        EXPECT_TRUE(eventually([] { return last_force == 0; }));
+        greatest_change = 0;
+        *hangs = false;
+        EXPECT_TRUE(eventually([] { return last_force == 1; }));
+        EXPECT_LT(greatest_change, 0.05) << "of 1 N";
+        EXPECT_EQ(pushed.arm->status().state, ArmPresence::present);
+    }
+}
+
+/// A force that arrives late, from a write which then hangs again, does not stay either.
+TEST(ArmDrivers, AForceThatComesLateIsEndedAgain) {
+    const Pushed pushed("aa");
+    write_hangs = true;
+    for (int round = 0; round < 3; ++round) {
+        EXPECT_TRUE(eventually([] { return last_force == 0; }));
+        last_force = 1;
+    }
+    EXPECT_TRUE(eventually([] { return last_force == 0; }));
+    write_hangs = false;
+}
+
+TEST(ArmDrivers, AnArmIsGivenUpWhereThatIsAllItsLibraryAllows) {
+    const Pushed pushed("lets go");
+    const int before = given_up;
+    read_hangs = true;
+    EXPECT_TRUE(eventually([] { return last_force == 0; }));
+    EXPECT_GT(given_up, before);
+    read_hangs = false;
+}
+
+/// A library that takes no second thread gets none: the arm's force stays, as its driver says.
+TEST(ArmDrivers, ALibraryThatTakesNoSecondThreadGetsNone) {
+    const Pushed pushed("keeps");
+    const int before = given_up;
+    read_hangs = true;
+    EXPECT_TRUE(eventually([&] { return pushed.arm->status().state == ArmPresence::lost; }));
+    EXPECT_EQ(last_force, 1);
+    EXPECT_EQ(given_up, before);
+    read_hangs = false;
+}
+
+/// An arm without force is not touched: its library may well be silent for a while.
+TEST(ArmDrivers, AnArmThatRestsIsNotGivenUp) {
+    Pushed pushed("lets go");
+    pushed.pusher.newton = 0;
+    EXPECT_TRUE(eventually([] { return last_force == 0; }));
+    const auto then = pushed.pusher.ticks.load();
+    EXPECT_TRUE(eventually([&] { return pushed.pusher.ticks > then + 2; }));
+    const int before = given_up;
+    read_hangs = true;
+    EXPECT_TRUE(eventually([&] { return pushed.arm->status().state == ArmPresence::lost; }));
+    read_hangs = false;
+    EXPECT_EQ(given_up, before);
 }
 
 // ---- ends -------------------------------------------------------------------------------------------------

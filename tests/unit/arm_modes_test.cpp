@@ -233,7 +233,8 @@ struct Waiting {
     Probe p{};
     std::int64_t until = monotonic_ns() + hangs_after_ns;
 
-    explicit Waiting(const char* end) {
+    explicit Waiting(const char* end, const char* words = "") {
+        p.words = words;
         p.end = end;
         start(p, file());
         wait_until([&] { return std::filesystem::file_size(file()) > 0; });
@@ -270,6 +271,22 @@ TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
     Waiting program("wait");
     program.wait_until([&] { return program.arm().greatest_force == 1; });
     program.expect_ends_without_force();
+}
+
+/// A call of the library hangs, or its thread stops calling, and nobody closes the arm.
+TEST(ArmHangs, TheWatchdogEndsTheForce) {
+    for (const char* words : {"felt,hdBeginFrame=blocks,from=400", "felt,hdGetDoublev=blocks,from=800",
+                              "hdEndFrame=blocks,from=400", "hdGetError=blocks,from=800", "felt,stop=200"}) {
+        SCOPED_TRACE(words);
+        Waiting program("wait", words);
+        program.wait_until([&] { return program.arm().greatest_force == 1; });
+        program.wait_until([&] { return program.arm().force[2] == 0; });
+        EXPECT_FALSE(program.p.has_ended());
+        EXPECT_EQ(program.arm().greatest_force, 1);
+        EXPECT_EQ(program.arm().force[2], 0);
+        ::kill(program.p.pid, SIGKILL);
+        wait_for_end(program.p, program.file(), program.until);
+    }
 }
 
 TEST(ArmEnds, StoppedItGivesNoForceAndContinuedItDoes) {

@@ -26,6 +26,8 @@ struct Slot {
     std::atomic<const char*> thread{nullptr};  ///< servo thread of the newest tick, by its thread_mark
 };
 
+constexpr int servo_priority = 50;  // above all ordinary threads
+
 std::array<Slot, most_open_arms> slots;
 std::atomic<bool> silence_wanted{false};
 std::atomic<int> stops{0};
@@ -52,26 +54,16 @@ struct ThreadsFaultStack {
     ThreadsFaultStack& operator=(const ThreadsFaultStack&) = delete;
 };
 
-/// Returns whether this thread now runs before ordinary ones. The vendor's library may have arranged that itself.
-bool prefer_this_thread() {
-    constexpr int above_all_ordinary = 50;
-    int policy = 0;
-    sched_param now{};
-    if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
-    const sched_param wanted{.sched_priority = above_all_ordinary};
-    return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
-}
-
 /// Prepares the servo thread at the arm's first tick.
 void prepare_this_thread(ArmTicks& ticks) {
     static thread_local const ThreadsFaultStack stack;
     static_cast<void>(stack);
-    ticks.preferred = prefer_this_thread();
+    ticks.preferred = prefer_this_thread(servo_priority);
 }
 
 /// Ends the ticks, with zero as the last force. The driver may hang in `note`, so the zero comes first.
 bool end_ticks(ArmTicks& ticks, ArmFault fault) {
-    ticks.driver->write_zero();
+    if (ticks.driver->write_zero()) ticks.pushes = false;
     if (fault != 0) ticks.driver->note(fault);
     ticks.fault = fault;
     ticks.ended = true;
@@ -87,6 +79,26 @@ std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     return is_finite(force) ? limited(force, ticks.peak_force) : vec3(0);
 }
 
+/// The force, faded in over `ramp_ticks` after a stall in which the watchdog has ended it.
+vec3 resumed(ArmTicks& ticks, vec3 force) {
+    constexpr std::uint32_t ramp_ticks = 50;
+    if (ticks.stalled.exchange(false)) ticks.resumed = 1;
+    if (ticks.resumed == 0) return force;
+    const vec3 part = force * ((ticks.resumed - 1.0) / ramp_ticks);
+    ticks.resumed = ticks.resumed < ramp_ticks ? ticks.resumed + 1 : 0;
+    return part;
+}
+
+/// Gives the arm the force. The note of a force comes before it, and that of zero after it, so that the watchdog never
+/// takes an arm that pushes for one that rests.
+ArmFault give(ArmTicks& ticks, vec3 force) {
+    const bool pushes = force != vec3(0);
+    if (pushes) ticks.pushes = true;
+    const auto fault = ticks.driver->write(force);
+    if (!pushes && fault == 0) ticks.pushes = false;
+    return fault;
+}
+
 bool do_tick(ArmTicks& ticks) {
     const auto now = monotonic_ns();
     if (ticks.times.newest_ns() == 0) prepare_this_thread(ticks);
@@ -97,13 +109,22 @@ bool do_tick(ArmTicks& ticks) {
     const bool silent = silence_wanted || stops != 0 || !ticks.accepted;
     const auto force = ticks.ending ? std::nullopt : silent ? vec3(0) : answer(ticks, reading);
     if (!force) return end_ticks(ticks, 0);
-    const auto fault = ticks.driver->write(*force);
+    const auto fault = give(ticks, resumed(ticks, *force));
     ticks.times.ends(monotonic_ns());
     ticks.silent = silent;
     return fault == 0 || end_ticks(ticks, fault);
 }
 
 }  // namespace
+
+bool prefer_this_thread(int priority) {
+    int policy = 0;
+    sched_param now{};
+    // The vendor's library may have arranged it for its own thread.
+    if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
+    const sched_param wanted{.sched_priority = priority};
+    return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
+}
 
 bool open_ticks(ArmTicks& ticks) {
     static std::atomic<std::uint64_t> opened{0};
@@ -126,7 +147,9 @@ bool run_tick(std::uint64_t number) noexcept {
     auto& slot = slot_of(number);
     if (!change(number, nobody, in_driver)) return slot.gate.load() >> 2U == number;
     slot.thread = &thread_mark;
-    const bool more = do_tick(*slot.ticks);
+    auto& ticks = *slot.ticks.load();
+    const bool more = do_tick(ticks);
+    ++ticks.done;
     change(number, in_driver, nobody);
     return more;
 }

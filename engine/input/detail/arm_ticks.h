@@ -24,6 +24,14 @@ struct ArmTicks {
     std::atomic<bool> ended{false};
     std::atomic<bool> preferred{false};
     std::atomic<bool> silent{false};  ///< the newest tick gave no force because silence was asked for
+
+    // Shared with the watchdog (detail/stall_watch.h).
+    std::atomic<std::uint64_t> done{0};  ///< ticks that have returned
+    std::atomic<bool> pushes{
+        false};  ///< the arm may exert a force: the last one that it took is not known to be zero
+    std::atomic<bool> stalled{false};    ///< the watchdog has ended the force since the newest tick
+    std::atomic<bool> unwatched{false};  ///< the watchdog shall end
+    std::uint32_t resumed{};  ///< ticks since the last stall, up to those of the ramp; the servo thread's
 };
 
 /// Gives the ticks a number, with which calls reach them. Returns false if most_open_arms are open.
@@ -31,6 +39,9 @@ bool open_ticks(ArmTicks& ticks);
 
 /// Runs one tick. Returns false if no more ticks may come.
 bool run_tick(std::uint64_t number) noexcept;
+
+/// Asks the system to run this thread before ordinary ones (SCHED_FIFO). Returns whether it does, or has done so before.
+bool prefer_this_thread(int priority);
 
 /// After this call the step of the ticks is never called again. Returns false if a tick hangs in the driver:
 /// then the ticks must live for ever.

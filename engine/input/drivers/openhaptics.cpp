@@ -145,11 +145,10 @@ public:
     ArmFacts spec() const override { return facts_; }
     Expected<bool> start(std::uint64_t ticks) override;
     void close() override;
-    void give_up() override {
-        if (handle_ != invalid_handle) api_->hdDisableDevice(handle_);
-    }
+    void give_up() override;
 
     ArmFault read(ArmReading& reading) noexcept override {
+        rests_ = false;
         begin_frame();
         reading = hd::read(*api_, reading.time_ns);
         return take_error(*api_);
@@ -159,6 +158,7 @@ public:
         end_frame(paused ? vec3(0) : force);
         const auto fault = take_error(*api_);
         rests_ = paused && fault == 0;
+        in_tick_ = false;
         return fault;
     }
     bool write_zero() noexcept override;
@@ -174,13 +174,17 @@ public:
 private:
     Expected<void> start_library();
     void leave();
+    /// Lets go of the arm, which then is without force by itself. Once, by whichever thread comes first.
+    void disable() {
+        if (handle_ != invalid_handle && !disabled_.exchange(true)) api_->hdDisableDevice(handle_);
+    }
     void stop_scheduler() const;
     void go_on() const;
     /// Whether the arm was told to exert nothing, or never had a force.
-    bool is_without_force() const { return !ticks_asked_ || ended_ || rests_; }
+    bool is_without_force() const { return !ticks_asked_ || ended_ || rests_ || disabled_; }
 
     void begin_frame() noexcept {
-        in_frame_ = true;
+        in_frame_ = in_tick_ = true;
         api_->hdMakeCurrentDevice(handle_);
         api_->hdBeginFrame(handle_);
     }
@@ -194,14 +198,17 @@ private:
     const Api* api_{};
     Handle handle_ = invalid_handle;
     ArmFacts facts_{};
-    std::atomic<bool> ticks_asked_{false};         ///< the library may have called our ticks
-    std::atomic<unsigned long> task_{0};           ///< the scheduler's number of our ticks, once accepted
-    std::atomic<bool> accepted_{false};            ///< the scheduler has taken our ticks
-    std::atomic<bool> in_frame_{false};            ///< the servo thread has begun a frame
-    std::atomic<bool> paused_{false};              ///< ticks give no force, because the scheduler will stop
-    std::atomic<bool> rests_{false};               ///< the newest tick gave no force because of `paused_`
-    std::atomic<bool> ended_{false};               ///< the ticks have ended by themselves
+    std::atomic<bool> ticks_asked_{false};  ///< the library may have called our ticks
+    std::atomic<unsigned long> task_{0};    ///< the scheduler's number of our ticks, once accepted
+    std::atomic<bool> accepted_{false};     ///< the scheduler has taken our ticks
+    std::atomic<bool> in_frame_{false};     ///< the servo thread has begun a frame
+    std::atomic<bool> in_tick_{false};      ///< the servo thread is in a read or write, or between them
+    std::atomic<bool> disabled_{false};     ///< the library was told to let go of the arm
+    std::atomic<bool> paused_{false};       ///< ticks give no force, because the scheduler will stop
+    std::atomic<bool> rests_{false};        ///< the arm got no force because of `paused_`, and no tick since
+    std::atomic<bool> ended_{false};        ///< the ticks have ended by themselves
     std::atomic<bool> left_without_force_{false};  ///< the library took the last zero of the ticks
+    bool left_ = false;                            ///< `leave` was called; under the session's mutex
     std::array<char, 96> words_{};                 ///< the library's words for the fault that ended the ticks
 };
 
@@ -215,6 +222,7 @@ bool OpenHaptics::write_zero() noexcept {
     end_frame(vec3(0));
     ended_ = true;
     left_without_force_ = take_error(*api_) == 0 || write_zero_frame(*api_, handle_);
+    in_tick_ = false;
     return left_without_force_;
 }
 
@@ -239,7 +247,7 @@ void OpenHaptics::go_on() const {
         api_->hdStartScheduler();
         s.running = true;
     }
-    for (auto* other : s.arms) other->paused_ = other->rests_ = false;
+    for (auto* other : s.arms) other->paused_ = false;
 }
 
 Expected<void> OpenHaptics::open() {
@@ -291,19 +299,32 @@ void OpenHaptics::close() {
     leave();
 }
 
+/// If the library only stopped calling, the arm gets a last zero as at `close`. If its one servo thread hangs in a tick
+/// of any arm, or another thread is opening or closing one, stopping the scheduler may hang as well.
+void OpenHaptics::give_up() {
+    auto& s = session();
+    const std::unique_lock lock(s.mutex, std::try_to_lock);
+    if (rests_) return;  // another arm is being opened
+    const bool hangs = !lock || std::any_of(s.arms.begin(), s.arms.end(),
+                                            [](const auto* arm) { return arm->in_tick_.load(); });
+    if (hangs) return disable();
+    leave();
+}
+
 /// Frees the arm. The other arms go on.
 void OpenHaptics::leave() {
     auto& s = session();
-    if (api_ == nullptr) return;
+    if (api_ == nullptr || left_) return;
+    left_ = true;
     const bool was_running = s.running;
     stop_scheduler();
     if (handle_ != invalid_handle) {
-        if (was_running && ticks_asked_ && !left_without_force_) {
+        if (was_running && ticks_asked_ && !left_without_force_ && !disabled_) {
             api_->hdMakeCurrentDevice(handle_);
             write_zero_frame(*api_, handle_);
         }
         if (accepted_ && !ended_) api_->hdUnschedule(task_);
-        api_->hdDisableDevice(handle_);
+        disable();
     }
     std::erase(s.arms, this);
     go_on();
@@ -326,7 +347,8 @@ const ArmDriverRegistration registration({.name = "openhaptics",
                                           .about = "Touch, Omni or Premium, by OpenHaptics (THAUM_LIBHD: "
                                                    "path of libHD.so; THAUM_HD_ARMS: names of several arms)",
                                           .find = find_arms,
-                                          .make = make_arm});
+                                          .make = make_arm,
+                                          .at_hang = AtHang::give_up});
 
 }  // namespace
 }  // namespace thaum::input

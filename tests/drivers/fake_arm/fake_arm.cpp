@@ -96,10 +96,7 @@ public:
     /// Moves the arm by one tick under the force that it was told last.
     ArmFault read(ArmReading& reading) noexcept override {
         const auto place = place_at(script_.path, static_cast<double>(ticks_));
-        state_ = haptics::step(device_, state_, place.target, told_);
-        ++ticks_;
-        if (felt_at_ == 0 && told_ != vec3(0)) felt_at_ = ticks_;
-        update_live();
+        move(place.target);
         if (is_due("hang"))
             for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
         if (is_due("vanish") && !plugged_.came_back) {
@@ -114,6 +111,7 @@ public:
     }
 
     ArmFault write(vec3 force) noexcept override {
+        const std::lock_guard lock(mutex_);
         told_ = force;
         update_live();
         return 0;
@@ -125,7 +123,7 @@ public:
     }
 
     void close() override {
-        // The force that was told stays in told_: another thread may hang in a read, which uses it.
+        const std::lock_guard lock(mutex_);
         if (live_ == nullptr) return;
         live_->left = numbers_of(told_);
         live_->force = {};
@@ -145,6 +143,14 @@ private:
         spec.damping = 0.2;
         spec.update_rate = 1000;
         return spec;
+    }
+
+    void move(vec3 target) noexcept {
+        const std::lock_guard lock(mutex_);
+        state_ = haptics::step(device_, state_, target, told_);
+        ++ticks_;
+        if (felt_at_ == 0 && told_ != vec3(0)) felt_at_ = ticks_;
+        update_live();
     }
 
     bool is_due(const char* word) const {
@@ -176,7 +182,8 @@ private:
     Script script_{};
     haptics::SimulatedDevice device_{};
     haptics::SimulatedState state_{};
-    vec3 told_{};  ///< force of the last write (N)
+    std::mutex mutex_{};  ///< the engine's watchdog writes beside a read that hangs
+    vec3 told_{};         ///< force of the last write (N)
     std::uint64_t ticks_ = 0;
     std::uint64_t felt_at_ = 0;   ///< tick of the first force; 0: none yet
     FakeHdLive* live_ = nullptr;  ///< never unmapped: a tick that hung may return late
@@ -193,6 +200,7 @@ std::unique_ptr<ArmDriver> make_fake(const std::string& arm) { return std::make_
 const ArmDriverRegistration registration({.name = "fake",
                                           .about = "simulated arms of the tests (FAKE_ARMS)",
                                           .find = find_fakes,
-                                          .make = make_fake});
+                                          .make = make_fake,
+                                          .at_hang = AtHang::write_zero});
 
 }  // namespace

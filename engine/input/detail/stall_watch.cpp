@@ -1,0 +1,28 @@
+#include "input/detail/stall_watch.h"
+
+#include "core/clock.h"
+
+namespace thaum::input {
+
+void watch_for_stalls(ArmTicks& ticks, AtHang at_hang, const std::function<void()>& give_up) {
+    constexpr int above_the_servo = 51;  // a driver that hangs in a loop may take a whole core
+    prefer_this_thread(above_the_servo);
+    std::uint64_t done = 0;
+    int looks = 0;
+    while (!ticks.unwatched && !ticks.ended) {
+        sleep_until_ns(monotonic_ns() + stall_look_ns);
+        const auto now = ticks.done.load();
+        looks = now == done ? looks + 1 : 0;
+        done = now;
+        if (looks < stall_looks || !ticks.pushes) continue;
+        if (at_hang == AtHang::write_zero) {
+            ticks.stalled = true;  // before the zero: a tick that comes now begins the ramp
+            ticks.driver->write_zero();
+        } else {
+            give_up();
+            looks = 0;
+        }
+    }
+}
+
+}  // namespace thaum::input
