@@ -58,6 +58,7 @@ const field::AnyField& field_for(const Mode& mode, const field::FilteredField& f
 
 std::size_t add_modes(std::span<const ModeUse> uses, const ModeInput& input, PrimitiveSet& set) noexcept {
     std::size_t left_out = 0;
+    set.set_by_proxy();
     for (const ModeUse& use : uses) {
         const bool readable =
             use.mode != nullptr && (use.mode->reads == FieldKind::vector ? use.field.vector.read != nullptr

@@ -51,14 +51,19 @@ public:
     /// within 1e-6 of unit length is normalised. A primitive of strength zero takes a place too.
     PrimitiveFault add(const Primitive& primitive) noexcept;
 
-    void clear() noexcept { count_ = 0; }
+    void clear() noexcept { count_ = by_proxy_ = 0; }
     std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
+
+    /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The servo lets
+    /// the proxy of such a set settle (haptics/settling.h).
+    bool by_proxy() const noexcept { return by_proxy_ != 0; }
+    void set_by_proxy() noexcept { by_proxy_ = 1; }
 
 private:
     std::array<Primitive, primitive_capacity> items_{};
-    std::size_t count_{};
+    std::uint32_t count_{}, by_proxy_{};
 };
-static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + sizeof(std::size_t),
+static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + 2 * sizeof(std::uint32_t),
               "no padding");
 
 /// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.

@@ -71,6 +71,7 @@ bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
     state.set_number = count == 0 ? 0 : model.set_number;
+    if (jumped) state.settling = {};
     return jumped;
 }
 
@@ -82,9 +83,17 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
     const Balance found = balance(model.primitives, spring);
     const bool usable = std::isfinite(found.residual);
     state.primitives = usable ? static_cast<std::uint32_t>(model.primitives.items().size()) : 0;
-    state.proxy = usable ? found.proxy : tip;
-    if (!usable) return vec3(0);
-    return found.residual <= solved_residual ? found.force : spring.stiffness * (found.proxy - spring.centre);
+    if (!usable) {
+        state.settling = {};
+        state.proxy = tip;
+        return vec3(0);
+    }
+    state.proxy = found.proxy;
+    if (model.primitives.by_proxy())
+        state.proxy =
+            settle(state.settling, {before, found.proxy, tip, spring.stiffness, model.field_motion});
+    const bool balanced = state.proxy == found.proxy && found.residual <= solved_residual;
+    return balanced ? found.force : spring.stiffness * (state.proxy - spring.centre);
 }
 
 // ---- surfaces -----------------------------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 #include "haptics/energy.h"
 #include "haptics/fluid_touch.h"
 #include "haptics/safety.h"
+#include "haptics/settling.h"
 #include "haptics/surface.h"
 
 namespace thaum::haptics {
@@ -88,6 +89,9 @@ struct HapticModel {
     vec3 start{};                  ///< free place at which the proxy starts after a jump (m)
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
+    /// Motion of the fields that the primitives' modes read, since the last model (m, at the tip). A hand that rests
+    /// feels a force that hardly changes unless this says that the world moves.
+    double field_motion{};
 };
 static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                   sizeof(SteadyForce) == sizeof(vec3) + 8 &&
@@ -95,7 +99,7 @@ static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
                   sizeof(Tether) == 2 * sizeof(vec3) + 3 * sizeof(double) + sizeof(Detents) &&
                   sizeof(HapticModel) == sizeof(Pulse) + sizeof(SteadyForce) + sizeof(Tether) + 8 +
                                              sizeof(PrimitiveSet) + sizeof(ProxyCoupling) +
-                                             sizeof(SurfacePatch) + sizeof(FrameMotion) + sizeof(vec3) + 16 +
+                                             sizeof(SurfacePatch) + sizeof(FrameMotion) + sizeof(vec3) + 24 +
                                              sizeof(FluidTouch),
               "no padding: the bytes of past models are hashed");
 
@@ -152,13 +156,14 @@ struct ServoState {
     vec3 contact_offset{};
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
-    double viscosity{};  ///< viscosity of the space in the last tick (N s/m)
+    double viscosity{};   ///< viscosity of the space in the last tick (N s/m)
+    Settling settling{};  ///< way of the proxy of the primitives
 };
 static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
                                         pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
                                         6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
                                         sizeof(PassivityObserver) + sizeof(SurfaceState) +
-                                        sizeof(FluidTouchState) + sizeof(double));
+                                        sizeof(FluidTouchState) + sizeof(double) + sizeof(Settling));
 
 /// Time constant with which the contact offset decays if nothing is in the way (s).
 inline constexpr double contact_offset_decay = 0.3;

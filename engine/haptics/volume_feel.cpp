@@ -95,6 +95,7 @@ std::size_t primitives_of(const VolumeFeel& feel) noexcept {
 VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, PrimitiveSet& set) noexcept {
     VolumeFelt felt;
     if (set.items().size() + primitives_of(feel) > primitive_capacity) return felt;
+    set.set_by_proxy();
     const field::Scalar here = feel.density(input.tip);
     const Direction up = direction_of(here.gradient);
     if (std::isfinite(here.value)) {

@@ -157,7 +157,10 @@ Expected<void> check_places(const VolumeLab& lab, const std::vector<LabPlace>& p
 bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     bool jumps = false;
     const auto place_of = [&](std::size_t n) { return n < places.size() ? places[n] : LabPlace{}; };
+    const vec3 tip = haptics::measured_position(lab.device, lab.hand);
     const auto put = [&](const field::Placement& next, field::Placement& placement) {
+        const vec3 there = field::to_parent(next, field::to_own(placement, tip));
+        lab.moved = std::max(lab.moved, glm::distance(there, tip));
         jumps |= glm::distance(next.origin, placement.origin) > jump || next.turn != placement.turn ||
                  next.scale != placement.scale;
         placement = next;
@@ -198,8 +201,14 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
     const haptics::Balance found =
         haptics::balance(lab.model.primitives, {tip, lab.model.coupling.stiffness});
     const bool usable = std::isfinite(found.residual);
+    if (!usable || state.primitives == 0 || state.set_number != lab.model.set_number) state.settling = {};
+    const vec3 before = state.primitives == 0 ? tip : state.proxy;
     state.primitives = usable ? static_cast<std::uint32_t>(lab.model.primitives.items().size()) : 0;
-    state.proxy = usable ? found.proxy : tip;
+    state.set_number = lab.model.set_number;
+    state.proxy = tip;
+    if (usable)
+        state.proxy = haptics::settle(
+            state.settling, {before, found.proxy, tip, lab.model.coupling.stiffness, lab.model.field_motion});
     // The way of the last tick: over one short step, the device's quantum would be most of it.
     const vec3 velocity = (tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1]) / tick_seconds;
     const double drag = std::min(lab.model.viscosity, lab.servo.most_damping);
@@ -451,10 +460,11 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
 
 VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     VolumeLabFigures figures;
+    const bool other_step = input.history != 0 && lab.carvable();
     if (input.change) {
         if (auto set = change_volume_lab(lab, *input.change); !set) figures.refused = set.error().message;
     }
-    if (input.history != 0 && lab.carvable()) {
+    if (other_step) {
         if (input.history < 0) field::undo(lab.history, lab.body.view());
         if (input.history > 0) field::redo(lab.history, lab.body.view());
         lab.carving = false;
@@ -462,6 +472,9 @@ VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
     refresh(lab);
+    const bool edited = other_step || figures.edit.voxels > 0;
+    lab.model.field_motion = lab.moved + (edited ? volume_of(lab, 0).finest_spacing() : 0);
+    lab.moved = 0;
     feel_and_move(lab, input.target, figures);
     figures.proxy = lab.servo_state.proxy;
     figures.value = value_at(lab, figures.proxy);

@@ -130,6 +130,7 @@ struct VolumeLab {
     int steps_per_tick = 1;  ///< servo steps in a tick; set by set_servo_rate
     /// Places of the tip at the last steps, if there are several in a tick; the newest one first (m).
     std::array<vec3, most_steps_per_tick> tips{};
+    double moved{};  ///< longest way of a volume at the tip since the last step (m)
     Tick tick{};
     vec3 last_dab{};       ///< place of the tool at its last use (m)
     bool carving = false;  ///< the tool is held

@@ -1,0 +1,203 @@
+// A still hand feels a still force: at a fixed reading, in a field that stands still, the force changes by at most 1 mN a
+// tick after 300 ticks, in every mode, field and curve. A moving hand and a moving field are still felt at once.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/random.h"
+#include "field/analytic.h"
+#include "haptics/modes.h"
+#include "haptics/servo.h"
+#include "haptics/volume_feel.h"
+
+namespace thaum::haptics {
+namespace {
+
+using field::field_of;
+using field::Scalar;
+using field::Vector;
+
+constexpr double most_change = 1e-3;  // N a tick
+
+/// Speed of a flow, with its gradient: it has a ridge round each vortex.
+struct Speed {
+    field::VortexFlow flow{};
+
+    Scalar operator()(vec3 place) const {
+        const Vector here = flow(place);
+        const double speed = glm::length(here.value);
+        vec3 slope(0);
+        for (int i = 0; i < 3; ++i)
+            slope += here.value[i] / speed * here.gradient[static_cast<std::size_t>(i)];
+        return {speed, slope};
+    }
+};
+
+/// A servo whose tip feels modes.
+struct FeltModes {
+    std::vector<ModeUse> uses{};
+    Servo servo{};
+    ServoState state{};
+    HapticModel model{};
+    vec3 force{};  ///< force of the spring, before the safety stage (N)
+
+    FeltModes(std::vector<ModeUse> modes, double stiffness, double damping = 0) : uses(std::move(modes)) {
+        model.set_number = 1;
+        model.coupling = {stiffness, damping};
+    }
+
+    /// Feels one tick. Returns the change of the force (N).
+    double feel(vec3 tip) {
+        model.primitives.clear();
+        add_modes(uses, {state.primitives == 0 ? tip : state.proxy, tip, {}, model.coupling.stiffness},
+                  model.primitives);
+        servo_step(servo, state, model, {tip, 0});
+        const vec3 before = force;
+        force = model.coupling.stiffness * (state.proxy - tip);
+        return glm::distance(force, before);
+    }
+
+    /// Moves the tip to a place in 40 ticks and rests there. Returns the largest change after 300 ticks of rest (N).
+    double rest_at(vec3 place, vec3 from) {
+        for (int tick = 0; tick < 40; ++tick) feel(glm::mix(from, place, tick / 40.0));
+        for (int tick = 0; tick < 300; ++tick) feel(place);
+        double largest = 0;
+        for (int tick = 0; tick < 60; ++tick) largest = std::max(largest, feel(place));
+        return largest;
+    }
+};
+
+vec3 random_place(Random& random, double half) {
+    const double x = random.uniform(-half, half), y = random.uniform(-half, half);
+    return {x, y, random.uniform(-half, half)};
+}
+
+/// A curve with jumps, of either sign (N).
+field::TransferFunction random_curve(Random& random, double from, double to) {
+    std::array<vec2, 8> points{};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {from + (to - from) * static_cast<double>(i / 2) / 3, random.uniform(-3, 3)};
+    return field::transfer_function(points).value_or(field::constant(1));
+}
+
+ModeUse random_use(Random& random, const Mode& mode, const Speed& speed) {
+    ModeUse use{&mode, any_field(field_of<Scalar>(speed)), {}};
+    if (mode.reads == FieldKind::vector) use.field = any_field(field_of<Vector>(speed.flow));
+    const double most = mode.slope ? 80 : mode.reads == FieldKind::vector && mode.derivatives ? 60 : 1.5;
+    use.settings.strength =
+        random.below(3) == 0 ? field::constant(random.uniform(-3, 3)) : random_curve(random, 0, most);
+    use.settings.friction = field::constant(random.uniform());
+    use.settings.level = random.uniform(0.2, 0.8);
+    use.settings.magnet = random.uniform();
+    use.settings.reach = random.uniform(0.001, 0.01);
+    return use;
+}
+
+TEST(StillHand, FeelsAStillForceInEveryMode) {
+    Random random{11};
+    for (const Mode& mode : modes()) {
+        for (int i = 0; i < 40; ++i) {
+            const Speed speed{field::make_vortex_flow(0.2, random.next())};
+            FeltModes hand({random_use(random, mode, speed)}, 50 * std::pow(60, random.uniform()),
+                           random.below(2) == 0 ? 0 : 1.5);
+            const vec3 place = random_place(random, 0.07);
+            EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), most_change) << mode.name;
+        }
+    }
+}
+
+TEST(StillHand, FeelsAStillForceInModesTogether) {
+    Random random{12};
+    for (int i = 0; i < 100; ++i) {
+        const Speed speed{field::make_vortex_flow(0.2, random.next())};
+        std::vector<ModeUse> uses;
+        for (int k = 0; k < 3; ++k) {
+            const auto number = random.below(static_cast<std::uint32_t>(modes().size()));
+            uses.push_back(random_use(random, modes()[number], speed));
+        }
+        FeltModes hand(std::move(uses), 50 * std::pow(60, random.uniform()));
+        const vec3 place = random_place(random, 0.07);
+        EXPECT_LE(hand.rest_at(place, place + random_place(random, 0.01)), most_change) << i;
+    }
+}
+
+/// Larger values towards the plane y = 0 from both sides.
+Scalar ridge(vec3 place) { return {-std::abs(place.y), {0, place.y > 0 ? -1.0 : 1.0, 0}}; }
+
+TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
+    const auto slope = &ridge;
+    FeltModes hand({{find_mode("gradient"), any_field(field_of<Scalar>(slope)), {}}}, 300);
+    hand.uses[0].settings.strength = field::constant(1.4);
+    EXPECT_LE(hand.rest_at({0, 0.002, 0}, {0, 0.02, 0}), most_change);
+    EXPECT_NEAR(hand.force.y, -300 * 0.002, 0.002) << "it rests on the ridge";
+    // A hand that moves on the ridge, at 20 mm/s, feels no more than the spring at twice its way.
+    double largest = 0;
+    for (int tick = 0; tick < 500; ++tick) largest = std::max(largest, hand.feel({2e-5 * tick, 0.002, 0}));
+    EXPECT_LE(largest, 2 * 300 * 2e-5 + 2e-3);
+    // Off the ridge the whole strength acts at once.
+    for (int tick = 0; tick < 100; ++tick) hand.feel({0.01, 0.002 + 1e-4 * tick, 0});
+    EXPECT_NEAR(hand.force.y, -1.4, 1e-9);
+}
+
+TEST(StillHand, AMovingHandMeetsAWallAtOnceAndGetsThroughAtOnce) {
+    const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
+    FeltModes hand({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 300);
+    hand.uses[0].settings.strength = field::constant(0.6);
+    for (int tick = 0; tick < 400; ++tick) hand.feel({0, 0.001, 0});
+    double y = 0.001;
+    for (int tick = 0; tick < 2; ++tick) hand.feel({0, y -= 5e-4, 0});
+    for (; y > -0.0019; y -= 1e-4) hand.feel({0, y, 0});
+    EXPECT_NEAR(hand.force.y, -300 * (y + 1e-4), 1e-3);
+    // It gives way at 0.6 N: the proxy sinks and is free as soon as it is deeper than the reach.
+    int ticks = 0;
+    for (; ticks < 100 && (ticks < 5 || hand.force.y > 1e-6); ++ticks) hand.feel({0, y -= 1e-4, 0});
+    EXPECT_LE(ticks, 40);
+}
+
+TEST(StillHand, FeelsAFieldThatMovesIntoIt) {
+    field::Plane ground{.through = {0, -0.001, 0}, .normal = {0, 1, 0}};
+    FeltModes hand({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 300);
+    hand.uses[0].settings.strength = field::constant(5);
+    for (int tick = 0; tick < 500; ++tick) hand.feel(vec3(0));
+    EXPECT_LE(glm::length(hand.force), 1e-12);
+    hand.model.field_motion = 2e-5;
+    for (int tick = 0; tick < 300; ++tick) {
+        ground.through.y += 2e-5;
+        hand.feel(vec3(0));
+    }
+    EXPECT_NEAR(hand.force.y, 300 * 0.005, 300 * 4e-5);
+}
+
+TEST(StillHand, AProxyInAGlidingSetOfItsOwnDoesNotSettle) {
+    ServoState state;
+    HapticModel model;
+    model.coupling = {300, 0};
+    for (int tick = 0; tick < 600; ++tick) {
+        model.primitives.clear();
+        model.primitives.add({PrimitiveKind::plane, {0, 1e-5 * tick, 0}, {0, 1, 0}, 100});
+        servo_step({}, state, model, {vec3(0), 0});
+        EXPECT_NEAR(state.proxy.y, 1e-5 * tick, 1e-15);
+    }
+}
+
+TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
+    Settling state;
+    EXPECT_EQ(settle(state, {{}, {0.01, 0, 0}, {}, 300}), vec3(0.01, 0, 0));
+    EXPECT_EQ(settle(state, {{0.01, 0, 0}, {0.012, 0, 0}, {}, 300}), vec3(0.012, 0, 0));
+    EXPECT_LE(settle(state, {{0.012, 0, 0}, {0, 0, 0}, {}, 300}).x, 0.012 - 0.001);
+    EXPECT_GT(settle(state, {{0.011, 0, 0}, {0, 0, 0}, {}, 300}).x, 0);
+    // However the balance jumps, a tick at rest moves the proxy by less and less.
+    Random random{3};
+    vec3 proxy(0);
+    for (int tick = 0; tick < 600; ++tick) {
+        const vec3 before = proxy;
+        proxy = settle(state, {before, random_place(random, 1e3), {}, 300});
+        if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), least_pace * (1 + 1e-9));
+    }
+    // Places that are huge or tiny do no harm.
+    for (const double far : {1e6, 1e-300, 0.0})
+        EXPECT_TRUE(is_finite(settle(state, {{}, vec3(far), {}, 300})));
+}
+
+}  // namespace
+}  // namespace thaum::haptics
