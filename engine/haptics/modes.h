@@ -55,7 +55,9 @@ struct ModeSettings {
     field::TransferFunction friction{};
     double level{};      ///< isosurface: value of the field on the surface
     bool solid_below{};  ///< isosurface: the solid has smaller values than the level, not larger ones
-    double magnet{};  ///< isosurface: strength with which it holds a proxy that is outside, within reach (N)
+    /// Isosurface: strength with which it holds a tip that is outside, within reach (N). So the spring pulls with at most
+    /// the stiffness times the reach.
+    double magnet{};
     /// Isosurface: depth at which it lets the proxy through, and distance at which it is sought. Snap modes: distance
     /// within which they act (m).
     double reach{0.002};

@@ -262,6 +262,28 @@ TEST(LevelContact, AMagneticSurfaceHoldsATipThatLeavesUpToItsStrength) {
     EXPECT_LE(glm::length(force), 1e-12) << "beyond its reach it lets go";
 }
 
+TEST(LevelContact, AMagneticSurfaceTakesHoldAndLetsGoOverATenthOfAMillimetre) {
+    constexpr double step = 1e-6;                  // m a tick
+    for (const double magnet : {0.1, 0.4, 3.0}) {  // the last one is stronger than the spring at the reach
+        auto use = wall_of(field_of<Scalar>(ball), 20);
+        use.settings.magnet = magnet;
+        TouchedModes hand{{use}};
+        const vec3 out = glm::normalize(vec3(1, 2, 2)), surface = ball.centre + ball.radius * out;
+        const auto place = [&](int tick) { return surface + (0.0025 - std::abs(step * tick)) * out; };
+        hand.start(place(-2500));
+        vec3 before(0);
+        double steepest = 0, largest = 0;
+        for (int tick = -2500; tick <= 2600; ++tick) {
+            const vec3 force = hand.move(place(tick));
+            steepest = std::max(steepest, glm::distance(force, before));
+            largest = std::max(largest, -glm::dot(force, out));
+            before = force;
+        }
+        EXPECT_NEAR(largest, std::min(magnet, 300 * use.settings.reach), 0.05 * largest) << magnet;
+        EXPECT_LE(steepest, magnet * step / 1e-4 + 300 * 3 * step) << magnet;
+    }
+}
+
 TEST(LevelContact, AFieldWithoutSurfaceOrNumbersIsFree) {
     const auto nothing = [](vec3) { return Scalar{std::numeric_limits<double>::quiet_NaN(), vec3(1)}; };
     const auto flat = [](vec3) { return Scalar{-1, vec3(0)}; };

@@ -3,7 +3,8 @@
 // A plane holds the proxy at the true surface (haptics/level_contact.h). It gives way at its strength, and a proxy that
 // was pressed in deeper than the reach is through. Friction grows with the depth of the tip (paper 004, 3.1): its
 // coefficient is a function of the depth, and it acts on the normal force of the last tick. A magnetic surface also
-// holds a proxy that lies in front of it, by a plane that faces inward.
+// holds a proxy that lies in front of it, by a plane that faces inward. It goes by the height of the tip: by that of the
+// proxy it would let go all at once, because a proxy that is let go is farther away.
 #include <algorithm>
 
 #include "haptics/level_contact.h"
@@ -11,6 +12,9 @@
 
 namespace thaum::haptics {
 namespace {
+
+/// Way of the tip over which a magnetic surface takes hold and lets go (m).
+constexpr double magnet_fade = 1e-4;
 
 /// Largest friction on a plane (N).
 double friction_on(const ContactPlane& plane, double strength, const ModeSettings& settings,
@@ -26,6 +30,15 @@ double strength_of(const LevelContact& contact, const ModeSettings& settings) {
     return contact.behind ? std::min(strength, most_pull) : strength;
 }
 
+/// Strength with which a magnetic surface holds the proxy (N). It fades before the end of the reach.
+double magnet_of(const LevelContact& contact, const ModeSettings& settings, const ModeInput& input) {
+    if (contact.behind) return 0;
+    const ContactPlane& first = contact.planes[0];
+    const double height = glm::dot(input.next_tip() - first.place, first.normal);
+    const double share = (settings.reach - height) / std::min(magnet_fade, settings.reach);
+    return std::min(settings.magnet, most_pull) * std::clamp(share, 0.0, 1.0);
+}
+
 void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
     const LevelContact contact = find_contact(
@@ -39,10 +52,7 @@ void add_isosurface(const field::AnyField& field, const ModeSettings& settings, 
     const ContactPlane held =
         holding_plane(contact, held_back(input, first.normal, friction_on(first, strength, settings, input)));
     add_or_rest(set, {PrimitiveKind::plane, held.place, held.normal, strength});
-    const double height = glm::dot(input.proxy - first.place, first.normal);
-    const double magnet =
-        !contact.behind && height <= settings.reach ? std::min(settings.magnet, most_pull) : 0;
-    add_or_rest(set, {PrimitiveKind::plane, first.place, -first.normal, magnet});
+    add_or_rest(set, {PrimitiveKind::plane, first.place, -first.normal, magnet_of(contact, settings, input)});
     add_or_rest(
         set, {PrimitiveKind::line, input.proxy, held.normal, friction_on(held, strength, settings, input)});
 }
