@@ -47,11 +47,15 @@ inline vec3 curl(const Vector& v) {
             v.gradient[1].x - v.gradient[0].y};
 }
 
+struct SampleBox;  // field/placement.h
+
 /// A quantity that can be read at any place. Refers to a sampled field or a formula, which must outlive it.
 template <class Sample>
 struct Field {
     const void* what{};
     Sample (*read)(const void* what, vec3 place){};
+    /// Gives the box in which the field has samples, in the frame of its reader. Null: it has no end, as a formula.
+    SampleBox (*box)(const void* what){};
 
     Sample operator()(vec3 place) const { return read(what, place); }
 };
@@ -59,12 +63,16 @@ struct Field {
 using ScalarField = Field<Scalar>;
 using VectorField = Field<Vector>;
 
-/// Makes a field from any object that maps a place to a Sample when called.
+/// Makes a field from any object that maps a place to a Sample when called. It ends where the object's member function
+/// sample_box() says, if there is one.
 template <class Sample, class Source>
 Field<Sample> field_of(const Source& source) {
-    return {&source, [](const void* what, vec3 place) -> Sample {
-                return (*static_cast<const Source*>(what))(place);
-            }};
+    Field<Sample> field{&source, [](const void* what, vec3 place) -> Sample {
+                            return (*static_cast<const Source*>(what))(place);
+                        }};
+    if constexpr (requires { &Source::sample_box; })
+        field.box = [](const void* what) { return static_cast<const Source*>(what)->sample_box(); };
+    return field;
 }
 
 enum class Kernel : std::uint8_t { linear, catmull_rom };

@@ -123,9 +123,9 @@ Scalar read_clamped(const void* what, vec3 place) {
 Scalar read_smoothed(const void* what, vec3 place) { return stage_of(what).smoothed.component[0](place); }
 Vector read_smoothed_vector(const void* what, vec3 place) { return stage_of(what).smoothed(place); }
 
-/// The field that a stage gives.
+/// The field that a stage gives, as if it had no end.
 template <bool quick>
-AnyField output_of(const FilterStage& stage) {
+AnyField endless_output_of(const FilterStage& stage) {
     const bool vector = stage.input.is_vector();
     switch (stage.filter.kind) {
         case FilterKind::magnitude: return {{&stage, read_magnitude<quick>}, {}};
@@ -141,6 +141,23 @@ AnyField output_of(const FilterStage& stage) {
             return {{&stage, read_smoothed}, {}};
     }
     return {};
+}
+
+/// The box of the data, of which no picture shows the filtered values.
+SampleBox filtered_box(const void* what) {
+    const AnyField& input = stage_of(what).input;
+    SampleBox box = input.is_vector() ? sample_box_of(input.vector) : sample_box_of(input.scalar);
+    box.drawn = box.averages = {};
+    return box;
+}
+
+/// The field that a stage gives.
+template <bool quick>
+AnyField output_of(const FilterStage& stage) {
+    AnyField out = endless_output_of<quick>(stage);
+    const bool bounded = stage.input.vector.box != nullptr || stage.input.scalar.box != nullptr;
+    if (bounded) (out.is_vector() ? out.vector.box : out.scalar.box) = filtered_box;
+    return out;
 }
 
 // ---- smoothing --------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// field/placement.h: where a volume lies in its parent frame, and fields read through a placement.
+// field/placement.h: where a volume lies in its parent frame and ends there, and fields read through a placement.
 //
 //     place in the parent = origin + turn * (scale * place in the volume)
 //
@@ -45,6 +45,34 @@ inline Vector to_parent(const Placement& p, const Vector& own) {
     return result;
 }
 
+/// Box that the samples behind a field span. Pictures show nothing of a volume outside of it, and its cut face where
+/// the body reaches it.
+struct SampleBox {
+    bool bounded{};  ///< false: the field has no end, and the rest means nothing
+    /// Samples whose values, linear between them, a picture shows. None: the field is not what it shows.
+    Grid drawn{};
+    /// Averages of blocks of samples, in which a direction is less rough (field/block_averages.h). May have none.
+    Grid averages{};
+    vec3 middle{}, half{};  ///< middle of the box and half of its extent (m, frame of the samples)
+    vec3 spacing{1};        ///< distance between samples along each axis (m, frame of the samples)
+    Placement placement{};  ///< from the frame of the samples to the reader's
+};
+
+/// The box that a grid's samples span, in the frame of the grid, without samples to be drawn.
+inline SampleBox sample_box_of(const Grid& grid) {
+    const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
+    return {.bounded = grid.first != nullptr,
+            .middle = grid.origin + half,
+            .half = half,
+            .spacing = grid.spacing};
+}
+
+/// The box of a field's samples in the frame of its reader.
+template <class Sample>
+SampleBox sample_box_of(const Field<Sample>& field) {
+    return field.box == nullptr ? SampleBox{} : field.box(field.what);
+}
+
 /// A field read in the parent's frame. Can be called, so `field_of<Sample>(placed)` makes a field of it.
 template <class Sample>
 struct Placed {
@@ -55,6 +83,12 @@ struct Placed {
     Sample operator()(vec3 place) const {
         if (field.read == nullptr || !(placement.scale > 0)) return {};
         return to_parent(placement, field(to_own(placement, place)));
+    }
+    SampleBox sample_box() const {
+        SampleBox box = sample_box_of(field);
+        box.placement = combined(placement, box.placement);
+        box.bounded = box.bounded && placement.scale > 0;
+        return box;
     }
 };
 

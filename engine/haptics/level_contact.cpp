@@ -1,5 +1,7 @@
 #include "haptics/level_contact.h"
 
+#include "haptics/body_search.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -21,6 +23,7 @@ struct Reading {
     double depth() const { return inside / gradient; }  ///< depth by the tangent (m)
 };
 
+/// Search in a field whose gradient is that of its value.
 class Search {
 public:
     Search(const LevelSurface& surface, LevelContact& contact) : surface_(surface), contact_(contact) {}
@@ -35,6 +38,21 @@ public:
         return {side * (here.value - surface_.level), here.gradient * (-side / length), length};
     }
 
+    std::optional<ContactPlane> first(vec3 proxy, vec3 target) {
+        const Reading here = read(proxy);
+        const auto plane = near(proxy, here);
+        return plane || here.solid() ? plane : between(proxy, target);
+    }
+
+    std::optional<ContactPlane> next(vec3 proxy, vec3 landing, vec3 /*target*/) {
+        const Reading there = read(landing);
+        const bool holds = there.solid() && there.gradient > 0 && there.depth() > 1e-3 * surface_.reach;
+        if (!holds) return std::nullopt;
+        const auto plane = near(landing, there);
+        return plane ? plane : between(proxy, landing);
+    }
+
+private:
     /// The plane at the surface nearest to a place within reach, by Newton steps.
     std::optional<ContactPlane> near(vec3 place, Reading here) {
         vec3 x = place;
@@ -64,7 +82,6 @@ public:
         return std::nullopt;
     }
 
-private:
     /// A Newton search that leaves the neighbourhood has found another part of the surface. Where two faces meet
     /// the gradient may be that of the other face. The way that the search took is a better normal there.
     std::optional<ContactPlane> kept(vec3 x, vec3 place, const Reading& here) const {
@@ -166,24 +183,32 @@ ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept {
     return held;
 }
 
-LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept {
-    LevelContact contact;
-    if (!is_finite(proxy) || !(surface.reach > 0)) return contact;
-    Search search(surface, contact);
-    const Reading here = search.read(proxy);
-    auto plane = search.near(proxy, here);
-    if (!plane && !here.solid()) plane = search.between(proxy, target);
+namespace {
+
+/// Adds the plane that a search finds first, and those that bound the proxy's way on it.
+template <class AnySearch>
+void add_planes(AnySearch search, const LevelSurface& surface, vec3 proxy, vec3 target,
+                LevelContact& contact) {
+    auto plane = search.first(proxy, target);
     contact.behind = plane && behind(*plane, proxy, short_step * surface.reach);
     while (plane && contact.count < contact.planes.size()) {
         contact.planes[contact.count] = contact.count == 0 ? *plane : in_front(*plane, contact.planes[0]);
         ++contact.count;
         if (contact.count == contact.planes.size() || !is_finite(target)) break;
-        const vec3 landing = landing_of(contact, target);
-        const Reading there = search.read(landing);
-        const bool holds = there.solid() && there.gradient > 0 && there.depth() > 1e-3 * surface.reach;
-        plane = holds ? search.near(landing, there) : std::nullopt;
-        if (holds && !plane) plane = search.between(proxy, landing);
+        plane = search.next(proxy, landing_of(contact, target), target);
     }
+}
+
+}  // namespace
+
+LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept {
+    LevelContact contact;
+    if (!is_finite(proxy) || !(surface.reach > 0)) return contact;
+    const field::SampleBox box = field::sample_box_of(surface.field);
+    if (box.bounded)
+        add_planes(BodySearch(surface, box, contact), surface, proxy, target, contact);
+    else
+        add_planes(Search(surface, contact), surface, proxy, target, contact);
     return contact;
 }
 

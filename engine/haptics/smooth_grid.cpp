@@ -120,4 +120,12 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
     return result;
 }
 
+field::SampleBox SmoothGrid::sample_box() const {
+    field::SampleBox box = field::sample_box_of(grid);
+    box.drawn = grid;
+    box.drawn.kernel = field::Kernel::linear;
+    box.averages = averages;
+    return box;
+}
+
 }  // namespace thaum::haptics

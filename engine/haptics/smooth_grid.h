@@ -20,7 +20,7 @@
 // The price is detail. A sheet one sample thick keeps a third of its height, and one of three samples four fifths.
 // The surface of a body of radius r lies 1.3 h^2 / r too deep, for samples h apart.
 #pragma once
-#include "field/field.h"
+#include "field/placement.h"
 
 namespace thaum::haptics {
 
@@ -28,8 +28,11 @@ namespace thaum::haptics {
 /// nearest place inside. A grid without samples and a place that is not finite give zeros.
 struct SmoothGrid {
     field::Grid grid{};
+    field::Grid averages{};  ///< averages of blocks of its samples (field/block_averages.h); may have none
 
     field::Scalar operator()(vec3 place) const;
+    /// The box of the samples. A picture shows them, linear between them.
+    field::SampleBox sample_box() const;
 };
 
 }  // namespace thaum::haptics

@@ -41,11 +41,18 @@ field::FilterSource source_of(const field::Volume& volume, const LabSource& view
     return source;
 }
 
+haptics::SmoothGrid density_of(const field::Volume& volume, const field::BlockAverages& averages) {
+    const field::Grid grid = volume.grid(field::Kernel::linear);
+    return {grid, averages.grid(grid)};
+}
+
 /// Points the views of all volumes at their samples as they are now.
 void refresh_views(VolumeLab& lab) {
     auto& views = *lab.views;
     if (lab.carvable()) {
-        views.density = {lab.body.density_grid(field::Kernel::linear)};
+        const field::Grid grid = lab.body.density_grid(field::Kernel::linear);
+        field::update(views.averages, grid, lab.body.bricks);
+        views.density = {grid, views.averages.grid(grid)};
         views.placed_density = {field::field_of<field::Scalar>(views.density), lab.placement};
         views.materials = {lab.body.count, lab.body.spacing, lab.placement, lab.body.material};
     } else {
@@ -53,7 +60,7 @@ void refresh_views(VolumeLab& lab) {
     }
     for (auto& volume : lab.beside) {
         if (volume->source.components == 1)
-            volume->views.density = {volume->source.grid(field::Kernel::linear)};
+            volume->views.density = density_of(volume->source, volume->views.averages);
         else
             volume->views.flow = volume->source.vector_grid();
     }
@@ -325,6 +332,8 @@ Expected<VolumeLab> make_volume_lab(field::Volume volume, VolumeLabData data) {
         if (!body) return body.error();
         lab.body = std::move(*body);
         lab.history = field::make_history(lab.body.view());
+        lab.views->averages =
+            field::make_block_averages(lab.body.density_grid(field::Kernel::linear), &lab.body.bricks);
         lab.source.samples = {};
     }
     take_up_device(lab);
@@ -381,6 +390,8 @@ Expected<void> add_volume_beside(VolumeLab& lab, field::Volume volume, bool regi
     beside->registered = registered;
     beside->fitted = beside->placement = fitted_beside(lab, volume, registered);
     beside->source = std::move(volume);
+    if (beside->source.components == 1)
+        beside->views.averages = field::make_block_averages(beside->source.grid(field::Kernel::linear));
     lab.beside.push_back(std::move(beside));
     return {};
 }

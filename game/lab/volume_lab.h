@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/units.h"
+#include "field/block_averages.h"
 #include "field/carving_history.h"
 #include "field/carving_tools.h"
 #include "field/filters.h"
@@ -82,6 +83,7 @@ Expected<haptics::DeviceSpec> load_lab_device(const std::filesystem::path& asset
 
 /// Views of the samples.
 struct LabSource {
+    field::BlockAverages averages{};  ///< of the densities
     haptics::SmoothGrid density{};
     field::StaggeredGrid flow{};
     field::Placed<field::Scalar> placed_density{};  ///< in the lab's frame, as the next
