@@ -10,6 +10,44 @@ namespace {
 
 constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
 constexpr std::uint32_t kept = most_latency + 1;
+/// Share of the active sources' budget in which their force fades.
+constexpr double fading_share = 0.2;
+/// Force with which a spring without any reserve meets a hand that presses in (N): a force of zero would never
+/// receive anything.
+constexpr double least_force = 0.1;
+static_assert((active_bins - 2) * active_bin_ticks == ticks(1));
+
+/// Largest sum of the work from any tick that the bins hold until now.
+double largest_active_work(const PassivityObserver& observer) {
+    const std::size_t oldest = (observer.active_bin + 1) % active_bins;
+    double most = 0, later = 0;
+    for (std::size_t back = 0; back + 1 < active_bins; ++back) {
+        const ActiveBin& bin = observer.active[(observer.active_bin + active_bins - back) % active_bins];
+        most = std::max(most, later + bin.most);
+        later += bin.sum;
+    }
+    const double left = 1 - (observer.active_tick + 1.0) / active_bin_ticks;
+    return most + left * std::max(0.0, later + observer.active[oldest].most - most);
+}
+
+/// Adds the work of active sources in one tick (J).
+void add_active_work(PassivityObserver& observer, double work) {
+    ActiveBin& bin = observer.active[observer.active_bin];
+    bin.sum += work;
+    bin.most = std::max(0.0, bin.most + work);
+    if (work != 0 || observer.active_work != 0) observer.active_work = largest_active_work(observer);
+    if (++observer.active_tick < active_bin_ticks) return;
+    observer.active_tick = 0;
+    observer.active_bin = static_cast<std::uint32_t>((observer.active_bin + 1) % active_bins);
+    observer.active[observer.active_bin] = {};
+}
+
+/// Adds the energy that springs gave to what they have left.
+void use_reserve(PassivityObserver& observer, double given, double stored) {
+    if (observer.held_back == 0) return;
+    const double most = stored + std::clamp(reserve_energy - observer.created, 0.0, reserve_energy);
+    observer.reserve = std::clamp(observer.reserve - given, 0.0, most);
+}
 
 }  // namespace
 
@@ -23,13 +61,14 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
     if (observer.has_position != 0 && glm::length(step) <= longest_step) {
         const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
         const auto& force = observer.forces[(observer.newest + kept - back) % kept];
-        observer.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
-                            observer.forces[observer.newest].share * supplied;
+        const double given = glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
+                             observer.forces[observer.newest].share * supplied;
+        observer.created += given;
+        use_reserve(observer, given, stored);
         // Damping has dissipated the rest; only stored energy can come back.
         observer.created = std::max(observer.created, -stored);
         observer.most_created = std::max(observer.most_created, observer.created);
-        observer.active_work += glm::dot(force.active, step) - observer.active_work * tick_seconds;
-        observer.active_work = std::max(observer.active_work, 0.0);
+        add_active_work(observer, glm::dot(force.active, step));
     }
     observer.position = position;
     observer.has_position = 1;
@@ -54,16 +93,56 @@ double pending_work(const PassivityObserver& observer, vec3 step, int latency) {
     return work;
 }
 
-vec3 within_budget(const PassivityObserver& observer, vec3 active, vec3 velocity) {
-    const double speed = glm::length(velocity);
-    if (observer.active_work <= active_budget || !(speed > still) || !std::isfinite(speed)) return active;
-    const vec3 way = velocity / speed;
-    return active - std::max(0.0, glm::dot(active, way)) * way;
+vec3 within_budget(const PassivityObserver& observer, vec3 active) {
+    constexpr double fading = fading_share * active_budget;
+    const double left = active_budget - observer.active_work;
+    return left >= fading ? active : std::max(0.0, left / fading) * active;
 }
 
-// Cap and heat scale all sources alike. The fading offset of a switch returns the energy that it received and
-// hardly any more. It is therefore passive, like the controller's brake. The rest is the ramp of an old
-// model, which is no spring, and counts as active.
+void hold_back(PassivityObserver& observer) {
+    observer.held_back = 1;
+    observer.created = std::min(observer.created, 2 * reserve_energy);
+    observer.reserve = std::max(0.0, reserve_energy - observer.created);
+}
+
+void forgive(PassivityObserver& observer) {
+    constexpr double forgetting_time = 5;  // s
+    observer.created -= std::max(0.0, observer.created) * (tick_seconds / forgetting_time);
+}
+
+void release_if_covered(PassivityObserver& observer, double held, double force, double stiffness) {
+    if (observer.held_back == 0 || !(stiffness > 0)) return;
+    // A spring of the device's stiffness receives a little less than it holds, a tick's motion times its force.
+    constexpr double nearly = 0.8, settled = 1e-6;
+    const double owed = std::max(held - energy_slack, nearly * force * force / (2 * stiffness));
+    if (force > 0 ? observer.created + owed > 0 : observer.created > settled) return;
+    observer.held_back = 0;
+    observer.reserve = 0;
+}
+
+double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness) {
+    if (observer.held_back == 0 || !(stiffness > 0)) return HUGE_VAL;
+    const double left = std::max(0.0, observer.reserve - std::max(0.0, pending));
+    const double ahead = stiffness * outward;
+    if (ahead < 0) return std::max(std::sqrt(2 * stiffness * left), std::min(-ahead, least_force));
+    return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
+}
+
+void cover_output(PassivityObserver& observer, double force, double stiffness) {
+    if (!(stiffness > 0)) return;
+    const double room = std::max(0.0, active_budget - observer.active_work);
+    const double lack = std::min(force * force / (2 * stiffness) - observer.reserve, room);
+    if (!(lack > 0)) return;
+    observer.created -= lack;
+    observer.reserve += lack;
+    ActiveBin& bin = observer.active[observer.active_bin];
+    bin.sum += lack;
+    bin.most += lack;
+    observer.active_work += lack;
+}
+
+// Cap and heat scale all sources alike. The fading offset of a switch and a ramp to zero return energy that was received
+// and hardly any more, since the reserve limits them. They are therefore passive, like the controller's brake.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested) {
     const vec3 wanted = passive + active;

@@ -4,7 +4,14 @@
 //
 // Passive sources (tether, primitives, surfaces) may return the energy that they received, and no more. They
 // receive it from the hand, or from the world that moves the spring's other end. Active sources (pulses,
-// steady force, the ramp of an old model) may push the hand within a budget.
+// steady force) may push the hand within a budget.
+//
+// A switch may leave springs that hold more than they received: material that grew at the hand, a largest force that
+// was raised, forces that come back. No damper takes that much out of a hand that rests. So from a switch on, the
+// springs have a reserve: what they received and still hold, plus `reserve_energy`. They pull no harder than a spring
+// of the device's largest stiffness with that energy, F <= sqrt(2 k reserve). A hand that yields meets a spring that
+// relaxes, and a hand that presses in again meets one that is stretched from there. The reserve comes out of the
+// account `created`, which a switch does not reset. So many switches together give no more than one.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -24,6 +31,18 @@ struct CommandedForce {
     double share{};  ///< commanded share of the force that the sources asked for, 0 to 1
 };
 
+/// Parts of a second in which the work of active sources is counted.
+inline constexpr std::uint32_t active_bin_ticks = 50;
+/// Bins of a second, the bin being filled, and one that has left the second and fades. Without the last one, the force
+/// would jump when the work of a bin is forgotten.
+inline constexpr std::size_t active_bins = 22;
+
+/// Work of active sources in one bin.
+struct ActiveBin {
+    double sum{};   ///< work in the bin (J)
+    double most{};  ///< largest work from any of the bin's ticks to its end, at least 0 (J)
+};
+
 /// State of the passivity observer; no padding.
 struct PassivityObserver {
     vec3 position{};  ///< measured position at the last tick (m)
@@ -33,17 +52,31 @@ struct PassivityObserver {
     /// stored energy.
     double created{};
     double most_created{};  ///< largest value of `created` so far (J)
-    double active_work{};   ///< work of active sources in the last second or so (J)
+    /// Largest work of active sources from any tick of the last second until now (J).
+    double active_work{};
+    std::array<ActiveBin, active_bins> active{};  ///< their work, a ring of bins
+    double reserve{};                             ///< energy that springs may still give while held back (J)
+    std::uint32_t active_bin{};                   ///< index of the bin being filled
+    std::uint32_t active_tick{};                  ///< ticks in the bin being filled
     std::uint32_t newest{};
     std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
+    std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
+    std::uint32_t spare{};
 };
 static_assert(sizeof(PassivityObserver) ==
-              (3 + 10 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
+              (3 + 10 * (most_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
+                  6 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)
 
-/// Energy that active sources may give in about a second (J).
+/// Energy that active sources may give in any second (J).
 inline constexpr double active_budget = 0.5;
+
+/// Largest work that the fading offset of one switch does on the hand (J).
+inline constexpr double switch_energy = 0.01;
+/// Energy that springs may give after a switch beyond what they received (J). Together with the offset's, and with what a
+/// tick's delay adds, it stays below 0.02 J.
+inline constexpr double reserve_energy = 0.008;
 
 /// Adds the work of the last tick, once the device has measured the resulting position. `world_step` is the
 /// motion of the world's end of the spring (m). `stored` is the energy that the passive sources hold now (J).
@@ -56,6 +89,10 @@ void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double
 /// Energy that a spring may have created while it still holds more (J). Energy beyond it is taken out at
 /// once.
 inline constexpr double energy_slack = 0.003;
+
+/// Time in which the controller takes out energy that a switch created (s). The reserve bounds that energy, so there is
+/// no haste, and a brake that began at once would be a jump.
+inline constexpr double repayment_time = 0.1;
 
 /// Energy that the controller has to take out (J); 0 or less: none. `held` is the energy that springs hold,
 /// plus the energy that they will create before the next force acts (J). The controller must not wait until
@@ -71,12 +108,33 @@ vec3 passivity_control(double energy, vec3 velocity, double most);
 /// in every tick.
 double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
-/// Limits the active force to its budget: beyond the budget, it no longer pushes along the velocity (N).
-vec3 within_budget(const PassivityObserver& observer, vec3 active, vec3 velocity);
+/// Limits the active force to its budget (N). It fades while the last fifth of the budget is used, and all of it alike:
+/// a force that pushed only against the motion would jump whenever the hand turns.
+vec3 within_budget(const PassivityObserver& observer, vec3 active);
+
+/// Begins a reserve at a switch. Forgets what was created beyond twice the energy of a switch, such as by a device that
+/// lost its place.
+void hold_back(PassivityObserver& observer);
+
+/// Forgets slowly what was created, while the springs that are held back do not pull at all.
+void forgive(PassivityObserver& observer);
+
+/// Ends it once the springs hold no more than they received, or pull no more and nothing is owed. `held` is the energy
+/// that they hold (J), `force` their force (N) and `stiffness` the device's largest (N/m).
+void release_if_covered(PassivityObserver& observer, double held, double force, double stiffness);
+
+/// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is the motion
+/// of the tip along their force in a tick (m), `pending` their work that has yet to act (J), `stiffness` the device's
+/// largest (N/m).
+double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
+
+/// Lets a force that acts already ramp to zero like a spring of the device's stiffness, even if it was that of an active
+/// source: books the energy that the reserve lacks for it as the work of active sources, within their budget.
+void cover_output(PassivityObserver& observer, double force, double stiffness);
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
 /// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the
-/// part of `output` that no source asked for: the controller's brake and the fading offset of a switch.
+/// part of `output` that no source asked for: the controller's brake, the fading offset of a switch, a ramp to zero.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested = {});
 

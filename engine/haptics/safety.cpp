@@ -7,9 +7,9 @@
 #include "haptics/energy.h"
 
 // The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is too
-// fast, a player who wants no forces) makes the force zero at once. An old model ramps to zero, because
-// nothing says that its last force was wrong. After either, the force returns from zero through the slew
-// limit.
+// fast) makes the force zero at once. With an old model, and for a player who wants no forces any more, it ramps to
+// zero, because nothing says that the last force was wrong. After either, the force returns from zero through the
+// slew limit.
 //
 // Every comparison is written so that NaN falls on the safe side.
 
@@ -27,7 +27,7 @@ constexpr double switching_slew = 40;  // N/s (game.md, "Total force")
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
 // Chosen, without a source.
 constexpr double fastest_hand = 4;
-constexpr std::uint32_t ramp_ticks = 50;
+constexpr auto ramp_length = static_cast<std::uint32_t>(ticks(ramp_seconds));
 // Ticks below half the speed limit before an over-speed cut ends.
 constexpr std::uint32_t calm_ticks = 100;
 constexpr std::uint32_t apart_ticks = 20;  // ticks without excess between two episodes of it
@@ -109,15 +109,12 @@ bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyIn
     return true;
 }
 
-/// Returns true if the model is stale. Counts ticks itself because the age may jump; the ramp then still
-/// starts at its beginning.
-bool update_staleness(SafetyState& state, std::uint32_t age) {
-    if (age <= freshest_ticks) {
-        state.stale_ticks = 0;
-        return false;
-    }
-    state.stale_ticks = std::min(state.stale_ticks + 1, ramp_ticks);
-    return true;
+/// Returns true if the model is stale. Counts the ticks of the ramp itself because the age may jump; the ramp then
+/// still starts at its beginning.
+bool update_ramp(SafetyState& state, const SafetyInput& input) {
+    const bool stale = input.model_age > freshest_ticks;
+    state.ramp_ticks = stale || !input.on ? std::min(state.ramp_ticks + 1, ramp_length) : 0;
+    return stale;
 }
 
 /// Opens the start gate. The first force let through must be in range, so that no large force meets a player
@@ -136,7 +133,7 @@ SafetyCause process(const SafetyLimits& limits, SafetyState& state, const Safety
     if (input.panic) latch(state, SafetyCause::panic);
     update_gate(limits, state, input.wanted);
     const bool too_fast = update_speed(limits, state, input);
-    const bool stale = update_staleness(state, input.model_age);
+    const bool stale = update_ramp(state, input);
     if (latched(state, SafetyCause::panic)) return SafetyCause::panic;
     if (latched(state, SafetyCause::shut_off)) return SafetyCause::shut_off;
     if (!input.on) return SafetyCause::off;
@@ -219,11 +216,14 @@ void begin_fade(double most, SafetyState& state, vec3 goal) {
 }
 
 /// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
-/// work.
-void add_fade_work(SafetyState& state, vec3 tip) {
-    const double work = glm::dot(state.offset, tip - state.tip);
-    if (glm::distance(tip, state.tip) <= longest_step)
-        state.fade_work = std::max(0.0, state.fade_work + work);
+/// work. With a reserve, springs that resist count against the offset: if it gave way to a hand that presses in, the
+/// force would rise twice as steeply as the springs alone.
+void add_fade_work(SafetyState& state, const SafetyInput& input) {
+    const vec3 step = input.tip - state.tip;
+    double work = glm::dot(state.offset, step);
+    if (input.reserve_force < HUGE_VAL && work > 0)
+        work = std::clamp(glm::dot(state.output, step), 0.0, work);
+    if (glm::length(step) <= longest_step) state.fade_work = std::max(0.0, state.fade_work + work);
 }
 
 /// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
@@ -247,12 +247,12 @@ double part_within(double most, vec3 force, vec3 offset) {
 
 /// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
 /// only gets shorter.
-vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, vec3 tip) {
+vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     if (state.fade == static_cast<std::uint32_t>(Fade::over)) return goal;
     if (state.fade == static_cast<std::uint32_t>(Fade::begins))
         begin_fade(most, state, goal);
     else
-        add_fade_work(state, tip);
+        add_fade_work(state, input);
     const double step = limits.slew * tick_seconds;
     const double size = glm::length(state.offset);
     const double left = std::min(size, length_after_work(state)) - step;
@@ -268,13 +268,28 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
 
 /// Scales the last output, so that the ramp is linear from any start; the last factor is zero.
 vec3 ramped_down(const SafetyState& state) {
-    const auto left = static_cast<double>(ramp_ticks - state.stale_ticks);
+    const auto left = static_cast<double>(ramp_length - state.ramp_ticks);
     return state.output * (left / (left + 1));
 }
 
 SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     if (glm::length(wanted) <= most) return SafetyCause::none;
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
+}
+
+/// Whether a stopped force ramps down. A hand that is too fast gets none at once.
+bool ramps(const SafetyState& state, SafetyCause cause) {
+    return (cause == SafetyCause::stale || cause == SafetyCause::off) && state.fast_ticks == 0;
+}
+
+/// Moves the cap in force to the player's, and returns the limits with it. Each move is a switch. A lower cap comes down
+/// from the last output, so that the force does not jump.
+SafetyLimits with_moved_cap(SafetyLimits limits, SafetyState& state) {
+    if (limits.cap != state.cap) state.fade = static_cast<std::uint32_t>(Fade::begins);
+    const double lower = std::min(state.cap, glm::length(state.output)) - cap_slew * tick_seconds;
+    state.cap = limits.cap >= state.cap ? limits.cap : std::max(limits.cap, lower);
+    limits.cap = state.cap;
+    return limits;
 }
 
 vec3 final_force(double most, vec3 force) {
@@ -301,8 +316,9 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
             .max_speed = fastest_hand};
 }
 
-vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
-    SafetyCause cause = process(limits, state, input);
+vec3 make_safe(const SafetyLimits& wished, SafetyState& state, const SafetyInput& input) {
+    SafetyCause cause = process(wished, state, input);
+    const SafetyLimits limits = with_moved_cap(wished, state);
     const double most = thermal_limit(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
     if (input.switched || cause != SafetyCause::none) state.fade = static_cast<std::uint32_t>(Fade::begins);
@@ -312,13 +328,13 @@ vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput
     if (follows) {
         target = shortened(wanted, most);
         const vec3 brake = is_finite(input.brake) ? shortened(input.brake, most) : vec3(0);
-        force = faded(limits, most, state, shortened(target + brake, most), input.tip);
+        force = faded(limits, most, state, shortened(target + brake, most), input);
         cause = shortening(limits, most, wanted);
-    } else if (cause == SafetyCause::stale) {
-        force = ramped_down(state);
+    } else if (ramps(state, cause)) {
+        force = shortened(ramped_down(state), input.reserve_force);
     }
     state.output = final_force(most, force);
-    state.unrequested = follows ? state.output - target : vec3(0);
+    state.unrequested = follows ? state.output - target : state.output;
     state.tip = input.tip;
     state.cause = static_cast<std::uint32_t>(cause);
     add_heat(state, state.output);

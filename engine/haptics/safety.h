@@ -6,6 +6,9 @@
 // panic key was pressed. The stage does not change the force in the world: a player with a low cap lifts as
 // much.
 //
+// Forces that the player switches off ramp to zero in `ramp_seconds`, like those of a stale model, and a cap that is
+// lowered comes down by `cap_slew`. Only danger (panic, shut-off, a hand that is too fast) makes the force zero at once.
+//
 // A switch makes no jump: output = wanted + offset. The offset starts as the last output minus the first
 // wanted force, and fades to zero. Three things shorten it, and nothing lengthens it:
 //   - time: by `slew`, so that the fade ends after 2 cap / slew at the latest;
@@ -18,6 +21,7 @@
 // A pure function of its arguments; no allocation, no clock. Time is counted in ticks.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -45,8 +49,10 @@ inline constexpr double gentle_share = 0.45;  ///< default cap as a share of the
 inline constexpr double thermal_window = 10;  ///< length of the window for motor heat (s)
 /// Age up to which a model counts as fresh (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
-/// Largest work that the offset of one switch does on the hand (J).
-inline constexpr double switch_energy = 0.01;
+/// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
+inline constexpr double ramp_seconds = 0.05;
+/// Rate at which the output comes down to a cap that was lowered (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
+inline constexpr double cap_slew = 400;
 
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
 SafetyLimits safety_limits(const DeviceSpec& spec, double share);
@@ -90,6 +96,7 @@ struct SafetyState {
     vec3 tip{};                               ///< measured position at the last tick (m)
     double initial_offset{};                  ///< length of the offset at the switch (N)
     double fade_work{};                       ///< work of the offset on the hand since the switch (J)
+    double cap{};                             ///< cap in force, above the player's while it comes down (N)
     std::array<double, thermal_bins> heat{};  ///< heat of the output, a ring of bins (N^2 s)
     std::uint32_t tick{};                     ///< ticks in the bin being filled
     std::uint32_t bin{};                      ///< index of the bin being filled
@@ -100,10 +107,11 @@ struct SafetyState {
     std::uint32_t excess_ticks{};             ///< ticks left before excess starts another episode
     std::uint32_t excess_count{};             ///< number of recent episodes of excess, at most two
     std::uint32_t cause{};                    ///< SafetyCause of the last tick
-    std::uint32_t stale_ticks{};              ///< ticks without a fresh model, up to the end of the ramp
+    /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
+    std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
 };
-static_assert(sizeof(SafetyState) == (14 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
+static_assert(sizeof(SafetyState) == (15 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
 
 /// Input of the safety stage in one tick.
 struct SafetyInput {
@@ -116,6 +124,9 @@ struct SafetyInput {
     vec3 velocity{};  ///< measured velocity of the tip (m/s)
     /// Speed along the tip's path; a tip that vibrates in place is fast too (m/s).
     double path_speed{};
+    /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to zero. Infinite:
+    /// the springs are not held back.
+    double reserve_force{HUGE_VAL};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped
     bool on{true};              ///< the player wants forces

@@ -14,7 +14,8 @@ constexpr double longest_hand_step = 0.05;   // m
 // Share of the budget below which nothing may be scaled.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
-constexpr double stale_ramp = 50;
+constexpr double ramp_to_zero = 50;
+constexpr double cap_falls_by = 0.4;  // N a tick
 constexpr std::uint64_t calm_after = 100;
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
@@ -100,11 +101,12 @@ void SafetyAudit::record(const SafetyLimits& limits, const SafetyInput& input, v
     output = finite_or_zero(output);
     follow_latches(limits, input);
     follow_hand(limits, input);
-    follow_model(input);
-    if (!judge_stopped(input, output)) judge_following(limits, input, output);
+    follow_ramp(input);
+    const SafetyLimits now = follow_cap(limits);
+    if (!judge_stopped(input, output)) judge_following(now, input, output);
     tip_ = input.tip;
     heat(output);
-    judge_always(limits, output);
+    judge_always(now, output);
     last_output_ = output;
 }
 
@@ -140,11 +142,20 @@ void SafetyAudit::follow_hand(const SafetyLimits& limits, const SafetyInput& inp
     if (speed > limits.max_speed || (cut_out && speed >= limits.max_speed / 2)) last_too_fast_ = now_;
 }
 
-void SafetyAudit::follow_model(const SafetyInput& input) {
-    if (input.model_age <= fresh_for)
-        last_fresh_ = now_;
-    else if (last_fresh_ + 1 == now_)
+void SafetyAudit::follow_ramp(const SafetyInput& input) {
+    if (input.model_age <= fresh_for && input.on)
+        last_felt_ = now_;
+    else if (last_felt_ + 1 == now_)
         ramp_start_ = last_output_;
+}
+
+/// Follows the cap, each change of which is a switch. A lower one comes down from the force that there was.
+SafetyLimits SafetyAudit::follow_cap(SafetyLimits limits) {
+    if (limits.cap != cap_) next_is_switch_ = true;
+    const double falling = std::fmin(cap_, length_of_vector(last_output_)) - cap_falls_by;
+    cap_ = limits.cap >= cap_ ? limits.cap : std::fmax(limits.cap, falling);
+    limits.cap = cap_;
+    return limits;
 }
 
 void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
@@ -153,24 +164,28 @@ void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
     count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
 }
 
+/// Whether the output lies below the line from the start of the ramp to zero.
+bool SafetyAudit::is_on_ramp(vec3 output) const {
+    const double left = 1 - static_cast<double>(now_ - last_felt_) / ramp_to_zero;
+    if (!(left > 0)) return output == vec3(0);
+    return distance_from_line(output, ramp_start_ * left) <= rounding(ramp_start_);
+}
+
 /// Checks the output while a condition stops the force; the next force is then a switch. Returns false if
 /// nothing stops it.
 bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
-    const bool stale = last_fresh_ != now_;
+    const bool stale = last_felt_ != now_;
     const bool felt = output != vec3(0);
     if (panicked_) {
         count(SafetyRule::panic, felt);
     } else if (shut_off_) {
         count(SafetyRule::shut_off, felt);
     } else if (!input.on) {
-        count(SafetyRule::off, felt);
+        count(SafetyRule::off, last_too_fast_ != 0 ? felt : !is_on_ramp(output));
     } else if (last_too_fast_ != 0) {
         count(SafetyRule::over_speed, felt);
     } else if (stale) {
-        const double left = 1 - static_cast<double>(now_ - last_fresh_) / stale_ramp;
-        const vec3 highest = left > 0 ? ramp_start_ * left : vec3(0);
-        count(SafetyRule::stale,
-              left > 0 ? distance_from_line(output, highest) > rounding(ramp_start_) : felt);
+        count(SafetyRule::stale, !is_on_ramp(output));
     } else if (!gate_open_) {
         count(SafetyRule::waiting, felt);
     } else {
@@ -203,10 +218,14 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output,
     may_be_fading_ = offset_known_ = true;
 }
 
-/// Shortens the offset by time, by the work that it does, and so far that the sum stays within the cap.
-void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip) {
-    if (length_of_vector(tip - tip_) <= longest_hand_step)
-        fade_work_ = std::fmax(0, fade_work_ + glm::dot(offset_, tip - tip_));
+/// Shortens the offset by time, by the work that it does, and so far that the sum stays within the cap. With a reserve,
+/// its work is at most that of the whole output.
+void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins) {
+    const vec3 moved = begins ? vec3(0) : input.tip - tip_;
+    double work = glm::dot(offset_, moved);
+    if (input.reserve_force < HUGE_VAL && work > 0)
+        work = std::fmin(work, std::fmax(0, glm::dot(last_output_, moved)));
+    if (length_of_vector(moved) <= longest_hand_step) fade_work_ = std::fmax(0, fade_work_ + work);
     const double size = length_of_vector(offset_);
     const double worked_off = initial_length_ * std::sqrt(std::fmax(0, 1 - fade_work_ / energy_of_a_switch));
     const double left = std::fmin(size, worked_off) - limits.slew * tick_seconds;
@@ -225,7 +244,7 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     unscaled_ = cool && (unscaled_ || all_of_it);
     offset_known_ = offset_known_ && unscaled_;
     if (offset_known_) {
-        fade_on(limits, goal, begins ? tip_ : input.tip);
+        fade_on(limits, goal, input, begins);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
         // The cap may leave hardly anything of an offset that is at right angles to the force. Rounding then
         // decides how much: the root of an ulp of the cap's square, a few 1e-8 of the cap.

@@ -24,7 +24,7 @@ namespace thaum::haptics {
 
 enum class SafetyRule : std::uint32_t {
     finite,
-    cap,     ///< length at most the cap, to the bit
+    cap,     ///< length at most the cap, to the bit, or on the way down to a lowered one
     budget,  ///< mean square over exactly the last 10 s
     /// No jump at a switch; then the wanted force plus an offset that fades by time, work and cap.
     slew,
@@ -33,7 +33,7 @@ enum class SafetyRule : std::uint32_t {
     stale,    ///< not above the line to zero in 50 ms
     waiting,  ///< zero before the first wanted force in range; the causes below likewise
     over_speed,
-    off,
+    off,  ///< not above the line to zero in 50 ms
     shut_off,
     panic,
 };
@@ -61,13 +61,15 @@ private:
     void count(SafetyRule rule, bool broken);
     void follow_latches(const SafetyLimits& limits, const SafetyInput& input);
     void follow_hand(const SafetyLimits& limits, const SafetyInput& input);
-    void follow_model(const SafetyInput& input);
+    void follow_ramp(const SafetyInput& input);
+    SafetyLimits follow_cap(SafetyLimits limits);
     void judge_always(const SafetyLimits& limits, vec3 output);
+    bool is_on_ramp(vec3 output) const;
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
     bool is_cool(const SafetyLimits& limits) const;
     void begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool);
-    void fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip);
+    void fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins);
     void heat(vec3 output);
 
     std::array<std::uint64_t, safety_rules> counts_{};
@@ -80,8 +82,9 @@ private:
     Moment last_excess_{};
     std::array<Moment, 3> episodes_{};  // starts of the last three, the newest last
     Moment last_too_fast_{};            // last tick too fast; 0: no cut
-    Moment last_fresh_{};
-    vec3 ramp_start_{};  // start of the ramp (N)
+    Moment last_felt_{};                // last tick with a fresh model and a player who wants forces
+    vec3 ramp_start_{};                 // start of the ramp (N)
+    double cap_{};                      // cap, or what is left above it of a higher one (N)
 
     bool next_is_switch_ = true;  // the next force let through is a switch; so is the first one
     bool may_be_fading_ = true;   // an offset may be left

@@ -98,16 +98,29 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
 
 // ---- surfaces -----------------------------------------------------------------------------------------------------
 
-/// Returns true if the patch jumped, or ended while it was touched.
-bool detect_patch_switch(ServoState& state, const HapticModel& model) {
+bool contains(const SurfacePatch& patch, std::uint32_t key) {
+    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
+    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
+                       [key](const SurfaceBody& body) { return body.key == key; });
+}
+
+/// Returns true if a touched body is no longer there.
+bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
+    if (patch.count == 0) return surface.contacts != 0;
+    for (std::uint32_t i = 0; i < surface.contacts; ++i)
+        if (!contains(patch, surface.touched[i].key)) return true;
+    return false;
+}
+
+/// Returns true if the patch jumped.
+bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
-    const bool ended = model.patch.count == 0 && state.surface.contacts != 0;
     state.patch_number = model.patch_number;
     if (jumped) {
         state.surface = {.proxy = model.start, .begun = 1};
         state.contact_offset = {};
     }
-    return jumped || ended;
+    return jumped;
 }
 
 /// Returns true if the space became viscous or free.
@@ -119,22 +132,24 @@ bool detect_viscosity_switch(ServoState& state, const HapticModel& model) {
 
 /// Sources that appeared, ended or jumped with the model of this tick.
 struct Switches {
-    bool patch{};  ///< true: the patch of surfaces is one of them
+    bool patch{};  ///< true: the patch of surfaces jumped
     bool any{};    ///< true: there is at least one
 };
 
 Switches detect_switches(ServoState& state, const HapticModel& model) {
     const bool set = detect_set_switch(state, model);
     const bool source = detect_source_switch(state, model);
-    const bool patch = detect_patch_switch(state, model);
+    const bool lost = has_lost_body(model.patch, state.surface);
+    const bool patch = detect_patch_jump(state, model);
     const bool fluid = detect_fluid_switch(state.fluid, model.fluid);
     const bool viscosity = detect_viscosity_switch(state, model);
-    return {.patch = patch, .any = set || source || patch || fluid || viscosity};
+    return {.patch = patch, .any = set || source || lost || patch || fluid || viscosity};
 }
 
 struct Tip {
     vec3 position{}, velocity{};
     bool switched{};  ///< a source appeared, ended or jumped
+    bool stops{};     ///< the model is stale, or the player wants no forces
 };
 
 struct SurfaceForces {
@@ -216,7 +231,9 @@ SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::ui
 /// Forces on the tip by kind of source (N).
 struct Sources {
     vec3 passive{}, active{};
-    vec3 world{};  ///< part of the passive force whose other end the world holds
+    vec3 world{};    ///< part of the passive force whose other end the world holds
+    vec3 springs{};  ///< part of the passive force that can give energy back
+    vec3 tether{};   ///< part of the springs by the tether
 };
 
 /// A directed force has no minimum of energy. It may push for ever and is an active source.
@@ -234,7 +251,12 @@ void add_primitives(ServoState& state, const HapticModel& model, const Tip& tip,
         return;
     }
     const vec3 force = feel_primitives(state, model, tip.position, tip.velocity);
-    (conservative(model.primitives) ? sources.passive : sources.active) += force;
+    if (!conservative(model.primitives)) {
+        sources.active += force;
+        return;
+    }
+    sources.passive += force;
+    sources.springs += force;
 }
 
 /// Adds the forces of a viscous space and of a stirred fluid to the sources. Returns the latter.
@@ -308,6 +330,36 @@ double largest_felt_force(const Servo& servo, const SafetyState& safety) {
     return whole ? servo.limits.cap : glm::length(safety.output);
 }
 
+bool is_stopped(const SafetyState& safety) {
+    return safety.cause >= static_cast<std::uint32_t>(SafetyCause::waiting);
+}
+
+/// Whether the springs may hold energy now that they did not receive: a source switched, the output was stopped, or the
+/// player has raised the largest force.
+bool may_hold_more(const Servo& servo, const ServoState& state, const Tip& tip) {
+    return tip.switched || tip.stops || state.samples <= 1 || is_stopped(state.safety) ||
+           servo.limits.cap > state.safety.cap;
+}
+
+/// Energy of a spring of the device's stiffness that has the force of the last tick (J).
+double energy_of_output(const Servo& servo, const SafetyState& safety) {
+    if (!(servo.most_stiffness > 0)) return 0;
+    return glm::dot(safety.output, safety.output) / (2 * servo.most_stiffness);
+}
+
+/// Limits the springs, which pull with `pull` (N), to the force that their reserve allows. Returns that force (N).
+double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
+    const vec3 step = prompt_velocity(state, servo.quantum) * tick_seconds;
+    const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
+    const double most = force_of_reserve(
+        state.energy, outward, pending_work(state.energy, step, servo.latency), servo.most_stiffness);
+    if (!(pull > most)) return most;
+    const double share = most / pull;
+    sources.passive -= (1 - share) * sources.springs;
+    for (vec3* part : {&sources.springs, &sources.world, &sources.tether}) *part *= share;
+    return most;
+}
+
 /// Energy that the tether will create until the force of this tick has acted (J). The device holds every
 /// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
 /// a Falcon in that time.
@@ -322,6 +374,20 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
+/// Energy that the controller takes out in this tick (J). Springs that are held back give no more than their reserve,
+/// and do not slow a hand that is free of them.
+double energy_to_take_out(const PassivityObserver& observer, double held, double pull) {
+    if (observer.held_back == 0) return surplus(observer, held);
+    if (pull == 0) return 0;
+    return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
+}
+
+/// What the energy account allows in this tick (N).
+struct EnergyLimits {
+    vec3 brake{};                    ///< damping that keeps passive sources passive
+    double reserve_force{HUGE_VAL};  ///< largest force of springs
+};
+
 /// Moves the anchor of a tether on to the present, for a model that is `age` ticks old. A model that is too
 /// old gives no force, so its anchor stops there.
 Tether moved_on(Tether tether, std::uint32_t age) {
@@ -329,24 +395,44 @@ Tether moved_on(Tether tether, std::uint32_t age) {
     return tether;
 }
 
-/// Updates the passivity observer and limits active sources to their budget. Returns the brake that keeps
-/// passive sources passive (N). A source that appears already stretched did not create that energy itself.
-vec3 update_energy(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
-                   const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid,
-                   Sources& sources) {
+/// Updates the passivity observer. Limits active sources to their budget, and after a switch the springs to their
+/// reserve.
+EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
+                           const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
+                           const FluidForces& fluid, Sources& sources) {
     const double felt = largest_felt_force(servo, state.safety);
     const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
-    const double stored = springs + other_energy(tether, surfaces, servo.limits.cap) + fluid.stored;
+    const bool stopped = is_stopped(state.safety), may_give = may_hold_more(servo, state, tip);
+    const bool stops = tip.stops;
+    double stored = (stopped ? held : springs) +
+                    other_energy(tether, surfaces, stopped ? felt : servo.limits.cap) + fluid.stored;
+    if (stops) stored = std::max(stored, energy_of_output(servo, state.safety));
     // A tethered hand touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
-    if (tip.switched) state.energy.created = -stored;
-    sources.active = within_budget(state.energy, sources.active, tip.velocity);
-    const double taken = surplus(state.energy, held + expected_creation(servo, state.energy, tether, tip));
-    if (!(taken > 0)) return vec3(0);  // skips the velocity, which takes half the time of a quiet step
-    return passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
+    sources.active = within_budget(state.energy, sources.active);
+    EnergyLimits limits;
+    if (may_give && servo.most_stiffness > 0) {
+        hold_back(state.energy);
+        if (stops && !stopped)
+            cover_output(state.energy, glm::length(state.safety.output), servo.most_stiffness);
+    }
+    const double pull = glm::length(sources.springs);
+    if (state.energy.held_back != 0) {
+        limits.reserve_force = limit_to_reserve(servo, state, pull, sources);
+        if (pull == 0) forgive(state.energy);
+        const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
+        if (!may_give && !fades)
+            release_if_covered(state.energy, stored - fluid.stored, pull, servo.most_stiffness);
+    }
+    const double taken =
+        energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip), pull);
+    // Without it, skips the velocity, which takes half the time of a quiet step.
+    if (taken > 0)
+        limits.brake = passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
+    return limits;
 }
 
 }  // namespace
@@ -363,7 +449,8 @@ Servo servo_of(const DeviceSpec& spec, double share) {
     return {.limits = safety_limits(spec, share),
             .most_damping = spec.max_damping,
             .latency = spec.latency,
-            .quantum = spec.position_quantum};
+            .quantum = spec.position_quantum,
+            .most_stiffness = spec.max_stiffness};
 }
 
 SafetyLimits limits_of(const Servo& servo, std::uint32_t percent) {
@@ -393,10 +480,14 @@ ServoState resumed(const ServoState& before) {
     state.safety = before.safety;
     state.safety.output = vec3(0);
     state.safety.gate_open = state.safety.fade = 0;
-    state.safety.fast_ticks = state.safety.stale_ticks = 0;
+    state.safety.fast_ticks = state.safety.ramp_ticks = 0;
     state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
     state.last_pulse = before.last_pulse;
+    state.energy.created = std::max(before.energy.created, 0.0);
     state.energy.active_work = before.energy.active_work;
+    state.energy.active = before.energy.active;
+    state.energy.active_bin = before.energy.active_bin;
+    state.energy.active_tick = before.energy.active_tick;
     state.energy.most_created = before.energy.most_created;
     return state;
 }
@@ -458,20 +549,23 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, switches.patch});
     const Tether tether = moved_on(model.tether, sample.model_age);
     const vec3 spring = tether_force(tether, sample.position, velocity);
-    Sources sources{.active = play_pulses(state) + model.steady_force.force, .world = spring};
+    Sources sources{
+        .active = play_pulses(state) + model.steady_force.force, .world = spring, .tether = spring};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
-    sources.passive = sources.world;
-    const Tip tip{sample.position, velocity, switches.any};
+    sources.passive = sources.springs = sources.world;
+    const bool stops = !model.on || sample.model_age > freshest_ticks;
+    const Tip tip{sample.position, velocity, switches.any, stops};
     add_primitives(state, model, tip, sources);
     const FluidForces fluid = add_fluid(servo, state, model, sample, velocity, sources);
-    const vec3 brake = update_energy(servo, state, model, tether, tip, surfaces, fluid, sources);
+    const EnergyLimits energy = update_energy(servo, state, model, tether, tip, surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
-                                   .spring = spring,
-                                   .brake = brake,
+                                   .spring = sources.tether,
+                                   .brake = energy.brake,
                                    .tip = sample.position,
                                    .velocity = velocity,
                                    .path_speed = path_speed(state, servo.quantum),
+                                   .reserve_force = energy.reserve_force,
                                    .model_age = sample.model_age,
                                    .switched = cut_off || switches.any,
                                    .on = model.on,

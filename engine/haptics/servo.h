@@ -117,6 +117,9 @@ struct Servo {
     double most_damping{};
     int latency{};     ///< delay of the device (ticks)
     double quantum{};  ///< position per encoder count (m)
+    /// Largest stiffness that the device renders (N/m). Springs that hold more after a switch than they received act
+    /// like one of this stiffness; 0: they are not held back.
+    double most_stiffness{};
 };
 
 /// Servo constants of a device. `share` is the player's cap as a share of the device's peak, 0 to 1.

@@ -23,8 +23,8 @@ struct Crystal {
     std::uint32_t touched{};          ///< 1: its voxels are in the blobs; 0: it is the rough body of its seed
     Tick chipped{};                   ///< when a hit last chipped it (ticks of play); 0: never
     std::uint32_t carver{no_player};  ///< player who last used a tool on it; no_player: nobody yet
-    std::uint32_t spare{};
-    THAUM_COMPONENT(Crystal, middle, yaw, size, seed, overlap, number, touched, chipped, carver, spare);
+    std::uint32_t edits{};            ///< number of changes of its voxels so far
+    THAUM_COMPONENT(Crystal, middle, yaw, size, seed, overlap, number, touched, chipped, carver, edits);
 };
 
 inline constexpr int crystal_side = 48;  ///< voxels along each edge

@@ -17,6 +17,8 @@ using input::Button;
 
 /// HapticModel::set_number of the first crystal's primitives.
 constexpr std::uint32_t crystal_set = 0x4000'0000;
+/// Distance between the numbers of one crystal before and after an edit: above the number of any crystal.
+constexpr std::uint32_t crystals_apart = 64;
 
 bool is_down(std::uint32_t buttons, Button button) { return (buttons & bit(button)) != 0; }
 
@@ -233,7 +235,8 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
                      .strength = rules.surface.strength,
                      .friction = rules.surface.friction,
                      .reach = rules.surface.depth * spacing_of(crystal) / frame.metres_per_metre};
-    model.set_number = crystal_set + crystal.number;
+    // A change of the body under the hand is a switch, by whoever carved it.
+    model.set_number = crystal_set + crystal.number + crystals_apart * crystal.edits;
     model.coupling = {.stiffness = std::min(rules.hand.stiffness, context.data.device.max_stiffness),
                       .damping = std::min(rules.hand.damping, context.data.device.max_damping)};
     const vec3 tip = haptics::measured_position(context.input.haptic_setup.device, hand_state.device);

@@ -146,6 +146,7 @@ void touch_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crysta
 
 void renew_crystal(MatchContext& context, CrystalBodies& bodies, Crystal& crystal) {
     crystal.seed = next_seed(crystal.seed);
+    ++crystal.edits;
     make_rough(context, bodies, crystal);
 }
 
@@ -162,6 +163,7 @@ void count_again(CrystalBodies& bodies, Crystal& crystal, const field::VoxelView
                  const field::VoxelBox& changed) {
     auto& overlap = body_of(bodies, crystal).overlap;
     field::recount(overlap, view, changed);
+    if (!changed.empty()) ++crystal.edits;
     crystal.overlap = overlap.ratio();
 }
 

@@ -471,20 +471,21 @@ Expected<void> change_volume_lab(VolumeLab& lab, const VolumeLabSettings& settin
 
 VolumeLabFigures step_volume_lab(VolumeLab& lab, const VolumeLabInput& input) {
     VolumeLabFigures figures;
-    const bool other_step = input.history != 0 && lab.carvable();
     if (input.change) {
         if (auto set = change_volume_lab(lab, *input.change); !set) figures.refused = set.error().message;
     }
-    if (other_step) {
+    const std::uint32_t before = lab.body.bricks.newest;
+    if (input.history != 0 && lab.carvable()) {
         if (input.history < 0) field::undo(lab.history, lab.body.view());
         if (input.history > 0) field::redo(lab.history, lab.body.view());
         lab.carving = false;
     }
     figures.edit = use_tool(lab, input.carve && input.history == 0, input.tool);
     lab.edited |= figures.edit.voxels > 0;
+    // A change of the body under the hand is a switch.
+    if (lab.carvable() && lab.body.bricks.newest != before) ++lab.model.set_number;
     refresh(lab);
-    const bool edited = other_step || figures.edit.voxels > 0;
-    lab.model.field_motion = lab.moved + (edited ? volume_of(lab, 0).finest_spacing() : 0);
+    lab.model.field_motion = lab.moved;
     lab.moved = 0;
     feel_and_move(lab, input.target, figures);
     figures.proxy = lab.servo_state.proxy;

@@ -192,12 +192,40 @@ TEST(HapticsSafety, TheCapDoesNotSwallowTheBrake) {
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {not_a_number, 0, 0}}).x, 3.3, 1e-12);
 }
 
-TEST(HapticsSafety, OffAndPanicAreZeroAtOnceAndComeBackSlowly) {
+TEST(HapticsSafety, ForcesThatAPlayerSwitchesOffRampToZero) {
     Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);
-    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .on = false}), vec3(0));
-    EXPECT_EQ(stage.cause(), SafetyCause::off);
+    SafetyInput off{.wanted = {2, 0, 0}, .on = false};
+    for (int tick = 1; tick <= 50; ++tick) {
+        EXPECT_NEAR(stage.feel(off).x, 2 * (1 - tick / 50.0), 1e-12);
+        EXPECT_EQ(stage.cause(), SafetyCause::off);
+    }
+    EXPECT_EQ(stage.feel(off), vec3(0));
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
+    stage.feel({.wanted = {2, 0, 0}}, 60);
+    off.velocity = {5, 0, 0};
+    EXPECT_EQ(stage.feel(off), vec3(0)) << "a hand that is too fast gets none at once";
+}
+
+TEST(HapticsSafety, ALargestForceThatIsMovedAtOnceMakesNoJump) {
+    Stage stage;
+    const SafetyLimits full = stage.limits;
+    stage.feel({.wanted = {3, 0, 0}}, 100);
+    double before = 3;
+    for (int move = 0; move < 6; ++move) {
+        stage.limits.cap = move % 2 == 0 ? 0.05 * full.cap : full.cap;
+        for (int tick = 0; tick < 20 + 15 * move; ++tick) {
+            const double force = stage.feel({3, 0, 0}).x;
+            EXPECT_LE(std::abs(force - before), 0.4 + 1e-12) << move << ", " << tick;
+            EXPECT_GE(force, 0);
+            if (move % 2 == 0 && tick > 7) EXPECT_LE(force, stage.limits.cap);
+            before = force;
+        }
+    }
+}
+
+TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
+    Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // latched
