@@ -54,11 +54,15 @@ struct Lines {
 
 inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
 
-/// Coefficient of the link between two places. A negative coefficient marks a closed place.
+/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
+/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic mean, a
+/// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
-    const Floats8 both = 0.5F * (a + b);
-    const Floats8 one = holds ? larger(larger(a, b), zero8) : zero8;
-    return ((a < zero8) | (b < zero8)) ? one : both;
+    const Floats8 low = a < b ? a : b, high = larger(a, b);
+    // The order of the operations keeps equal coefficients as they are, to the bit.
+    const Floats8 both = low * ((high + high) / (low + high + 1e-30F));
+    const Floats8 one = holds ? larger(high, zero8) : zero8;
+    return low < zero8 ? one : both;
 }
 
 /// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
@@ -248,6 +252,29 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
             const Floats8 second = (load(corner) + below * load(corner - w)) * open;
             store(corner, coefficient < zero8 ? zero8 : second);
         }
+    }
+}
+
+/// Whether no wall holds any place of these lines, so that only differences of values matter.
+bool is_loose(const Lines& lines, bool solids) {
+    return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
+}
+
+/// Sets `first` to the value of the first place of each line, and subtracts it from all places.
+void subtract_first(const Lines& lines, float* first) {
+    std::copy_n(lines.value, lines.pitch, first);
+    for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
+        float* value = lines.value + r * lines.row;
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(value + i, load(value + i) - load(first + i));
+    }
+}
+
+void add_first(const Lines& lines, const float* first) {
+    for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
+        float* value = lines.value + r * lines.row;
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(value + i, load(value + i) + load(first + i));
     }
 }
 
@@ -486,7 +513,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     Lines lines = lines_along(lattice_, step, axis, across);
     const bool ring = lines.edge == Edge::periodic;
     if (ring && lines.count == 1) return;
-    auto& [zeros, link, below, flux, to_wall, ends] = rows_of_lines_;
+    auto& [zeros, link, below, flux, to_wall, ends, firsts] = rows_of_lines_;
     const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const EliminationFactors left{upper_.data() + w, corner_.data() + w};
@@ -509,7 +536,12 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
             transpose({values, line}, {value_.data(), w}, width, lines.count);
             transpose({coefficients, line}, {coefficient_.data(), w}, width, lines.count);
         }
+        // A uniform line must stay uniform to the bit. Rounding would give a flow of layers a velocity across
+        // them, and a little of a very thick layer thickens all that it enters.
+        const bool loose = is_loose(lines, solids_ != nullptr);
+        if (loose) subtract_first(lines, firsts.data());
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
+        if (loose) add_first(lines, firsts.data());
         if (line != 1) transpose({value_.data(), w}, {values, line}, lines.count, width);
     }
 }

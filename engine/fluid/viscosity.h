@@ -13,6 +13,9 @@
 // A force that is constant over the step must not be damped as if it had acted before the step. Its
 // explicit part is added at the end, so that a steady flow does not depend on dt.
 //
+// Where the viscosity varies, the link between two places has the harmonic mean of their coefficients. A flow
+// along layers is then exact if they meet halfway between places.
+//
 // Curved walls: the coefficient of a link from an open place to the wall beside it is divided by the
 // open part of its length. No slip then holds at the true position of the wall (Gibou, Fedkiw, Cheng
 // and Kang 2002, in their symmetric form). The velocity on a cut face is the mean over its open part
@@ -99,7 +102,7 @@ private:
     // coefficient_.
     std::vector<float> value_, coefficient_, upper_, corner_;
     // One value for each of the parallel lines.
-    std::array<std::vector<float>, 6> rows_of_lines_;
+    std::array<std::vector<float>, 7> rows_of_lines_;
     std::vector<float> closed_;
 };
 

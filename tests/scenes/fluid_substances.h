@@ -82,6 +82,53 @@ inline void enter(const Fluid& fluid, const StepReport& report, EnergyBalance& b
     balance.rescaled += report.rescaled;
 }
 
+// ---- layers of viscosity ----------------------------------------------------------------------------------------
+
+/// A layer of a thick substance below a thin layer, between two plates 1 m apart, of which the upper one moves at 1
+/// m/s.
+struct ThickLayer {
+    double ratio{};      ///< of the two viscosities
+    double viscosity{};  ///< of the thin layer (m^2/s)
+
+    static bool is_thick(vec3 place) { return place.y < 0.5; }
+    /// Velocity of the steady flow (m/s): both layers feel the same stress.
+    double speed(vec3 place) const {
+        const double below = 1 / (1 + ratio);  // speed where they meet
+        return is_thick(place) ? 2 * place.y * below : below + (2 * place.y - 1) * (1 - below);
+    }
+};
+
+inline constexpr double thick_layer_end = 20;  ///< s
+
+/// A fluid with that layer at rest, uniform along x and z; n must be even.
+inline Expected<Fluid> layered_couette(const ThickLayer& layer, int n) {
+    Flow flow{.fixed = {8, 0, 8}};
+    flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
+    flow.settings.viscosity = layer.viscosity;
+    flow.settings.lid = 1;
+    flow.settings.substances = {Substance{.viscosity = (layer.ratio - 1) * layer.viscosity}};
+    auto fluid = make_fluid(settings_of(flow, {Solver::thaum, 2}, n));
+    if (fluid) set_substance(*fluid, 0, [](vec3 place) { return ThickLayer::is_thick(place) ? 1.0 : 0.0; });
+    return fluid;
+}
+
+/// Relative L2 error of the velocity against the steady flow.
+inline double layers_error(const Fluid& fluid, const ThickLayer& layer) {
+    const auto exact = [&](vec3 place) { return vec3(layer.speed(place), 0, 0); };
+    return relative_error(fluid, exact, exact);
+}
+
+/// Share of the thick substance that has left its layer.
+inline double crept_out(const Fluid& fluid) {
+    double out = 0, all = 0;
+    each_cell(fluid.lattice, [&](int, int j, int, std::size_t at) {
+        const double density{fluid.now.substances[0][at]};
+        all += density;
+        if (!ThickLayer::is_thick(vec3(0, (j + 0.5) * fluid.lattice.h, 0))) out += density;
+    });
+    return out / all;
+}
+
 // ---- reversed deformation ---------------------------------------------------------------------------------------
 
 /// LeVeque's flow (1996): it stretches its content into layers thinner than a cell, and back again,
