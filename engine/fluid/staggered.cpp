@@ -82,6 +82,7 @@ StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattic
       transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
       mixed_property_(make_samples(lattice)) {
+    if (solids_ && !settings.no_slip_at_solids) continuation_.emplace(lattice, *solids_);
     if (solids_) face_apertures_ = make_face_apertures(lattice, solids_->open());
     pushed_rows_.fill(rows_);
     for (auto* velocity : {&force_, &stage_, &second_stage_, &sum_}) velocity->fill(make_samples(lattice));
@@ -203,8 +204,20 @@ void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
         fill_ghosts(rows_, all_even, potential_);
         subtract_gradient(rows_, order_, potential_, velocity);
     }
+    if (continuation_) continuation_->apply(velocity);
     // With solids the order is 2, and a stage reads only one layer of ghosts.
     fill_sides(settings, velocity, solids_ ? 1 : ghosts);
+}
+
+/// The velocity at the start of a step as advection reads it. The next stage overwrites second_stage_.
+const StaggeredSolver::Velocity& StaggeredSolver::carrying_velocity(const Settings& settings,
+                                                                    const Velocity& velocity) {
+    if (!continuation_) return velocity;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        std::ranges::copy(velocity[axis], second_stage_[axis].begin());
+    continuation_->apply(second_stage_);
+    fill_sides(settings, second_stage_, 1);
+    return second_stage_;
 }
 
 /// Makes sum_ the new velocity.
@@ -281,6 +294,11 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
     report.rescaled += (1 - factor * factor) * is * lattice_.h * lattice_.h * lattice_.h;
 }
 
+void StaggeredSolver::run_stage(const RungeKuttaStage& stage, double viscosity) {
+    momentum_.run_stage(stage, viscosity);
+    if (continuation_) continuation_->correct(stage);
+}
+
 void StaggeredSolver::substep(const Settings& settings, State& now, double dt, double whole,
                               StepReport& report) {
     predict_buoyancy(settings, now, dt);
@@ -288,13 +306,15 @@ void StaggeredSolver::substep(const Settings& settings, State& now, double dt, d
     const auto* force = has_force_ ? &force_ : nullptr;
     const auto& start = now.velocity;
     const auto part = [dt](double share) { return static_cast<float>(share * dt); };
-    momentum_.run_stage({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
+    run_stage({carrying_velocity(settings, start), start, force, &stage_, sum_, part(place_1), part(weight_1),
+               true},
+              nu);
     end_stage(settings, stage_);
-    momentum_.run_stage({stage_, start, force, &second_stage_, sum_, part(0.5), part(weight_2), false}, nu);
+    run_stage({stage_, start, force, &second_stage_, sum_, part(0.5), part(weight_2), false}, nu);
     end_stage(settings, second_stage_);
-    momentum_.run_stage({second_stage_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
+    run_stage({second_stage_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
     end_stage(settings, stage_);
-    momentum_.run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
+    run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
     if (!viscosity_in_stages_) diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
     const double sunk = transport_after_substep(settings, now, dt);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "fluid/continuation.h"
 #include "fluid/fluid.h"
 #include "fluid/momentum.h"
 #include "fluid/separable.h"
@@ -50,6 +51,8 @@ private:
     void add_gravity(const Settings& settings);
     void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
+    void run_stage(const RungeKuttaStage& stage, double viscosity);
+    const Velocity& carrying_velocity(const Settings& settings, const Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void find_pushed_rows(const State& now);
@@ -68,6 +71,7 @@ private:
     std::unique_ptr<Solids> solids_;
     Rows rows_;  ///< cells that hold fluid
     PressureSolver pressure_;
+    std::optional<Continuation> continuation_;  ///< used where the fluid slips along solids
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;

@@ -17,6 +17,7 @@ struct AttackPlan {
     double speed = 1e4;  ///< largest speed that one push gives a cell (m/s)
     bool jumps = true;   ///< changes the viscosity
     bool bowl = false;   ///< in a bowl instead of a box
+    bool slips = false;  ///< the fluid slips along the bowl
 };
 
 /// Largest divergence in a bowl, where the pressure is solved iteratively.
@@ -51,6 +52,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
     settings.substances = {Substance{.viscosity = 1e-2}, Substance{.diffusion = 1e-4}};
     if (plan.bowl) flows::put_into_bowl(settings);
+    settings.no_slip_at_solids = !plan.slips;
     auto fluid = make_fluid(settings);
     if (!fluid) return fluid.error();
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};

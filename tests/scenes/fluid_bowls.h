@@ -172,6 +172,64 @@ inline WalledFlow bowl_vortex() {
             .starts = true};
 }
 
+// ---- a bowl along which the fluid slips -------------------------------------------------------------------------
+
+inline constexpr double slipping_turn = 1;  ///< angular speed (rad/s)
+
+/// A fluid that turns as a rigid body (m/s). Without viscosity it does so for ever.
+inline vec3 rigid_turn(vec3 place) { return glm::cross(vec3(0, slipping_turn, 0), place - bowl_centre); }
+
+/// A bowl along which the fluid slips, without viscosity, that starts with rigid_turn; n must be even.
+inline Expected<Fluid> slipping_bowl(int n) {
+    Settings settings = settings_of(Flow{}, {Solver::thaum, 2}, n);
+    put_into_bowl(settings);
+    settings.no_slip_at_solids = false;
+    auto fluid = make_fluid(settings);
+    if (fluid) set_velocity(*fluid, rigid_turn);
+    return fluid;
+}
+
+inline double turn_error(const Fluid& fluid) {
+    return faces_error(
+        fluid, [](vec3 place) { return in_bowl(place); }, rigid_turn);
+}
+
+// ---- the slowest swirl in a ball --------------------------------------------------------------------------------
+
+inline constexpr double swirl_radius = 0.45;  ///< m
+inline constexpr double swirl_viscosity = 0.01, swirl_end = 0.5;
+/// Angular speed at the centre (rad/s). It is so small that advection is negligible. At a hundred times as much it
+/// makes a flow across the circles, 0.0017 of the whole, which does not become smaller on finer grids.
+inline constexpr double swirl_turn = 3e-5;
+
+inline bool in_ball(vec3 place) { return glm::length(place - vec3(0.5)) < swirl_radius; }
+
+/// Velocity of the swirl (m/s): j1(k r) sin(theta) around the y axis. It is 0 on the wall and decays as exp(-nu k^2
+/// t).
+inline vec3 ball_swirl(vec3 place, double time) {
+    static const double wave = roots_of_tan()[0] / swirl_radius;
+    const vec3 off = place - vec3(0.5);
+    const double x = std::max(wave * glm::length(off), 1e-3);
+    const double bessel = det::sin(x) / (x * x) - det::cos(x) / x;
+    const double fade = det::exp(-swirl_viscosity * wave * wave * time);
+    return glm::cross(vec3(0, 3 * swirl_turn * fade * bessel / x, 0), off);
+}
+
+/// A ball with a no-slip wall that starts with ball_swirl.
+inline Expected<Fluid> swirling_ball(int n) {
+    Settings settings = settings_of(Flow{}, {Solver::thaum, 2}, n);
+    settings.viscosity = swirl_viscosity;
+    settings.solid = [](vec3 place) { return in_ball(place) ? 0.0 : 1.0; };
+    auto fluid = make_fluid(settings);
+    if (fluid) set_velocity(*fluid, [](vec3 place) { return ball_swirl(place, 0); });
+    return fluid;
+}
+
+/// Error at swirl_end.
+inline double swirl_error(const Fluid& fluid) {
+    return faces_error(fluid, in_ball, [](vec3 place) { return ball_swirl(place, swirl_end); });
+}
+
 // ---- errors
 // ---------------------------------------------------------------------------------------------------------
 

@@ -33,11 +33,13 @@ TEST(FluidHostile, ThaumWithstandsPushesJumpsAndInvalidNumbers) {
 }
 
 TEST(FluidHostile, ThaumWithstandsThemInABowl) {
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        const Attack attack =
-            attacked({Solver::thaum, 2}, seed, 300, {.bowl = true}, {.divergence = bowl_divergence});
-        EXPECT_EQ(attack.fault, "") << seed;
-        EXPECT_GT(attack.refused, 0);
+    for (const bool slips : {false, true}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            const Attack attack = attacked({Solver::thaum, 2}, seed, 300, {.bowl = true, .slips = slips},
+                                           {.divergence = bowl_divergence});
+            EXPECT_EQ(attack.fault, "") << seed << (slips ? " slips" : "");
+            EXPECT_GT(attack.refused, 0);
+        }
     }
 }
 

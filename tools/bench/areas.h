@@ -53,6 +53,8 @@ void scan_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
 /// Part of the area `fluid`: a hand in the fluid.
 void fluid_hand(const Options& options, Report& report);
+/// Part of the area `fluid`: curved walls, and layers of viscosity.
+void fluid_walls(const Options& options, Report& report);
 /// Long stress test of the fluid.
 void fluid_stress(const Options& options, Report& report);
 

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <utility>
 
-#include "core/hash.h"
 #include "core/text.h"
 #include "tests/scenes/fluid_attack.h"
-#include "tests/scenes/fluid_bowls.h"
 #include "tests/scenes/fluid_substances.h"
 #include "tools/bench/areas.h"
-#include "tools/bench/measure.h"
+#include "tools/bench/fluid_run.h"
 
 namespace thaum::bench {
 namespace {
@@ -26,26 +24,6 @@ using fluid::Solver;
 using fluid::StepReport;
 
 constexpr std::array solvers{Scheme{Solver::thaum, 4}, Scheme{Solver::thaum, 2}, Scheme{Solver::classic}};
-
-/// A fluid whose steps are timed, and the results of its steps.
-struct FluidRun {
-    Scheme scheme;
-    int n;
-    Fluid fluid;
-    std::vector<double> us{};  ///< time of each whole step (us)
-    double divergence{};       ///< worst divergence after a step
-    double steps{}, substeps{};
-    StepReport last{};
-};
-
-void advance_timed(FluidRun& run, double dt) {
-    const double us = us_of([&] { run.last = advance(run.fluid, dt); });
-    // Excludes the shorter last step of a second, and fluids that have come to rest.
-    if (dt == flows::step && run.last.cells > 0) run.us.push_back(us);
-    run.divergence = std::max(run.divergence, run.last.divergence);
-    run.steps += 1;
-    run.substeps += run.last.substeps;
-}
 
 std::vector<FluidRun> runs_of(const std::function<Expected<Fluid>(const Scheme&, int n)>& make, int n,
                               Report& report) {
@@ -63,41 +41,6 @@ std::vector<FluidRun> runs_of(const std::function<Expected<Fluid>(const Scheme&,
 std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
     return runs_of([&](const Scheme& scheme, int cells) { return flows::start(flow, scheme, cells); }, n,
                    report);
-}
-
-/// Advances all fluids until `end`, one step of each in turn. The first step, which fills caches, is
-/// not timed.
-void run_by_turns(std::vector<FluidRun>& runs, double end) {
-    for (const double dt : flows::steps_until(end)) {
-        for (FluidRun& run : runs) advance_timed(run, dt);
-    }
-    for (FluidRun& run : runs) {
-        if (run.us.size() > 1) run.us.erase(run.us.begin());
-    }
-}
-
-std::string solver_name(const Scheme& scheme) { return scheme.solver == Solver::thaum ? "thaum" : "classic"; }
-
-std::uint64_t velocity_hash(const Fluid& fluid) {
-    std::uint64_t result = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Ghosts are left out, because they follow from the other samples.
-        flows::each_component(fluid, axis,
-                              [&](double v, vec3) { result = hash_combine(result, hash_value(v)); });
-    }
-    return result;
-}
-
-/// The part that all rows share. The caller adds error, metrics and parameters.
-Row row_of(const std::string& name, const FluidRun& run) {
-    Row row{.area = "fluid",
-            .name = name,
-            .setting = {{"solver", solver_name(run.scheme)}, {"n", std::int64_t{run.n}}},
-            .is_default = run.scheme.solver == Solver::thaum && run.scheme.order == 4 && run.n == 32,
-            .hash = hex(velocity_hash(run.fluid))};
-    if (run.scheme.solver == Solver::thaum) row.setting.emplace_back("order", std::int64_t{run.scheme.order});
-    if (!run.us.empty()) row.time_us = times(run.us);
-    return row;
 }
 
 /// Adds the time of a sweep for `classic`, and the time relative to `classic` for `thaum`.
@@ -199,51 +142,6 @@ void cavities(const Options& options, Report& report) {
             }
         }
     }
-}
-
-// ---- the bowl ---------------------------------------------------------------------------------------------------
-
-/// Row for `thaum` alone, because `classic` has no walls inside the box. With solids its order is 2.
-Row row_between_walls(const std::string& name, const FluidRun& run, double error, Report& report) {
-    Row row = row_of(name, run);
-    row.error = ErrorMeasure{"relative_l2_velocity", error};
-    row.metrics = {{"divergence", run.divergence}, {"substeps_per_step", run.substeps / run.steps}};
-    if (!(run.divergence <= 1e-6))
-        report.faults.push_back(text("fluid / ", name, ": divergence ", run.divergence));
-    return row;
-}
-
-void spin_down(int n, const Scheme& scheme, Report& report) {
-    auto fluid = flows::turning_bowl(scheme, n);
-    if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
-    std::vector<FluidRun> runs;
-    runs.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
-    run_by_turns(runs, flows::bowl_end);
-    const Fluid& found = runs[0].fluid;
-    Row row = row_between_walls("bowl_spin_down", runs[0], flows::bowl_error(found, flows::bowl_end), report);
-    row.metrics.emplace_back("error_linear_between_faces", flows::bowl_error_between(found, flows::bowl_end));
-    report.rows.push_back(std::move(row));
-}
-
-void walled_flow(const flows::WalledFlow& flow, int n, const Scheme& scheme, Report& report) {
-    auto fluid = flows::start(flow, scheme, n);
-    if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
-    FluidRun run{.scheme = scheme, .n = n, .fluid = std::move(*fluid)};
-    const auto force = flows::forces_of(flow, run.fluid);
-    for (const double dt : flows::steps_until(flow.end)) {
-        flows::drive(run.fluid, force, dt);
-        advance_timed(run, dt);
-    }
-    const double error = flows::faces_error(run.fluid, flow.inside, flow.velocity);
-    report.rows.push_back(row_between_walls(flow.name, run, error, report));
-}
-
-void bowls(const Options& options, Report& report) {
-    const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{16, 32, 64};
-    constexpr Scheme scheme{Solver::thaum, 2};
-    for (const int n : sizes) spin_down(n, scheme, report);
-    for (const int n : sizes) walled_flow(flows::taylor_couette(), n, scheme, report);
-    for (const int n : sizes) walled_flow(flows::bowl_vortex(), n, scheme, report);
 }
 
 // ---- substances -------------------------------------------------------------------------------------------------
@@ -557,7 +455,7 @@ void fluid(const Options& options, Report& report) {
     turns(options, report);
     deformations(options, report);
     weighings(options, report);
-    bowls(options, report);
+    fluid_walls(options, report);
     cauldron(options, report);
     rest(options, report);
     hostile(options, report);
