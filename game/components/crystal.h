@@ -15,6 +15,7 @@ namespace thaum::game {
 struct Crystal {
     vec3 middle{};         ///< (m, world)
     double yaw{};          ///< (rad)
+    double turned{};       ///< angle by which carvers turned it in this tick (rad)
     double size{};         ///< edge length (m)
     std::uint64_t seed{};  ///< decides the rough body and its ghost key
     /// Overlap of the body and the key, 0 to 1 (intersection over union); 0 while untouched.
@@ -24,7 +25,8 @@ struct Crystal {
     Tick chipped{};                   ///< when a hit last chipped it (ticks of play); 0: never
     std::uint32_t carver{no_player};  ///< player who last used a tool on it; no_player: nobody yet
     std::uint32_t edits{};            ///< number of changes of its voxels so far
-    THAUM_COMPONENT(Crystal, middle, yaw, size, seed, overlap, number, touched, chipped, carver, edits);
+    THAUM_COMPONENT(Crystal, middle, yaw, turned, size, seed, overlap, number, touched, chipped, carver,
+                    edits);
 };
 
 inline constexpr int crystal_side = 48;  ///< voxels along each edge

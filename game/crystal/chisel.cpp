@@ -189,11 +189,14 @@ constexpr std::int32_t straight = 40;
 void turn_crystals(MatchContext& context) {
     auto& world = context.world;
     const double most = context.data.crystal->turning * tick_seconds;
+    world.view<Crystal>().each([](Crystal& crystal) { crystal.turned = 0; });
     world.view<const Controls, const AtStation, const Chisel>().each(
         [&](const Controls& controls, const AtStation& station, const Chisel&) {
             if (std::abs(controls.strafe) < straight) return;
             auto& crystal = world.get<Crystal>(crystal_entity(std::as_const(world), station.number));
-            crystal.yaw = std::remainder(crystal.yaw + most * controls.strafe / 127, 2 * pi);
+            const double turn = most * controls.strafe / 127;
+            crystal.yaw = std::remainder(crystal.yaw + turn, 2 * pi);
+            crystal.turned += turn;
         });
 }
 
@@ -241,6 +244,7 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
                       .damping = std::min(rules.hand.damping, context.data.device.max_damping)};
     const vec3 tip = haptics::measured_position(context.input.haptic_setup.device, hand_state.device);
     const auto& servo = hand_state.servo;
+    model.field_motion = std::abs(crystal.turned) * glm::distance(tip, frame.to_device(crystal.middle));
     haptics::PrimitiveSet set;
     haptics::add_volume_feel(feel,
                              {.proxy = servo.primitives == 0 ? tip : servo.proxy,

@@ -61,6 +61,7 @@ double feel(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
 /// Sets the primitives of the model: those of orb or crystal for a hand at one of them, none for any other.
 void feel_station(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state,
                   haptics::HapticModel& model) {
+    model.field_motion = 0;
     if (context.world.has<Scrying>(wizard)) return feel_orb(context, wizard, hand_state, model);
     if (context.world.has<Chisel>(wizard)) return feel_crystal(context, wizard, hand_state, model);
     if (model.set_number == 0) return;

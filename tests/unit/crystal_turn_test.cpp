@@ -48,6 +48,24 @@ TEST(Crystal, ItShowsItsFlatSideToTheOneWhoBegins) {
     EXPECT_EQ(crystal_in(*match).yaw, yaw) << "not while another carves it";
 }
 
+TEST(Crystal, AHandThatRestsFeelsItTurnAtOnce) {
+    const auto match = at_the_crystal(false);
+    const auto wizard = wizard_of(match->world(), 0);
+    const auto force = [&] { return match->world().get<HandState>(wizard).servo.safety.output; };
+    auto frame = held({input::Button::stir});
+    frame.devices[0].counts[input::hand::forward] = 127;
+    for (Tick t = 0; t < 2000 && glm::length(force()) < 0.3; ++t) match->tick(frame);
+    frame.devices[0].counts[input::hand::forward] = 0;
+    run(*match, 1000, frame);
+    const vec3 still = force();
+    ASSERT_GT(glm::length(still), 0.2) << "pressed";
+    run(*match, 100, frame);
+    EXPECT_LT(glm::distance(force(), still), 0.005) << "nothing moves";
+    frame.devices[0].counts[input::hand::strafe] = 127;
+    run(*match, 100, frame);
+    EXPECT_GT(glm::distance(force(), still), 0.025);
+}
+
 TEST(Crystal, TurningUnderTheHandStaysWithinTheCapsAndCreatesNoEnergy) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const auto match = at_the_crystal(true, {}, seed);
