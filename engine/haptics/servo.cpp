@@ -395,6 +395,16 @@ Tether moved_on(Tether tether, std::uint32_t age) {
     return tether;
 }
 
+/// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity, too. If it is worth
+/// more than this force, the controller shakes a tip that hardly moves. In a faster motion a count matters less.
+double controller_damping(const Servo& servo, vec3 velocity) {
+    constexpr double most_of_a_count = 0.28;  // N
+    if (!(servo.quantum > 0)) return servo.most_damping;
+    const double of_a_count = servo.quantum / tick_seconds;
+    const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));
+    return std::min(servo.most_damping, most_of_a_count / of_a_count * counts);
+}
+
 /// Updates the passivity observer. Limits active sources to their budget, and after a switch the springs to their
 /// reserve.
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
@@ -430,8 +440,10 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip), pull);
     // Without it, skips the velocity, which takes half the time of a quiet step.
-    if (taken > 0)
-        limits.brake = passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
+    if (taken > 0) {
+        const vec3 velocity = prompt_velocity(state, servo.quantum);
+        limits.brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
+    }
     return limits;
 }
 

@@ -118,6 +118,20 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
 }
 
+TEST(HapticsZWidth, AFalconsEncoderKeepsAWallOf1000AtOneTickOfDelay) {
+    // Its controller may add 20 N s/m, with which one count of 53 um in a tick would be worth 1 N.
+    auto spec = reference_device(0.5, 1);
+    spec.position_quantum = 5.3e-5;
+    constexpr double newtons = 2;
+    for (const double damping : {0.0, 2.0}) {
+        for (double stiffness = 600; stiffness < 1200; stiffness *= 1.03) {
+            const Pressed at = pressed(spec, {stiffness, damping, 20}, newtons);
+            EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness << " " << damping;
+            EXPECT_LE(at.created, 0.02) << stiffness << " " << damping;
+        }
+    }
+}
+
 TEST(HapticsZWidth, AControllerOfMoreThanTheLoopBearsShakesByItself) {
     // Its damping acts on a velocity over eight ticks, which is late. So the device's own limit counts, not
     // the largest number.
