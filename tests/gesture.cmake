@@ -1,6 +1,6 @@
 thaum_test(test_gesture
     SOURCES
-        unit/allocations.cpp unit/gesture_comparison_test.cpp unit/gesture_files_test.cpp unit/gesture_network_test.cpp unit/gesture_recogniser_test.cpp
+        unit/allocations.cpp unit/gesture_comparison_test.cpp unit/gesture_files_test.cpp unit/gesture_network_test.cpp unit/gesture_prefix_test.cpp unit/gesture_recogniser_test.cpp
         unit/gesture_shape_test.cpp unit/gesture_spotter_test.cpp
         accuracy/gesture_accuracy_test.cpp accuracy/gesture_confusion_test.cpp stability/gesture_hostile_test.cpp
     LINK thaum_gesture thaum_strokes

@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
+#include "gesture/prefix.h"
 
 namespace thaum::gesture {
 namespace {
@@ -100,7 +101,7 @@ private:
     }
 
     void test(std::size_t s, Classifier& classifier, std::span<const std::uint32_t> number, bool known) {
-        const auto answer = classifier.classify(strokes_[s].points);
+        const auto answer = classifier.classify(beginning_of(strokes_[s].points, settings_.at));
         Trial trial{.truth = index_.gesture_of[s], .answer = none, .known = known};
         if (answer.gesture != none) trial.answer = number[answer.gesture];
         trial.group = index_.users.size() > 1 ? index_.user_of[s] : static_cast<std::uint32_t>(s % 2);
@@ -227,6 +228,19 @@ GestureIndex index_of(std::span<const Stroke> strokes) {
         index.user_of.push_back(users[s.user]);
     }
     return index;
+}
+
+Certainty certainty_of(const Evaluation& evaluation, double least_probability) {
+    std::size_t told = 0, right = 0;
+    for (const auto& t : evaluation.trials) {
+        if (t.answer == none || t.probability < least_probability) continue;
+        ++told;
+        right += t.right();
+    }
+    const auto share = [](std::size_t a, std::size_t b) {
+        return b > 0 ? static_cast<double>(a) / static_cast<double>(b) : 0;
+    };
+    return {share(told, evaluation.trials.size()), share(right, told)};
 }
 
 Numbers draw_templates(const GestureIndex& index, Protocol protocol, std::uint32_t user, std::size_t count,

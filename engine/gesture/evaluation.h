@@ -34,6 +34,7 @@ struct EvaluationSettings {
     std::size_t templates = 1;  ///< number of templates of each gesture
     std::size_t repeats = 10;
     Channels channels{};
+    double at = 1;             ///< share of each tested stroke's length that is shown, from its start: 0 to 1
     double unknown_share = 0;  ///< share of gestures without templates, 0 to less than 1
     std::uint64_t seed = 1;
     bool own_calibration = false;  ///< true to keep the probability of the method itself, for templates alone
@@ -83,6 +84,13 @@ struct GestureIndex {
     std::vector<std::uint32_t> gesture_of, user_of;  ///< gesture and user of each stroke
 };
 GestureIndex index_of(std::span<const Stroke> strokes);
+
+/// How often a method is sure, and then right.
+struct Certainty {
+    double told{};   ///< share of the strokes whose answer has at least the probability
+    double right{};  ///< share of these whose answer is right; 0: none
+};
+Certainty certainty_of(const Evaluation& evaluation, double least_probability);
 
 /// Templates of one fold.
 std::vector<Gesture> gestures_of(std::span<const Stroke> strokes, const GestureIndex& index,

@@ -5,13 +5,14 @@
 
 #include "core/text.h"
 #include "gesture/dot.h"
+#include "gesture/prefix.h"
 #include "gesture/recogniser.h"
 #include "gesture/stroke_networks.h"
 
 namespace thaum::gesture {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"dot", "tdnn", "directions", "elastic", "default"};
+constexpr std::array<std::string_view, 6> names{"dot", "tdnn", "directions", "elastic", "default", "early"};
 
 /// Answer for scores of which the largest is best and 1 is the most.
 Answer answer_of(std::span<const double> scores) {
@@ -98,6 +99,20 @@ private:
     RecogniserSpace space_;
 };
 
+class EarlyClassifier : public Classifier {
+public:
+    explicit EarlyClassifier(PrefixReader reader) : reader_(std::move(reader)) {}
+
+    Answer classify(Points stroke) override {
+        const auto likely = reader_.read(stroke, space_);
+        return {likely.gesture, likely.evidence, likely.probability};
+    }
+
+private:
+    PrefixReader reader_;
+    PrefixSpace space_;
+};
+
 }  // namespace
 
 std::span<const std::string_view> method_names() { return names; }
@@ -114,6 +129,13 @@ Expected<std::unique_ptr<Classifier>> make_classifier(Method method, std::span<c
     if (method == Method::tdnn || method == Method::directions) {
         const auto kind = method == Method::tdnn ? NetworkKind::tdnn : NetworkKind::directions;
         return std::make_unique<NetworkClassifier>(kind, gestures, settings.seed);
+    }
+    if (method == Method::early) {
+        auto reader = PrefixReader::make(
+            gestures,
+            {.channels = settings.channels, .seed = settings.seed, .calibrate = settings.calibrate});
+        if (!reader) return reader.error();
+        return std::make_unique<EarlyClassifier>(std::move(*reader));
     }
     auto recogniser = Recogniser::make(gestures, {.channels = settings.channels,
                                                   .exhaustive = method == Method::elastic,

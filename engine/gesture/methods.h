@@ -12,8 +12,8 @@
 namespace thaum::gesture {
 
 /// dot: paper 000. tdnn: paper 002. directions: the network of paper 000. elastic: every template compared elastically.
-/// standard: the recogniser of the game.
-enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard };
+/// standard: the recogniser of the game. early: the likely gesture of an unfinished stroke (prefix.h).
+enum class Method : std::uint8_t { dot, tdnn, directions, elastic, standard, early };
 
 std::span<const std::string_view> method_names();
 std::optional<Method> method_of(std::string_view name);

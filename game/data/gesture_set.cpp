@@ -26,6 +26,15 @@ const gesture::Recogniser& GestureSet::recogniser() const {
     return *recogniser_;
 }
 
+const gesture::PrefixReader& GestureSet::prefixes() const {
+    std::call_once(once_prefixes_, [this] {
+        auto made = gesture::PrefixReader::make(gestures_);
+        THAUM_ASSERT(made, "gestures of a set were checked");
+        prefixes_ = std::move(*made);
+    });
+    return *prefixes_;
+}
+
 std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures) {
     const auto made = gesture::Recogniser::make(gestures, {.calibrate = false});
     if (made) return {};

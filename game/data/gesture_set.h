@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gesture/prefix.h"
 #include "gesture/recogniser.h"
 
 namespace thaum::game {
@@ -23,11 +24,14 @@ public:
     /// Name of a gesture by its number; empty for a number without a gesture.
     std::string_view name(std::uint32_t number) const;
     const gesture::Recogniser& recogniser() const;
+    /// Reader of unfinished strokes, made when it is first needed, in any thread. For pictures, never for a match.
+    const gesture::PrefixReader& prefixes() const;
 
 private:
     std::vector<gesture::Gesture> gestures_;
-    mutable std::once_flag once_;
+    mutable std::once_flag once_, once_prefixes_;
     mutable std::optional<gesture::Recogniser> recogniser_;
+    mutable std::optional<gesture::PrefixReader> prefixes_;
 };
 
 /// Tells in words why no recogniser can be made of these gestures; std::nullopt if one can.

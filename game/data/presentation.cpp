@@ -149,11 +149,15 @@ WandSounds read_wand_sounds(const ConfigTable& wand) {
 
 SpellPresentation read_spell_presentation(std::string_view name, const ConfigTable& spell) {
     const auto table = spell.table("event");
-    const auto sign = spell.table("look").choice("sign", {spell_signs.begin(), spell_signs.end()}, 0);
+    const auto look = spell.table("look");
+    const auto sign = look.choice("sign", {spell_signs.begin(), spell_signs.end()}, 0);
+    const auto colour = hex_colour(look.string("colour", "#FFFFFF"));
+    if (!colour) look.report("colour", "'colour' must be \"#RRGGBB\"");
     return {.name = std::string(name),
             .sound = table.string("sound", ""),
             .tactile = table.string("tactile", ""),
-            .sign = static_cast<SpellSign>(sign)};
+            .sign = static_cast<SpellSign>(sign),
+            .colour = colour.value_or(0xFFFFFF)};
 }
 
 SpellSign sign_of(const Presentation& shown, std::uint32_t spell) {

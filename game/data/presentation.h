@@ -106,10 +106,12 @@ inline constexpr std::array<std::string_view, 4> spell_signs{"none", "shell", "b
 
 /// How one spell is shown, heard and felt.
 struct SpellPresentation {
-    std::string name;       ///< assets/spells/NAME.toml
-    std::string sound;      ///< name of a sound of assets/sounds; empty: none
-    std::string tactile;    ///< name of an effect on the caster's body; empty: none
-    SpellSign sign{};       ///< key `sign` of the table `look`; default: "none"
+    std::string name;     ///< assets/spells/NAME.toml
+    std::string sound;    ///< name of a sound of assets/sounds; empty: none
+    std::string tactile;  ///< name of an effect on the caster's body; empty: none
+    SpellSign sign{};     ///< key `sign` of the table `look`; default: "none"
+    /// Colour of the stroke that will likely cast it, as sRGB 0xRRGGBB: key `colour` of the table `look`.
+    std::uint32_t colour = 0xFFFFFF;
     std::string shown{};    ///< name on the screen
     std::string gesture{};  ///< name of the gesture that casts it
     std::uint32_t slot{};   ///< key of its chord, 0 to wand_slots - 1

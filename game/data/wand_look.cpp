@@ -16,9 +16,9 @@ void read_colour(const ConfigTable& table, LookPart& part) {
         part.paint = words == "glow" ? LookPaint::glow : LookPaint::core;
         return;
     }
-    const auto* end = words.data() + words.size();
-    const bool hex = words.size() == 7 && words[0] == '#';
-    if (!hex || std::from_chars(words.data() + 1, end, part.colour, 16).ptr != end)
+    if (const auto colour = hex_colour(words))
+        part.colour = *colour;
+    else
         table.report("colour", "'colour' must be \"#RRGGBB\", \"glow\" or \"core\"");
 }
 
@@ -65,6 +65,14 @@ LookPart read_part(const ConfigTable& table) {
 }
 
 }  // namespace
+
+std::optional<std::uint32_t> hex_colour(std::string_view words) {
+    std::uint32_t colour = 0;
+    const auto* end = words.data() + words.size();
+    const bool hex = words.size() == 7 && words[0] == '#';
+    if (!hex || std::from_chars(words.data() + 1, end, colour, 16).ptr != end) return {};
+    return colour;
+}
 
 WandLook read_wand_look(const ConfigTable& look) {
     constexpr std::size_t most_parts = 64;

@@ -53,4 +53,7 @@ struct WandLook {
 /// Reads the table `look`. Reports faults at their keys.
 WandLook read_wand_look(const ConfigTable& look);
 
+/// Colour of "#RRGGBB" as sRGB 0xRRGGBB; std::nullopt for other words.
+std::optional<std::uint32_t> hex_colour(std::string_view words);
+
 }  // namespace thaum::game

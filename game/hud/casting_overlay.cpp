@@ -5,6 +5,7 @@
 
 #include "core/text.h"
 #include "game/hud/figures.h"
+#include "game/hud/likely_spell.h"
 #include "game/hud/overlay.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
@@ -77,9 +78,53 @@ bool is_broken(const StrokePicture& stroke, std::uint32_t piece, float age) {
     return !stroke.drawing && !stroke.read && static_cast<float>(piece % length) < 2 + 4 * age;
 }
 
+/// Adds a small picture of a gesture: its first recorded stroke, with a dot where it begins.
+void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middle, float size, fvec4 paint) {
+    constexpr std::size_t pieces = 28;
+    if (gesture.strokes.empty() || gesture.strokes[0].size() < 2) return;
+    const auto& points = gesture.strokes[0];
+    const auto flat = [](const gesture::StrokePoint& p) { return fvec2(vec2(p.at.x, -p.at.y)); };
+    fvec2 low = flat(points[0]), high = low;
+    for (const auto& p : points) {
+        low = glm::min(low, flat(p));
+        high = glm::max(high, flat(p));
+    }
+    const float scale = size / std::max({high.x - low.x, high.y - low.y, 1e-6F});
+    const auto at = [&](std::size_t piece) {
+        return middle + scale * (flat(points[piece * (points.size() - 1) / pieces]) - (low + high) / 2.0F);
+    };
+    const float width = std::max(1.5F, 0.08F * size);
+    for (std::size_t i = 0; i < pieces; ++i) out.items.emplace_back(LineItem{at(i), at(i + 1), width, paint});
+    out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
+}
+
+/// Adds the gesture and the name of the likely spell beside the end of the stroke, on the side away from its middle, where
+/// the hand has not drawn.
+void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell, const Page& page,
+                const ViewLayout& l, float u) {
+    const auto& stroke = casting.stroke;
+    const auto number = casting.gestures->number(spell.gesture);
+    if (!number) return;
+    const fvec2 pen = page.at(stroke.points[stroke.count - 1]);
+    const float apart = 30 * u, half = 17 * u;
+    const fvec2 low(l.view.x, l.view.y), size(l.view.width, l.view.height);
+    fvec2 sum(0);
+    for (std::uint32_t i = 0; i < stroke.count; ++i) sum += page.at(stroke.points[i]);
+    const fvec2 out_of_it = pen - sum / static_cast<float>(stroke.count);
+    const fvec2 aside = pen + out_of_it * (apart / std::max(glm::length(out_of_it), 1.0F));
+    const fvec2 middle = glm::clamp(aside, low + fvec2(half), low + size - fvec2(half));
+    const auto paint = opaque(colour(spell.colour, 1));
+    out.items.emplace_back(
+        RectItem{middle - fvec2(half), middle + fvec2(half), colour(0x120E1A, 0.72F), 5 * u});
+    add_gesture_icon(out, casting.gestures->gestures()[*number], middle - fvec2(0, 4 * u), 17 * u, paint);
+    add_text_in(out, {middle + fvec2(-half, 6 * u), middle + fvec2(half, half)}, spell.shown, 9 * u, paint,
+                Align::centre);
+}
+
 }  // namespace
 
-void add_stroke(Overlay& out, const CastingPicture& casting, std::uint32_t player, const ViewLayout& l) {
+void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation& shown, std::uint32_t player,
+                const ViewLayout& l) {
     const auto& stroke = casting.stroke;
     if (stroke.count < 2 || stroke.on_brew) return;
     const auto page = page_of(stroke, l);
@@ -87,19 +132,22 @@ void add_stroke(Overlay& out, const CastingPicture& casting, std::uint32_t playe
     const float left = std::clamp(1 - age, 0.0F, 1.0F);
     // A large text makes lines wider, but not so wide that they fill a small view.
     const float u = std::min(l.unit, static_cast<float>(std::min(l.view.width, l.view.height)) / 280);
+    const auto* likely = likely_spell(casting, shown);
     const auto add = [&](float widen, float alpha) {
         for (std::uint32_t i = 1; i < stroke.count; ++i) {
             if (is_broken(stroke, i, age)) continue;
             const float share = share_of(casting, stroke.points[i].force);
-            auto paint = paint_of(stroke, player, widen > 0 ? 0 : share);
+            auto paint = widen > 0 && likely != nullptr ? colour(likely->colour, 1)
+                                                        : paint_of(stroke, player, widen > 0 ? 0 : share);
             paint.a = alpha * left;
             const float width = widen + std::max(2.0F, (1.8F + 3.6F * share) * u);
             out.items.emplace_back(
                 LineItem{page.at(stroke.points[i - 1]), page.at(stroke.points[i]), width, paint});
         }
     };
-    add(7 * u, 0.25F);
+    add(7 * u, likely != nullptr ? 0.6F : 0.25F);
     add(0, 0.95F);
+    if (likely != nullptr) add_likely(out, casting, *likely, page, l, u);
     if (stroke.drawing)
         out.items.emplace_back(
             ArcItem{page.at(stroke.points[stroke.count - 1]), 0, 4.5F * u, 0, whole_turn, paints.white});
@@ -200,26 +248,6 @@ void add_focus(Overlay& out, const CastingPicture& casting, fvec2 centre, float 
 }
 
 namespace {
-
-/// Adds a small picture of a gesture: its first recorded stroke, with a dot where it begins.
-void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middle, float size, fvec4 paint) {
-    constexpr std::size_t pieces = 28;
-    if (gesture.strokes.empty() || gesture.strokes[0].size() < 2) return;
-    const auto& points = gesture.strokes[0];
-    const auto flat = [](const gesture::StrokePoint& p) { return fvec2(vec2(p.at.x, -p.at.y)); };
-    fvec2 low = flat(points[0]), high = low;
-    for (const auto& p : points) {
-        low = glm::min(low, flat(p));
-        high = glm::max(high, flat(p));
-    }
-    const float scale = size / std::max({high.x - low.x, high.y - low.y, 1e-6F});
-    const auto at = [&](std::size_t piece) {
-        return middle + scale * (flat(points[piece * (points.size() - 1) / pieces]) - (low + high) / 2.0F);
-    };
-    const float width = std::max(1.5F, 0.08F * size);
-    for (std::size_t i = 0; i < pieces; ++i) out.items.emplace_back(LineItem{at(i), at(i + 1), width, paint});
-    out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
-}
 
 /// One cell of the strip of spells. All sizes are in units of `u` px.
 struct SpellCell {

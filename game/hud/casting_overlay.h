@@ -10,9 +10,10 @@ void add_free_trail(render::Overlay& out, const CastingPicture& casting, std::ui
                     const ViewLayout& l);
 
 /// Adds the stroke of a hand that draws in the air, round the crosshair. It is the wider and the brighter the more
-/// force it has. A finished stroke fades: green if it was read, grey and broken if not.
-void add_stroke(render::Overlay& out, const CastingPicture& casting, std::uint32_t player,
-                const ViewLayout& l);
+/// force it has. As soon as its spell is clear, its glow takes the spell's colour, and the spell's gesture and name
+/// follow its end. A finished stroke fades: green if it was read, grey and broken if not.
+void add_stroke(render::Overlay& out, const CastingPicture& casting, const Presentation& shown,
+                std::uint32_t player, const ViewLayout& l);
 
 /// Adds the band of forces above the crosshair: the mean force of the stroke between gentle and harsh, with its word.
 void add_force_band(render::Overlay& out, const CastingPicture& casting, const ViewLayout& l);

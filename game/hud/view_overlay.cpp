@@ -500,7 +500,7 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
         add_crosshair(out, picture, player, l);
         add_ward(out, p.casting, l);
         add_free_trail(out, p.casting, player, l);
-        add_stroke(out, p.casting, player, l);
+        add_stroke(out, p.casting, *picture.shown, player, l);
         add_force_band(out, p.casting, l);
         add_hurt_marks(out, p, l);
     }

@@ -246,7 +246,8 @@ head -c 100 "$folder/strokes.csv" | gzip | head -c 40 >"$folder/cut.csv.gz"
 expect 2 "no action" gesture
 expect 2 "unknown action 'draw'" gesture draw
 expect 2 "name one file of strokes" gesture eval
-expect 2 "must be dot, tdnn, directions, elastic or default" gesture eval strokes.csv --method guess
+expect 2 "must be dot, tdnn, directions, elastic, default or early" gesture eval strokes.csv --method guess
+expect 2 "must be a number from 0.05 to 1" gesture eval strokes.csv --at 0
 expect 2 "must be user-dependent, leave-user-out or random" gesture eval strokes.csv --protocol best
 expect 2 "the file has no force" gesture eval strokes.csv --channels xyf
 expect 2 "cut off" gesture eval cut.csv.gz

@@ -2,7 +2,9 @@
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"
+#include "game/hud/likely_spell.h"
 #include "game/hud/stroke_words.h"
+#include "gesture/prefix.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {
@@ -326,13 +328,15 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
 /// Lines of an overlay between two heights of the first view, which the HUD without strokes does not have.
 std::size_t lines_of_stroke(const CastingPicture& casting, const ViewLayout& layout, render::Overlay& out) {
     out.items.clear();
-    add_stroke(out, casting, 0, layout);
+    static const auto shown = new_casting_picture().shown;
+    add_stroke(out, casting, *shown, 0, layout);
     return out.items.size();
 }
 
 TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;
+    casting.gestures.reset();  // no stroke is a likely spell
     const auto layout = *lay_out({}, {640, 480}, 5).views[0];
     render::Overlay gentle, harsh;
     draw_arc(casting.stroke, 0.3F);
@@ -350,6 +354,65 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
         EXPECT_LE(line->to.x, static_cast<float>(layout.view.x + layout.view.width));
         EXPECT_GE(line->to.y, static_cast<float>(layout.view.y));
         EXPECT_LE(line->to.y, static_cast<float>(layout.view.y + layout.view.height));
+    }
+}
+
+/// Puts the first share of a recorded stroke of a gesture into the picture, as if the player were drawing it.
+void draw_part(CastingPicture& casting, std::string_view gesture, double share) {
+    const auto& points = casting.gestures->gestures()[gesture_number(casting, gesture)].strokes[0];
+    const auto part = gesture::beginning_of(points, share);
+    auto& stroke = casting.stroke;
+    stroke.drawing = true;
+    stroke.count =
+        std::min<std::uint32_t>(static_cast<std::uint32_t>(part.size()), StrokePicture::most_points);
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+        const auto& p = part[i * (part.size() - 1) / (stroke.count - 1)];
+        stroke.points[i] = {static_cast<float>(p.at.x), static_cast<float>(p.at.y),
+                            static_cast<float>(p.at.z), static_cast<float>(p.force)};
+    }
+}
+
+TEST(LikelySpell, IsToldFromHalfOfItsStroke) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    for (const auto& spell : picture.shown->spells) {
+        draw_part(casting, spell.gesture, 0.5);
+        EXPECT_EQ(likely_spell(casting, *picture.shown), &spell) << spell.name;
+    }
+}
+
+TEST(LikelySpell, IsNotToldBeforeAfterOrInPlaceOfAStroke) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    const auto told = [&] { return likely_spell(casting, *picture.shown) != nullptr; };
+    EXPECT_FALSE(told());
+    draw_part(casting, "star", 0.04);
+    EXPECT_FALSE(told()) << "hardly begun";
+    draw_part(casting, "star", 0.5);
+    EXPECT_TRUE(told());
+    for (bool StrokePicture::*other :
+         {&StrokePicture::on_brew, &StrokePicture::curve, &StrokePicture::chord}) {
+        casting.stroke.*other = true;
+        EXPECT_FALSE(told());
+        casting.stroke.*other = false;
+    }
+    casting.stroke.drawing = false;
+    EXPECT_FALSE(told()) << "the reading decides";
+}
+
+TEST(LikelySpell, ColoursTheStrokeAndShowsItsNameInTheView) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    const auto layout = *lay_out({}, {640, 480}, 5).views[0];
+    draw_part(casting, "star", 0.5);
+    for (const float far : {1.0F, 30.0F}) {
+        for (auto& p : casting.stroke.points) p.x *= far;
+        render::Overlay out;
+        add_stroke(out, casting, *picture.shown, 0, layout);
+        const auto* spell = likely_spell(casting, *picture.shown);
+        EXPECT_EQ(has_text(out, "Recall"), spell != nullptr);
+        if (spell == nullptr) continue;
+        EXPECT_EQ(std::get<render::LineItem>(out.items[0]).colour, render::colour(spell->colour, 0.6F));
     }
 }
 

@@ -10,6 +10,7 @@
 #include "game/app/gesture/gesture_report.h"
 #include "game/app/gesture/stroke_files.h"
 #include "game/command_line/arguments.h"
+#include "gesture/prefix.h"
 
 namespace thaum::app {
 
@@ -20,7 +21,9 @@ Measures how often a recogniser is right: accuracy, confusion matrix, time of a 
 whether its probabilities hold.
 
   --method M      dot (paper 000), tdnn (paper 002), directions (network of paper 000), elastic
-                  (every template compared), default (the recogniser of the game)
+                  (every template compared), default (the recogniser of the game), early (the
+                  likely gesture of an unfinished stroke, as a player sees it)
+  --at S          shows only the first share S of the length of each tested stroke (0.05 to 1)
   --protocol P    user-dependent: templates of the tested user; leave-user-out: templates of the
                   other users (default); random: templates of anybody
   --templates K   strokes of each gesture that serve as templates (default 1)
@@ -51,11 +54,13 @@ Expected<void> read_counts(const Arguments& arguments, EvalPlan& plan) {
     const auto templates = arguments.whole("--templates", 1, 1000, 1),
                repeats = arguments.whole("--repeats", 1, 1000, 10),
                seed = arguments.whole("--seed", 0, ~std::uint64_t{0}, 1);
-    const auto open = arguments.number("--open-set", 0, 0.9, 0);
+    const auto open = arguments.number("--open-set", 0, 0.9, 0), at = arguments.number("--at", 0.05, 1, 1);
     for (const auto* whole : {&templates, &repeats, &seed}) {
         if (!*whole) return whole->error();
     }
     if (!open) return open.error();
+    if (!at) return at.error();
+    plan.settings.at = *at;
     plan.settings.templates = *templates;
     plan.settings.repeats = *repeats;
     plan.settings.seed = *seed;
@@ -64,9 +69,9 @@ Expected<void> read_counts(const Arguments& arguments, EvalPlan& plan) {
 }
 
 Expected<EvalPlan> read_eval_plan(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--method", 1},  {"--protocol", 1}, {"--templates", 1},
-                                         {"--repeats", 1}, {"--channels", 1}, {"--open-set", 1},
-                                         {"--seed", 1},    output("--json"),  output("--svg")};
+    static constexpr Option options[] = {
+        {"--method", 1},   {"--protocol", 1}, {"--templates", 1}, {"--repeats", 1}, {"--channels", 1},
+        {"--open-set", 1}, {"--seed", 1},     {"--at", 1},        output("--json"), output("--svg")};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return arguments.error();
     if (arguments->plain().size() != 1)
@@ -80,7 +85,8 @@ Expected<EvalPlan> read_eval_plan(const std::vector<std::string>& words) {
     plan.svg = arguments->value("--svg");
     const auto method = gesture::method_of(plan.method);
     if (!method)
-        return fail(text("--method '", plan.method, "': must be dot, tdnn, directions, elastic or default"));
+        return fail(
+            text("--method '", plan.method, "': must be dot, tdnn, directions, elastic, default or early"));
     const auto protocol = gesture::protocol_of(plan.protocol);
     if (!protocol)
         return fail(
@@ -123,13 +129,15 @@ Expected<std::vector<double>> measure_times(const gesture::StrokeSet& set,
     constexpr std::size_t timed_strokes = 64, calls = 8;
     constexpr int passes = 40;
     const std::size_t stride = set.strokes.size() / timed_strokes + 1;
+    std::vector<gesture::Points> shown;
+    for (const auto& stroke : set.strokes) shown.push_back(gesture::beginning_of(stroke.points, settings.at));
     std::vector<double> us;
     std::uint64_t sum = 0;
     for (int pass = 0; pass < passes; ++pass) {
         for (std::size_t s = 0; s + calls * stride <= set.strokes.size(); s += calls * stride) {
             const auto begin = std::chrono::steady_clock::now();
             for (std::size_t call = 0; call < calls; ++call)
-                sum += (*classifier)->classify(set.strokes[s + call * stride].points).gesture;
+                sum += (*classifier)->classify(shown[s + call * stride]).gesture;
             const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
             us.push_back(time.count() / calls);
         }
@@ -153,13 +161,16 @@ Expected<GestureReport> measure_method(EvalPlan& plan, const gesture::StrokeSet&
     auto evaluation = gesture::evaluate(set.strokes, plan.settings);
     if (!evaluation) return fail(text(plan.file.string(), ": ", evaluation.error().message));
     report.evaluation = std::move(*evaluation);
-    if (plan.settings.method == gesture::Method::standard) {
+    report.at = plan.settings.at;
+    const bool is_early = plan.settings.method == gesture::Method::early;
+    if (is_early || plan.settings.method == gesture::Method::standard) {
         auto own = plan.settings;
         own.own_calibration = true;
         own.repeats = std::min<std::size_t>(own.repeats, 3);  // synthetic strokes take most of the time
         const auto second = gesture::evaluate(set.strokes, own);
         report.has_own_calibration = second.has_value();
         if (second) report.own_calibration_error = second->calibration_error;
+        if (second && is_early) report.certainty = certainty_of(*second, gesture::likely_enough);
     }
     const auto us = measure_times(set, plan.settings);
     if (!us) return us.error();

@@ -136,7 +136,11 @@ std::string report_text(const GestureReport& r) {
         text(r.file, ": ", r.strokes, " strokes, ", e.gestures.size(), " gestures, ", r.users,
              r.users == 1 ? " user\n" : " users\n", "method ", r.method, ", protocol ", r.protocol, ", ",
              r.templates, " templates a gesture, ", r.repeats, " repeats, channels ", r.channels, "\n\n");
-    out += text("accuracy            ", share_text(e.accuracy), " of ", e.trials.size(), " trials\n");
+    out += text("accuracy            ", share_text(e.accuracy), " of ", e.trials.size(), " trials",
+                r.at < 1 ? text(", from the first ", share_text(r.at, 0), " of each stroke") : "", "\n");
+    if (r.certainty)
+        out += text("told early          ", share_text(r.certainty->told), " of the trials, of which ",
+                    share_text(r.certainty->right), " are right\n");
     out += text("time                ", fixed(r.median_us, 2), " us a recognition (p99 ", fixed(r.p99_us, 2),
                 ")\n");
     out += text("calibration error   ", fixed(e.calibration_error, 4), " fitted to other groups\n");
@@ -165,6 +169,8 @@ std::string report_json(const GestureReport& r) {
               {"accuracy", e.accuracy},
               {"us_per_recognition", {{"median", r.median_us}, {"p99", r.p99_us}}},
               {"calibration_error", e.calibration_error}};
+    if (r.at < 1) json.set("at", r.at);
+    if (r.certainty) json.set("told_early", {{"right", r.certainty->right}, {"told", r.certainty->told}});
     if (r.has_own_calibration) json.set("calibration_error_from_templates", r.own_calibration_error);
     if (e.open_set)
         json.set("open_set", {{"correct_accepts", e.open_set->correct_accepts},

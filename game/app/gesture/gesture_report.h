@@ -1,5 +1,6 @@
 // game/app/gesture/gesture_report.h: what `thaum gesture eval` has measured, as text, JSON and SVG.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "gesture/evaluation.h"
@@ -12,6 +13,9 @@ struct GestureReport {
     gesture::Evaluation evaluation;
     double own_calibration_error{};  ///< error of the probabilities from the templates alone
     bool has_own_calibration = false;
+    double at = 1;  ///< share of each tested stroke that was shown
+    std::optional<gesture::Certainty>
+        certainty{};               ///< how often an early answer is told to the player, and then right
     double median_us{}, p99_us{};  ///< time of a recognition, shape included (us)
 };
 

@@ -1,0 +1,229 @@
+#include "gesture/prefix.h"
+
+#include <algorithm>
+
+#include "core/random.h"
+#include "core/text.h"
+#include "gesture/variations.h"
+#include "gesture/vectors.h"
+
+namespace thaum::gesture {
+namespace {
+
+constexpr std::size_t prefix_starts = 8;              // of a closed stroke
+constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
+/// Distances below this one count as this one: no other hand comes nearer, and the calibration knows nothing of them.
+constexpr float least_counted = 0.02F;
+constexpr float no_match = 1, very_far_off = 1e30F;
+/// Distance that a length adds which is e times another, and the most that any length adds. Half and twice the length
+/// add 0.03, about as much as a hand differs from itself; from four times on, the length is of another kind of stroke.
+constexpr float length_weight = 0.06F, most_for_length = 0.12F;
+/// Squared distances of points, where the dot product chooses, are about four times the elastic distance.
+constexpr float squares_to_elastic = 4;
+constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
+constexpr std::array synthetic_shares{0.25, 0.5, 0.75};
+
+float log_length_of(const Shape& shape) {
+    return static_cast<float>(det::log(static_cast<double>(shape.length)));
+}
+
+/// Distance for a difference of logarithms of lengths.
+float cost_of_length(float difference) {
+    return std::min(length_weight * difference * difference, most_for_length);
+}
+
+std::vector<StrokePoint> drawn_backwards(Points stroke) {
+    std::vector<StrokePoint> back(stroke.rbegin(), stroke.rend());
+    for (auto& p : back) p.t = stroke.back().t - p.t;
+    return back;
+}
+
+/// A closed stroke that begins at its point of that number.
+std::vector<StrokePoint> begun_at(Points stroke, std::size_t first) {
+    std::vector<StrokePoint> turned(stroke.begin() + static_cast<std::ptrdiff_t>(first), stroke.end());
+    const double so_far = stroke.back().t - stroke.front().t;
+    for (std::size_t i = 0; i < first; ++i) {
+        turned.push_back(stroke[i]);
+        turned.back().t += so_far;
+    }
+    return turned;
+}
+
+double path_length(Points stroke) {
+    double length = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) length += glm::distance(stroke[i - 1].at, stroke[i].at);
+    return length;
+}
+
+}  // namespace
+
+Points beginning_of(Points stroke, double share) {
+    if (share >= 1) return stroke;
+    const double wanted = share * path_length(stroke);
+    double length = 0;
+    std::size_t last = 1;
+    for (; last < stroke.size() && length < wanted; ++last)
+        length += glm::distance(stroke[last - 1].at, stroke[last].at);
+    return stroke.first(std::min(last, stroke.size()));
+}
+
+bool PrefixReader::add_stroke(Points stroke, const GestureOptions& options, PrefixSpace& space) {
+    const bool solid = channels_.depth && !options.planar;
+    Beginnings b{.gesture = static_cast<std::uint32_t>(names_.size() - 1),
+                 .channels = solid ? solid_channels : planar_channels};
+    std::array<Shape, lanes> shapes{};
+    std::array<const float*, lanes> values{};
+    for (std::size_t k = lanes; k-- > 0;) {
+        // A beginning without a shape, of few points, is replaced by the next longer one.
+        if (!make_shape(beginning_of(stroke, prefix_shares[k]), {solid, channels_.force}, space.points,
+                        shapes[k])) {
+            if (k + 1 == lanes) return false;
+            shapes[k] = shapes[k + 1];
+        }
+        values[k] = shapes[k].values.data();
+        for (std::size_t i = 0; i < shape_points * b.channels; ++i)
+            b.square[k] += values[k][i] * values[k][i];
+        b.log_length[k] = log_length_of(shapes[k]);
+    }
+    set_lanes(b.values, b.channels, values);
+    (solid ? needs_solid_ : needs_flat_) = true;
+    beginnings_.push_back(b);
+    return true;
+}
+
+Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
+    if (gesture.strokes.empty()) return fail(text("gesture '", gesture.name, "' has no stroke"));
+    names_.push_back(gesture.name);
+    for (const auto& stroke : gesture.strokes) {
+        std::vector<std::vector<StrokePoint>> ways{stroke};
+        if (!gesture.options.direction_sensitive) ways.push_back(drawn_backwards(stroke));
+        for (const auto& way : ways) {
+            const std::size_t turns = gesture.options.closed ? std::min(prefix_starts, way.size()) : 1;
+            for (std::size_t k = 0; k < turns; ++k) {
+                if (!add_stroke(begun_at(way, k * way.size() / turns), gesture.options, space))
+                    return fail(text("gesture '", gesture.name, "': a stroke without a shape"));
+            }
+        }
+    }
+    if (beginnings_.size() > most_templates)
+        return fail(text("more than ", most_templates, " strokes; leave some out"));
+    return {};
+}
+
+/// Finds the nearest share of each recorded stroke by the dot product, and puts the nearest strokes first.
+std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
+    const float length = log_length_of(shape);
+    std::size_t count = 0;
+    for (std::uint32_t b = 0; b < beginnings_.size(); ++b) {
+        const auto& one = beginnings_[b];
+        if (one.channels != shape.channels) continue;
+        Floats8 dot{};
+        for (std::size_t i = 0; i < shape_points * one.channels; ++i)
+            dot += shape.values[i] * load<Floats8>(&one.values.values[i * lanes]);
+        PrefixSpace::Candidate nearest{.distance = very_far_off, .place = b};
+        for (std::uint32_t k = 0; k < lanes; ++k) {
+            const float squares = (one.square[k] - 2 * dot[k]) / shape_points;
+            const float distance = squares + squares_to_elastic * cost_of_length(length - one.log_length[k]);
+            if (distance < nearest.distance) nearest = {distance, b, k};
+        }
+        space.candidates[count++] = nearest;
+    }
+    const auto begin = space.candidates.begin();
+    const auto best = static_cast<std::ptrdiff_t>(std::min(verified_prefixes, count));
+    std::partial_sort(begin, begin + best, begin + static_cast<std::ptrdiff_t>(count),
+                      [](const auto& a, const auto& b) {
+                          return a.distance != b.distance ? a.distance < b.distance : a.place < b.place;
+                      });
+    return static_cast<std::size_t>(best);
+}
+
+/// Compares at most eight candidates from `first` on elastically.
+void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const {
+    std::array<const float*, lanes> values{};
+    const std::size_t count = std::min(lanes, end - first);
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const auto& c = space.candidates[first + std::min(k, count - 1)];
+        const auto& from = beginnings_[c.place].values.values;
+        for (std::size_t i = 0; i < shape_points * shape.channels; ++i)
+            space.chosen[k][i] = from[i * lanes + c.lane];
+        values[k] = space.chosen[k].data();
+    }
+    set_lanes(space.eight, shape.channels, values);
+    const auto distances = elastic_distances(shape, space.eight);
+    const float length = log_length_of(shape);
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto& c = space.candidates[first + k];
+        const auto& from = beginnings_[c.place];
+        auto& nearest = space.nearest[from.gesture];
+        const float distance = distances[k] + cost_of_length(length - from.log_length[c.lane]);
+        if (distance < nearest.distance) nearest = {distance, length - from.log_length[lanes - 1]};
+    }
+}
+
+LikelyGesture PrefixReader::likeliest(std::span<const PrefixSpace::Nearest> nearest) const {
+    LikelyGesture likely;
+    float first = no_match, second = no_match;
+    for (std::uint32_t g = 0; g < nearest.size(); ++g) {
+        if (nearest[g].distance < first) {
+            second = first;
+            first = nearest[g].distance;
+            likely.gesture = g;
+        } else {
+            second = std::min(second, nearest[g].distance);
+        }
+    }
+    if (likely.gesture == LikelyGesture::none) return likely;
+    likely.evidence = evidence_of(std::max(first, least_counted), second, 1);
+    static const auto least_log_share = static_cast<float>(det::log(prefix_shares[0]));
+    const bool early = nearest[likely.gesture].log_share < least_log_share;
+    likely.probability = early ? 0 : calibration_.probability(likely.evidence);
+    return likely;
+}
+
+LikelyGesture PrefixReader::read(Points stroke, PrefixSpace& space) const {
+    space.candidates.resize(beginnings_.size());
+    space.nearest.assign(names_.size(), {no_match, 0});
+    for (const bool solid : {true, false}) {
+        if (!(solid ? needs_solid_ : needs_flat_)) continue;
+        if (!make_shape(stroke, {solid, channels_.force}, space.points, space.shape)) continue;
+        const std::size_t end = choose(space.shape, space);
+        for (std::size_t first = 0; first < end; first += lanes) verify(space.shape, first, end, space);
+    }
+    return likeliest(space.nearest);
+}
+
+void PrefixReader::calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space) {
+    Random random = random_stream(seed, 0x9e58);
+    std::vector<LabelledEvidence> samples;
+    const auto keep = [&](Points stroke, std::uint32_t meant) {
+        for (const double share : synthetic_shares) {
+            const auto likely = read(beginning_of(stroke, share), space);
+            if (likely.gesture != LikelyGesture::none)
+                samples.push_back({likely.evidence, likely.gesture == meant, 1});
+        }
+    };
+    for (std::uint32_t g = 0; g < gestures.size(); ++g) {
+        const auto& strokes = gestures[g].strokes;
+        for (std::size_t v = 0; v < synthetic_strokes; ++v) {
+            keep(variation_of(strokes[v % strokes.size()], random), g);
+            if (v % scribble_every == 0) keep(scribble(gestures, random), LikelyGesture::none);
+        }
+    }
+    calibration_.weights = fit_weights(samples);
+}
+
+Expected<PrefixReader> PrefixReader::make(std::span<const Gesture> gestures, const PrefixSettings& settings) {
+    if (gestures.empty()) return fail("no gesture to recognise; record one");
+    if (gestures.size() > most_gestures)
+        return fail(text(gestures.size(), " gestures, more than ", most_gestures, "; leave some out"));
+    PrefixReader reader;
+    reader.channels_ = settings.channels;
+    PrefixSpace space;
+    for (const auto& gesture : gestures) {
+        if (auto added = reader.add(gesture, space); !added) return added.error();
+    }
+    if (settings.calibrate) reader.calibrate(gestures, settings.seed, space);
+    return reader;
+}
+
+}  // namespace thaum::gesture

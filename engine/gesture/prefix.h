@@ -1,0 +1,107 @@
+// gesture/prefix.h: the likely gesture of a stroke that is still being drawn.
+//
+// A recogniser compares whole strokes, so the first half of an S is nothing to it, or something else. Here each recorded
+// stroke is cut at eight shares of its length, and the stroke so far is compared with all of these beginnings: by the dot
+// product of their shapes first, then elastically with the nearest ones (elastic.h). Nobody knows how much of the stroke
+// is still to come. But people draw a gesture at about the same size each time, so a beginning also counts as the
+// farther, the more its length differs from that of the stroke so far.
+//
+// Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is not
+// sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
+//
+// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. Everything is fixed at construction, and equal
+// input gives equal bits. At most sixteen beginnings are compared elastically, however many there are.
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+#include "gesture/calibration.h"
+#include "gesture/elastic.h"
+#include "gesture/gesture.h"
+
+namespace thaum::gesture {
+
+/// Shares of a recorded stroke's length at which it is cut.
+inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1};
+
+/// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
+Points beginning_of(Points stroke, double share);
+
+/// Probability from which on a likely gesture is shown to the player.
+inline constexpr double likely_enough = 0.8;
+
+struct LikelyGesture {
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
+    Evidence evidence{};
+    /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the first beginning: too early to say.
+    double probability{};
+};
+
+struct PrefixSettings {
+    Channels channels{};
+    std::uint64_t seed = 1;  ///< seed of the synthetic strokes
+    bool calibrate =
+        true;  ///< false to skip the synthetic strokes, for a caller that calibrates with real ones
+};
+
+/// Working memory of one thread.
+struct PrefixSpace {
+    struct Candidate {
+        float distance{};
+        std::uint32_t place{};  ///< recorded stroke
+        std::uint32_t lane{};   ///< share at which it is cut
+    };
+    ShapeSpace points{};
+    Shape shape{};
+    EightShapes eight{};
+    std::array<std::array<float, shape_points * most_channels>, lanes> chosen{};
+    std::vector<Candidate> candidates{};
+    struct Nearest {
+        float distance{};
+        float
+            log_share{};  ///< natural logarithm of the share of the recorded stroke's length that has been drawn
+    };
+    std::vector<Nearest> nearest{};  ///< nearest beginning of each gesture
+};
+
+class PrefixReader {
+public:
+    /// Cuts the strokes. The error names the gesture and the fault: no stroke, a stroke without a shape, or too many.
+    static Expected<PrefixReader> make(std::span<const Gesture> gestures,
+                                       const PrefixSettings& settings = {});
+
+    std::size_t gestures() const { return names_.size(); }
+    const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
+    /// Allocates nothing after the first call with the same space.
+    LikelyGesture read(Points stroke, PrefixSpace& space) const;
+
+private:
+    /// One recorded stroke from one start and in one direction, cut at eight shares.
+    struct Beginnings {
+        std::uint32_t gesture{};
+        std::size_t channels{};
+        EightShapes values{};
+        std::array<float, lanes> square{};      ///< dot product of each beginning with itself
+        std::array<float, lanes> log_length{};  ///< natural logarithm of the length (unit of the strokes)
+    };
+
+    Expected<void> add(const Gesture& gesture, PrefixSpace& space);
+    bool add_stroke(std::span<const StrokePoint> stroke, const GestureOptions& options, PrefixSpace& space);
+    void calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space);
+    std::size_t choose(const Shape& shape, PrefixSpace& space) const;
+    void verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const;
+    LikelyGesture likeliest(std::span<const PrefixSpace::Nearest> nearest) const;
+
+    Channels channels_{};
+    std::vector<std::string> names_;
+    std::vector<Beginnings> beginnings_;
+    Calibration calibration_{};
+    bool needs_solid_ = false, needs_flat_ = false;
+};
+
+}  // namespace thaum::gesture
