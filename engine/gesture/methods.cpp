@@ -66,7 +66,7 @@ private:
 class NetworkClassifier : public Classifier {
 public:
     NetworkClassifier(NetworkKind kind, std::span<const Gesture> gestures, std::uint64_t seed)
-        : network_(train_network(kind, gestures, training_for(gestures, seed)).network) {}
+        : network_(train_network(kind, gestures, training_for(gestures, seed))) {}
 
     Answer classify(Points stroke) override {
         if (inputs_of(network_.kind, stroke).empty()) return {};

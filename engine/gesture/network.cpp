@@ -5,7 +5,6 @@
 
 #include "core/maths.h"
 #include "core/random.h"
-#include "core/text.h"
 
 namespace thaum::gesture {
 namespace {
@@ -63,15 +62,6 @@ void descend(std::vector<double>& weights, std::vector<double>& velocity, std::s
             weights[row + i] += velocity[row + i];
         }
     }
-}
-
-std::string numbers(std::string_view key, std::span<const double> values) {
-    std::string out = text(key, " = [");
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        out += i == 0 ? "\n    " : i % 6 == 0 ? ",\n    " : ", ";
-        out += values[i] == 0 && std::signbit(values[i]) ? "-0.0" : text(values[i]);
-    }
-    return out + "]\n";
 }
 
 }  // namespace
@@ -142,33 +132,6 @@ Training train(Network network, std::span<const TrainingSample> samples, const T
         if (result.error < settings.enough) break;
     }
     return result;
-}
-
-std::string to_toml(const Network& n) {
-    return text("inputs = ", n.inputs, "\nhidden = ", n.hidden, "\noutputs = ", n.outputs, "\n") +
-           numbers("first", n.first) + numbers("second", n.second);
-}
-
-Network read_network(const ConfigTable& table) {
-    const auto nodes = [&](std::string_view key) {
-        return static_cast<std::size_t>(table.integer(key, {1, static_cast<double>(most_nodes)}));
-    };
-    Network n{.inputs = nodes("inputs"),
-              .hidden = nodes("hidden"),
-              .outputs = nodes("outputs"),
-              .first = {},
-              .second = {}};
-    const auto weights = [&](std::string_view key, std::size_t wanted) {
-        auto values = table.numbers(key, {-1e6, 1e6}, (most_nodes + 1) * most_nodes, {});
-        if (values.size() != wanted) {
-            table.report(key, text(values.size(), " weights instead of ", wanted));
-            values.assign(wanted, 0);
-        }
-        return values;
-    };
-    n.first = weights("first", n.hidden * (n.inputs + 1));
-    n.second = weights("second", n.outputs * (n.hidden + 1));
-    return n;
 }
 
 }  // namespace thaum::gesture

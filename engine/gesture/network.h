@@ -6,16 +6,11 @@
 // errors, one sample at a time in an order drawn from the seed, with momentum. tanh is computed from core/maths, and
 // sums have a fixed order, so equal seeds give equal weights on every processor.
 #pragma once
+#include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "core/config.h"
-#include "core/error.h"
-
 namespace thaum::gesture {
-
-inline constexpr std::size_t most_nodes = 512;  ///< most nodes of one layer
 
 /// Hyperbolic tangent with the same bits on every processor; the error is below 1e-15.
 double det_tanh(double x);
@@ -59,10 +54,5 @@ void add_slope(const Network& network, const TrainingSample& sample, std::vector
                std::vector<double>& second);
 
 Training train(Network network, std::span<const TrainingSample> samples, const TrainingSettings& settings);
-
-/// Text of a network as TOML tables; numbers read back to the same bits.
-std::string to_toml(const Network& network);
-/// Reads the keys that to_toml writes. Faults are reported to the table.
-Network read_network(const ConfigTable& table);
 
 }  // namespace thaum::gesture

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "core/text.h"
 #include "gesture/dot.h"
-#include "gesture/gesture_file.h"
 
 namespace thaum::gesture {
 namespace {
 
-constexpr std::int64_t file_version = 1;
 constexpr double widest_step = 2;  // cells; a longer jump counts as this one
 
 bool all_finite(Points stroke) {
@@ -46,8 +43,6 @@ std::vector<Cell> visited_cells(Points stroke) {
 std::size_t nodes_of_input(NetworkKind kind) {
     return kind == NetworkKind::tdnn ? 2 * window_transitions : 3 * direction_vectors;
 }
-
-const std::vector<std::string_view> kind_names{"tdnn", "directions"};
 
 }  // namespace
 
@@ -105,47 +100,16 @@ std::vector<double> outputs_of(const StrokeNetwork& network, Points stroke) {
     return sum;
 }
 
-StrokeTraining train_network(NetworkKind kind, std::span<const Gesture> gestures,
-                             const TrainingSettings& settings) {
+StrokeNetwork train_network(NetworkKind kind, std::span<const Gesture> gestures,
+                            const TrainingSettings& settings) {
     std::vector<TrainingSample> samples;
-    StrokeTraining result;
-    result.network.kind = kind;
     for (std::size_t g = 0; g < gestures.size(); ++g) {
-        result.network.gestures.push_back(gestures[g].name);
         for (const auto& stroke : gestures[g].strokes) {
             for (auto& input : inputs_of(kind, stroke)) samples.push_back({std::move(input), g});
         }
     }
     auto start = random_network(nodes_of_input(kind), hidden_nodes, gestures.size(), settings.seed);
-    auto training = train(std::move(start), samples, settings);
-    result.network.network = std::move(training.network);
-    result.samples = samples.size();
-    result.epochs = training.epochs;
-    result.error = training.error;
-    return result;
-}
-
-std::string to_file(const StrokeNetwork& network) {
-    std::string names;
-    for (const auto& name : network.gestures) names += text("[[gesture]]\nname = ", toml_string(name), "\n");
-    const auto kind = kind_names[static_cast<std::size_t>(network.kind)];
-    return text("# A network that `thaum gesture train` has made.\nversion = ", file_version, "\nkind = \"",
-                kind, "\"\n") +
-           to_toml(network.network) + "\n" + names;
-}
-
-Expected<StrokeNetwork> read_stroke_network(const Config& config) {
-    const auto root = config.root();
-    StrokeNetwork network;
-    network.kind = static_cast<NetworkKind>(root.choice("kind", kind_names));
-    network.network = read_network(root);
-    for (const auto& table : root.tables("gesture")) network.gestures.push_back(table.string("name"));
-    if (network.gestures.size() != network.network.outputs)
-        root.report("outputs", "must equal the number of [[gesture]] tables");
-    if (network.network.inputs != nodes_of_input(network.kind))
-        root.report("inputs", text("must be ", nodes_of_input(network.kind), " for this kind"));
-    if (auto good = config.check(); !good) return good.error();
-    return network;
+    return {kind, train(std::move(start), samples, settings).network};
 }
 
 }  // namespace thaum::gesture

@@ -14,7 +14,6 @@
 #pragma once
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "gesture/gesture.h"
@@ -31,7 +30,6 @@ inline constexpr std::size_t direction_vectors = 16;
 
 struct StrokeNetwork {
     NetworkKind kind{};
-    std::vector<std::string> gestures;  ///< name of each output
     Network network;
 
     bool operator==(const StrokeNetwork&) const = default;
@@ -50,18 +48,8 @@ std::vector<std::vector<double>> inputs_of(NetworkKind kind, Points stroke);
 /// Sum of the outputs over the inputs of the stroke, divided by their number; all -1 for a stroke without inputs.
 std::vector<double> outputs_of(const StrokeNetwork& network, Points stroke);
 
-struct StrokeTraining {
-    StrokeNetwork network;
-    std::size_t samples{};
-    std::size_t epochs{};
-    double error{};  ///< mean squared error of the last epoch
-};
-
-StrokeTraining train_network(NetworkKind kind, std::span<const Gesture> gestures,
-                             const TrainingSettings& settings);
-
-/// A network file (TOML). Reading a written file gives the same network, bit for bit.
-std::string to_file(const StrokeNetwork& network);
-Expected<StrokeNetwork> read_stroke_network(const Config& config);
+/// A network with one output for each gesture, in their order.
+StrokeNetwork train_network(NetworkKind kind, std::span<const Gesture> gestures,
+                            const TrainingSettings& settings);
 
 }  // namespace thaum::gesture

@@ -69,7 +69,6 @@ writers=(
     "path.csv lab --fluid --headless --seconds 3 --stir path.csv --save @"
     "strokes.csv gesture eval strokes.csv --json @"
     "strokes.csv gesture eval strokes.csv --svg @"
-    "strokes.csv gesture train strokes.csv --method tdnn --out @"
     "strokes.csv gesture spot path.csv --labels script.lua --train strokes.csv --json @"
     "strokes.csv gesture record circle --strokes strokes.csv --out @"
 )

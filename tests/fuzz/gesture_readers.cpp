@@ -1,4 +1,4 @@
-// Readers of strokes, gestures and networks. What is accepted must be recognised without a fault.
+// Readers of strokes and gestures. What is accepted must be recognised without a fault.
 #include <cmath>
 
 #include "core/gzip.h"
@@ -67,17 +67,6 @@ Outcome read_gesture_file(const std::string& input, const Places&) {
     return {.accepted = true};
 }
 
-Outcome read_network_file(const std::string& input, const Places&) {
-    const auto config = Config::parse(input, "network.toml", 1);
-    if (!config) return {.refusal = config.error().message};
-    const auto network = gesture::read_stroke_network(*config);
-    if (!network) return {.refusal = network.error().message};
-    for (const double out : gesture::outputs_of(*network, arc(4))) {
-        if (!(out >= -1.000001 && out <= 1.000001)) return {.fault = text("an output of ", out)};
-    }
-    return {.accepted = true};
-}
-
 Outcome read_gzip(const std::string& input, const Places&) {
     const auto bytes = std::as_bytes(std::span(input.data(), input.size()));
     const auto unpacked = unpack_gzip(bytes, 1U << 16U);
@@ -94,14 +83,6 @@ std::vector<std::string> stroke_seeds(const Places&) {
 std::vector<std::string> gesture_seeds(const Places&) {
     return {gesture::to_file({"arc", {.rotation = 0.3, .planar = true}, {arc(2), arc(2.5)}}),
             gesture::to_file({"circle", {.direction_sensitive = false, .closed = true}, {arc(2 * pi)}})};
-}
-
-std::vector<std::string> network_seeds(const Places&) {
-    const std::vector<Gesture> gestures{{"a", {}, {arc(2)}}, {"b", {}, {arc(-2)}}};
-    const gesture::TrainingSettings quick{.epochs = 2};
-    return {
-        gesture::to_file(gesture::train_network(gesture::NetworkKind::tdnn, gestures, quick).network),
-        gesture::to_file(gesture::train_network(gesture::NetworkKind::directions, gestures, quick).network)};
 }
 
 /// Own gestures of two players as a header of a log holds them: a line with the name, then the text of a gesture. What is
@@ -146,7 +127,6 @@ std::vector<std::string> gzip_seeds(const Places&) {
 
 const Reader stroke_reader{"strokes", stroke_seeds, mutate_text, read_stroke_file};
 const Reader gesture_reader{"gesture", gesture_seeds, mutate_text, read_gesture_file};
-const Reader network_reader{"network", network_seeds, mutate_text, read_network_file};
 const Reader profile_reader{"profile", profile_seeds, mutate_text, read_profile};
 const Reader gzip_reader{"gzip", gzip_seeds, mutate_bytes, read_gzip};
 

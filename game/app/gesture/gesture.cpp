@@ -1,4 +1,4 @@
-// thaum gesture: measures, trains and checks the recognisers of gestures.
+// thaum gesture: measures and checks the recognisers of gestures.
 #include "game/app/gesture/gesture.h"
 
 #include <array>
@@ -17,7 +17,6 @@ constexpr std::string_view gesture_help =
 
   eval STROKES     how often a recogniser is right, how well it knows that, and its time
   spot SESSIONS    finds gestures in continuous motion, without a button
-  train STROKES    trains a network of the papers and writes it as a file
   record NAME      strokes drawn now, or of a match or a file, as a gesture file
   check FILE ...   which gestures of template files collide, and by how much
   generate         the shipped templates, and strokes of users to test them with
@@ -35,7 +34,6 @@ struct Action {
 
 constexpr std::array actions{Action{"eval", &gesture_eval_help, run_gesture_eval},
                              Action{"spot", &gesture_spot_help, run_gesture_spot},
-                             Action{"train", &gesture_train_help, run_gesture_train},
                              Action{"record", &gesture_record_help, run_gesture_record},
                              Action{"check", &gesture_check_help, run_gesture_check},
                              Action{"generate", &gesture_generate_help, run_gesture_generate}};

@@ -10,12 +10,11 @@
 
 namespace thaum::app {
 
-extern const std::string_view gesture_eval_help, gesture_spot_help, gesture_train_help, gesture_check_help,
-    gesture_record_help, gesture_generate_help;
+extern const std::string_view gesture_eval_help, gesture_spot_help, gesture_check_help, gesture_record_help,
+    gesture_generate_help;
 
 int run_gesture_eval(const std::vector<std::string>& words);
 int run_gesture_spot(const std::vector<std::string>& words);
-int run_gesture_train(const std::vector<std::string>& words);
 int run_gesture_record(const std::vector<std::string>& words);
 int run_gesture_generate(const std::vector<std::string>& words);
 int run_gesture_check(const std::vector<std::string>& words);

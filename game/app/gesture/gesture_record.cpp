@@ -106,10 +106,27 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     if (!courses) return courses.error();
     const std::size_t first = courses->size() > *count ? courses->size() - *count : 0;
     gesture.strokes.assign(courses->begin() + static_cast<std::ptrdiff_t>(first), courses->end());
-    // The same check that a reader of the file makes.
-    if (const auto made = gesture::Recogniser::make(std::span(&gesture, 1), {.calibrate = false}); !made)
-        return made.error();
     return gesture;
+}
+
+/// Text of the file, after the checks that `thaum gesture check` and a match make when they read it.
+Expected<std::string> text_of(const gesture::Gesture& gesture, const std::string& path) {
+    for (const auto& stroke : gesture.strokes) {
+        if (stroke.size() > gesture::most_template_points)
+            return fail(text("a stroke of ", stroke.size(), " points, more than ",
+                             gesture::most_template_points, ": draw a shorter one, or thin it"));
+    }
+    auto words = gesture::to_file(gesture);
+    if (words.size() > gesture::most_gesture_bytes)
+        return fail(text("the file would have ", words.size() >> 20U, " MiB, more than ",
+                         gesture::most_gesture_bytes >> 20U, ": take fewer strokes with --count"));
+    const auto config = Config::parse(words, path, gesture::gesture_file_version);
+    if (!config) return config.error();
+    const auto read = gesture::read_gesture(*config);
+    if (!read) return read.error();
+    const auto made = gesture::Recogniser::make(std::span(&*read, 1), {.calibrate = false});
+    if (!made) return made.error();
+    return words;
 }
 
 }  // namespace
@@ -125,9 +142,10 @@ int run_gesture_record(const std::vector<std::string>& words) {
     }
     const auto gesture = read_gesture_words(*arguments);
     if (!gesture) return refuse(gesture.error());
-    if (const auto written = write_text_file(*arguments->value("--out"), gesture::to_file(*gesture));
-        !written)
-        return refuse(written.error());
+    const auto out = *arguments->value("--out");
+    const auto file = text_of(*gesture, out);
+    if (!file) return refuse(file.error());
+    if (const auto written = write_text_file(out, *file); !written) return refuse(written.error());
     std::printf("%zu strokes of '%s'\n", gesture->strokes.size(), gesture->name.c_str());
     return done;
 }
