@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "gesture/rests.h"
 #include "gesture/vectors.h"
 
 namespace thaum::gesture {
@@ -18,6 +19,12 @@ constexpr float axis_exponent = 0.5F, least_axis = 0.5F;
 // together, their direction is uncertain.
 constexpr float direction_weight = 1.3F, slow_step = 0.12F;
 constexpr float force_deviation = 0.5F;  // standard deviation of the force channel
+// A rest may begin where a part of the stroke that lasts for `halt_share` of the longest halt, or a little less, is no longer
+// than `halt_way`, and `tremor_step` more for each step of tremor (shares of the extent).
+constexpr float halt_share = 0.75F, least_halt = 0.8F, halt_way = 0.04F, tremor_step = 0.01F;
+constexpr float surely_quick = 10;  // time from which on all points of a stroke are searched for rests (s)
+/// Points without rests that are enough for a shape. With fewer, others take the places of those of rests.
+constexpr std::size_t enough_points = 48;
 
 using Doubles4 = double __attribute__((vector_size(32)));
 using Bits4 = std::uint64_t __attribute__((vector_size(32)));
@@ -85,24 +92,29 @@ Floats4 relative(const StrokePoint& p, Doubles4 origin) {
 }
 
 Floats4 larger(Floats4 a, Floats4 b) { return a > b ? a : b; }
+Floats4 smaller(Floats4 a, Floats4 b) { return a < b ? a : b; }
 Floats4 size_of(Floats4 v) { return masked(v, 0x7fffffff + Ints4{}); }
 bool all_of(Ints4 lanes) { return (lanes[0] & lanes[1] & lanes[2] & lanes[3]) != 0; }
 
+/// Every so many points of a stroke of so many points count.
+std::size_t stride_of(std::size_t points) { return (points + counted_points - 1) / counted_points; }
+
 /// What `copy` saw.
 struct Copied {
-    bool finite{};  ///< true if all times and forces are
-    bool plain{};   ///< true if each point has another place than the one before it, and no earlier time
+    bool finite{};   ///< true if all times and forces are
+    bool plain{};    ///< true if each point has another place than the one before it, and no earlier time
+    float extent{};  ///< largest of width, height and depth
 };
 
 /// Copies the points as floats from the first point's place and time, and sums up the steps from each to the next.
 Copied copy(Points stroke, bool depth, ShapeSpace& space) {
-    const std::size_t stride = (stroke.size() + counted_points - 1) / counted_points;
+    const std::size_t stride = stride_of(stroke.size());
     const std::size_t steps = (stroke.size() - 1) / stride, count = steps + 1;
     const auto* from = &stroke[stroke.size() - 1 - steps * stride];  // so that the last point counts
     const auto* const end = &stroke[stroke.size() - 1];
     const auto origin = load<Doubles4>(from);
     const Ints4 used{-1, -1, -1, depth ? -1 : 0};
-    Floats4 before{}, largest{};
+    Floats4 before{}, low{}, high{}, latest{};
     Ints4 plain{-1, -1, -1, -1};
     float length = 0;
     const auto take = [&](std::size_t k) {
@@ -112,7 +124,8 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
         before = v;
         space.t[k] = v[0];
         store(&space.points[k], point);
-        largest = larger(largest, size_of(point));
+        low = smaller(low, point);
+        high = larger(high, point);
         from += from < end ? stride : 0;  // the last point also takes the places beyond it
         return step;
     };
@@ -121,7 +134,7 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
         const auto [t, x, y, z] = transposed(a, b, c, d);
         const Floats4 distances = roots_of(x * x + y * y + z * z);
         for (std::size_t i = 0; i < 4; ++i) space.length[k + i] = length += distances[i];
-        largest = larger(largest, size_of(t));
+        latest = larger(latest, size_of(t));
         Ints4 moves = (distances > 0) & (t >= 0);
         if (k == 0) moves[0] = -1;
         if (k + 4 > count)
@@ -129,7 +142,157 @@ Copied copy(Points stroke, bool depth, ShapeSpace& space) {
         plain &= moves;
     }
     space.count = count;
-    return {all_of(largest <= std::numeric_limits<float>::max()), all_of(plain)};
+    constexpr float most = std::numeric_limits<float>::max();
+    const Floats4 extent = high - low;
+    return {all_of((high <= most) & (low >= -most) & (latest <= most)), all_of(plain),
+            std::max({extent[1], extent[2], extent[3]})};
+}
+
+/// What tells, of the copied points, that a rest may begin at one: a short way from it in some time.
+struct HaltSign {
+    std::size_t steps{};      ///< steps of the way
+    float way{}, shortest{};  ///< way of one step, and of so many, below which there may be a rest
+    float longest{}, halt{};  ///< time of one step, and of so many, above which there may be one (s)
+};
+
+/// Marks the four points from `k` on at which a rest may begin.
+Ints4 signs_at(const ShapeSpace& space, const HaltSign& sign, std::size_t k) {
+    const auto length = load<Floats4>(&space.length[k]), t = load<Floats4>(&space.t[k]);
+    const auto way = load<Floats4>(&space.length[k + sign.steps]) - length,
+               time = load<Floats4>(&space.t[k + sign.steps]) - t,
+               step = load<Floats4>(&space.length[k + 1]) - length,
+               pause = load<Floats4>(&space.t[k + 1]) - t;
+    return ((way < sign.way) & (time > sign.halt)) | ((step < sign.shortest) & (pause > sign.longest));
+}
+
+/// The signs for the copied points; no steps where the stroke is too short for a rest. Sets the points beyond the last
+/// to values that look like none.
+HaltSign halt_sign(ShapeSpace& space, float extent) {
+    const float lasts = space.t[space.count - 1];
+    constexpr float halt = halt_share * static_cast<float>(longest_halt);
+    if (!(lasts > halt)) return {};
+    const auto wanted = static_cast<std::size_t>(halt * static_cast<float>(space.count) / lasts) + 1;
+    const std::size_t steps = std::min(wanted, space.count - 1);
+    const float tremor = tremor_step * static_cast<float>(steps);
+    for (std::size_t i = 0; i < steps + 4; ++i) {
+        space.length[space.count + i] = std::numeric_limits<float>::max();
+        space.t[space.count + i] = lasts;
+    }
+    return {steps, (halt_way + tremor) * extent, halt_way * extent, halt, least_halt * halt};
+}
+
+bool has_sign(const ShapeSpace& space, const HaltSign& sign) {
+    Ints4 some{};
+    for (std::size_t k = 0; k + 1 < space.count; k += 4) some |= signs_at(space, sign, k);
+    return (some[0] | some[1] | some[2] | some[3]) != 0;
+}
+
+/// The copied points, for rests.h.
+struct CopiedStroke {
+    const ShapeSpace& space;
+    const HaltSign& sign;
+    std::size_t size() const { return space.count; }
+    fvec3 place(std::size_t i) const { return {space.points[i].x, space.points[i].y, space.points[i].z}; }
+    double t(std::size_t i) const { return static_cast<double>(space.t[i]); }
+    bool may_rest(std::size_t i) const { return signs_at(space, sign, i)[0] != 0; }
+};
+
+/// All points of a stroke, for rests.h.
+struct WholeStroke {
+    Points points;
+    bool depth;
+    std::size_t size() const { return points.size(); }
+    vec3 place(std::size_t i) const {
+        const vec3& at = points[i].at;
+        return {at.x, at.y, depth ? at.z : 0};
+    }
+    double t(std::size_t i) const { return points[i].t; }
+    static bool may_rest(std::size_t) { return true; }
+    double extent() const {
+        vec3 low = points[0].at, high = low;
+        for (const auto& p : points) {
+            low = glm::min(low, p.at);
+            high = glm::max(high, p.at);
+        }
+        const vec3 extent = high - low;
+        return std::max({extent.x, extent.y, depth ? extent.z : 0});
+    }
+};
+
+float distance(const ShapePoint& a, const ShapePoint& b) {
+    const float dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+/// Keeps the copied points of the moving parts.
+void keep_moving(const MovingParts& parts, ShapeSpace& s) {
+    const float start_t = s.t[parts.items[0].first];
+    std::size_t count = 0;
+    float length = 0;  // arc length of the points so far
+    for (std::size_t k = 0; k < parts.count; ++k) {
+        const auto& part = parts.items[k];
+        if (count > 0) length += distance(s.points[count - 1], s.points[part.first]);
+        const float longer = s.length[part.first] - length,
+                    later = start_t + static_cast<float>(part.earlier);
+        length = s.length[part.last] - longer;
+        if (part.first == count) {  // nothing before it was left out
+            count = part.last + 1;
+            continue;
+        }
+        for (std::size_t i = part.first; i <= part.last; ++i, ++count) {
+            s.points[count] = s.points[i];
+            s.t[count] = s.t[i] - later;
+            s.length[count] = s.length[i] - longer;
+        }
+    }
+    s.count = count;
+    s.before += start_t;
+}
+
+/// Copies the points of the moving parts of a whole stroke.
+Copied copy_moving(Points stroke, bool depth, const MovingParts& parts, ShapeSpace& space) {
+    const std::size_t points = parts.points(), stride = stride_of(points);
+    std::array<StrokePoint, counted_points> kept;
+    std::size_t skip = (points - 1) % stride, count = 0;
+    for (std::size_t k = 0; k < parts.count; ++k) {
+        const auto& part = parts.items[k];
+        std::size_t i = part.first + skip;
+        for (; i <= part.last; i += stride) {
+            kept[count] = stroke[i];
+            kept[count++].t -= part.earlier;
+        }
+        skip = i - part.last - 1;
+    }
+    space.before = static_cast<float>(kept[0].t - stroke[0].t);
+    return copy(Points(kept).first(count), depth, space);
+}
+
+/// Leaves out the rests of a stroke that was copied.
+Copied leave_out_rests(Points stroke, bool depth, const Copied& copied, ShapeSpace& space) {
+    const bool slow = space.t[space.count - 1] > surely_quick;
+    HaltSign sign;
+    if (!slow) {
+        sign = halt_sign(space, copied.extent);
+        if (sign.steps == 0 || !has_sign(space, sign)) return copied;
+    }
+    const WholeStroke whole{stroke, depth};
+    auto parts = slow ? moving_parts(whole, whole.extent())
+                      : moving_parts(CopiedStroke{space, sign}, static_cast<double>(copied.extent));
+    const std::size_t points = parts.points();
+    if (points < 2 || points == (slow ? stroke.size() : space.count)) return copied;
+    space.paused = static_cast<float>(parts.items[parts.count - 1].earlier);
+    if (slow) return copy_moving(stroke, depth, parts, space);
+    const std::size_t stride = stride_of(stroke.size());
+    if (stride == 1 || points >= enough_points) {
+        keep_moving(parts, space);
+        return {true, copied.plain && parts.count == 1, copied.extent};
+    }
+    const std::size_t begin = (stroke.size() - 1) % stride;  // first point that was copied
+    for (std::size_t k = 0; k < parts.count; ++k) {
+        parts.items[k].first = begin + stride * parts.items[k].first;
+        parts.items[k].last = begin + stride * parts.items[k].last;
+    }
+    return copy_moving(stroke, depth, parts, space);
 }
 
 /// Drops points at the place of the point before, and sums the steps up again.
@@ -139,8 +302,7 @@ void drop_rests(ShapeSpace& s) {
     ShapePoint before = s.points[0];
     for (std::size_t i = 1; i < s.count; ++i) {
         const ShapePoint p = s.points[i];
-        const float dx = p.x - before.x, dy = p.y - before.y, dz = p.z - before.z;
-        const float step = std::sqrt(dx * dx + dy * dy + dz * dz);
+        const float step = distance(before, p);
         before = p;
         latest = std::max(latest, s.t[i]);  // a clock that runs backwards stands still
         if (!(step > 0)) {
@@ -159,7 +321,10 @@ void drop_rests(ShapeSpace& s) {
 
 bool fill(Points stroke, Channels channels, ShapeSpace& space) {
     if (stroke.empty() || !all_finite_numbers(stroke)) return false;
-    const auto copied = copy(stroke, channels.depth, space);
+    space.before = space.paused = 0;
+    auto copied = copy(stroke, channels.depth, space);
+    if (!copied.finite) return false;
+    copied = leave_out_rests(stroke, channels.depth, copied, space);
     if (!copied.finite) return false;
     if (!copied.plain) drop_rests(space);
     return std::isfinite(space.length[space.count - 1]);
@@ -408,8 +573,12 @@ bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKin
 }
 
 bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape) {
-    return fill(stroke, channels, space) && space.count >= 2 &&
-           make_shape(space, 0, space.count - 1, channels, shape);
+    if (!fill(stroke, channels, space) || space.count < 2 ||
+        !make_shape(space, 0, space.count - 1, channels, shape))
+        return false;
+    shape.start_t += space.before;
+    shape.end_t += space.before + space.paused;
+    return true;
 }
 
 }  // namespace thaum::gesture

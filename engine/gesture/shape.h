@@ -1,8 +1,8 @@
 // gesture/shape.h: a stroke with time, place and size taken away, so that two strokes can be compared point by point.
 //
 // Steps:
-//   1. Points at the place of the point before them are dropped, so that a rest before or after the stroke has no
-//      effect.
+//   1. Rests before, within and after the stroke are left out, also those of a hand that trembles (rests.h), as are
+//      points at the place of the point before them.
 //   2. The stroke is resampled to 24 points. They are equally spaced in 0.7 of the arc length plus 0.3 of the time,
 //      each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
 //   3. The centroid moves to the origin and the root mean square distance from it becomes 1.
@@ -65,6 +65,8 @@ struct ShapeSpace {
     std::array<float, most_points> length{};  ///< arc length up to each point
     std::array<float, most_points> place{};   ///< scratch: parameter by which the points are resampled
     std::size_t count{};
+    float before{};  ///< time of the first point after the stroke's first (s), as far as a rest was left out
+    float paused{};  ///< time of rests within the stroke that was left out (s)
 };
 
 /// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value that is not

@@ -82,6 +82,60 @@ TEST(GestureShape, ARestBeforeOrAfterTheStrokeHasNoEffect) {
     EXPECT_NEAR(shape_of(rested).end_t, 1.5, 0.02);
 }
 
+/// The stroke with rests of a hand whose white tremor has the standard deviation `tremor`, sampled as the stroke is.
+Course with_rests(const Course& stroke, double before, double within, double after, double tremor) {
+    Random random = random_stream(8, 8);
+    const double step = stroke[1].t - stroke[0].t;
+    Course result;
+    double t = 0;
+    const auto rest = [&](vec3 at, double s) {
+        for (const double end = t + s; t < end; t += step)
+            result.push_back({t, at + tremor * vec3(normal(random), normal(random), 0), 0});
+    };
+    rest(stroke.front().at, before);
+    for (std::size_t i = 0; i < stroke.size(); ++i, t += step) {
+        result.push_back({t, stroke[i].at, stroke[i].force});
+        if (i == stroke.size() / 2) rest(stroke[i].at, within);
+    }
+    rest(stroke.back().at, after);
+    return result;
+}
+
+TEST(GestureShape, RestsOfATremblingHandHaveNoEffect) {
+    for (const std::size_t points : {61U, 126U, 1001U}) {
+        for (const auto& stroke : {vee(points), ess(points)}) {
+            const auto plain = shape_of(stroke);
+            for (const double tremor : {0.0, 0.004, 0.006}) {
+                for (const double s : {0.0, 0.4, 1.0, 20.0}) {
+                    const auto far = [&](const Course& rested) {
+                        return elastic_distance(plain, shape_of(rested));
+                    };
+                    EXPECT_LT(far(with_rests(stroke, s, 0, 0, tremor)), 0.025F) << s << " s before";
+                    EXPECT_LT(far(with_rests(stroke, 0, 0, s, tremor)), 0.025F) << s << " s after";
+                    EXPECT_LT(far(with_rests(stroke, s, 0, s, tremor)), 0.025F) << s << " s at both ends";
+                    EXPECT_LT(far(with_rests(stroke, 0, s, 0, tremor)), 0.03F) << s << " s within";
+                }
+            }
+            const auto rested = shape_of(with_rests(stroke, 20, 5, 20, 0.004));
+            EXPECT_NEAR(rested.start_t, 20, 0.1);
+            EXPECT_NEAR(rested.end_t, 26, 0.15);
+            EXPECT_NEAR(rested.seconds, 1.1, 0.15);
+        }
+    }
+}
+
+TEST(GestureShape, NothingButARestIsReadAsItIs) {
+    Course rest(300, StrokePoint{0, {1, 1, 0}, 0});
+    Random random = random_stream(1, 8);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] = {0.01 * static_cast<double>(i), {0.01 * normal(random), 0.01 * normal(random), 0}, 0};
+    EXPECT_GT(shape_of(rest).size, 0);
+    for (auto& p : rest) p.at *= 1e300;
+    ShapeSpace space;
+    Shape shape;
+    EXPECT_FALSE(make_shape(rest, {}, space, shape));
+}
+
 TEST(GestureShape, ForceInAnotherUnitIsTheSame) {
     auto newtons = drawn([](double u) { return vec3(u, u * u, 0); });
     for (auto& p : newtons) p.force = 1 + det::sin(6 * p.t);
