@@ -13,15 +13,26 @@ constexpr std::size_t variations = 400;  // number of variations of each gesture
 
 using Shares = std::vector<std::vector<Mistaken>>;
 
+/// Scatter of a gesture's variations. Who draws one shape with two forces means their difference, and keeps to it.
+VariationSettings scatter_of(const Recogniser& recogniser, std::uint32_t gesture) {
+    constexpr double force_of_twins = 0.15;
+    VariationSettings scatter;
+    for (std::uint32_t other = 0; other < recogniser.gestures(); ++other) {
+        if (recogniser.are_twins(gesture, other)) scatter.force = force_of_twins;
+    }
+    return scatter;
+}
+
 /// How the variations of each gesture are read: [drawn][read].
 Shares read_variations(const Recogniser& recogniser, std::span<const Gesture> gestures,
                        const ReadStroke& read, RecogniserSpace& space) {
     Shares shares(gestures.size(), std::vector<Mistaken>(gestures.size()));
     for (std::size_t g = 0; g < gestures.size(); ++g) {
         Random random = random_stream(recogniser.settings().seed, 0xc0 + g);
+        const auto scatter = scatter_of(recogniser, static_cast<std::uint32_t>(g));
         for (std::size_t v = 0; v < variations; ++v) {
             const auto& strokes = gestures[g].strokes;
-            const auto stroke = variation_of(strokes[v % strokes.size()], random);
+            const auto stroke = variation_of(strokes[v % strokes.size()], random, scatter);
             const auto r = read ? read(recogniser, stroke, space) : recogniser.recognise(stroke, space);
             if (r.gesture == Recognition::none) continue;
             auto& mistaken = shares[g][r.gesture];

@@ -11,6 +11,9 @@ constexpr float lowest_score = -1e30F;
 constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
+// Twins are told apart by odds. A force that is e^force_scatter times as far from one as from the other counts; the ratio of
+// the distances counts by this power.
+constexpr double force_scatter = 0.25, twin_distance_power = 4;
 
 /// Sums of the eight lanes of four vectors, neighbours first.
 Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
@@ -188,8 +191,9 @@ void Recogniser::score(const Shape& shape, std::size_t count, RecogniserSpace& s
 
 std::size_t Recogniser::verified_at_most() const {
     if (settings_.exhaustive) return most_templates;
+    if (templates_.size() <= 2 * lanes) return lanes;
     const std::size_t groups = (templates_.size() + 31) / 32 + (templates_.size() > 128 ? 2 : 0);
-    return lanes * std::clamp<std::size_t>(groups, 1, 8);
+    return lanes * std::clamp<std::size_t>(groups, 2, 8);
 }
 
 /// Keeps the templates with the largest dot products, best first.
@@ -200,6 +204,7 @@ void Recogniser::choose(const Shape& shape, const Limits& limits, std::size_t mo
     for (std::uint32_t k = 0; k < templates_.size(); ++k) {
         const auto& t = templates_[k];
         if (t.channels != shape.channels || t.gesture == limits.left_out) continue;
+        if (!limits.twins && are_twins(t.gesture, limits.left_out)) continue;
         if (!limits.means && t.stroke == strokes_of_[t.gesture]) continue;
         if (shape.size < t.smallest * t.size || shape.size > t.largest * t.size) continue;
         if (limits.length_range > 0 &&
@@ -278,6 +283,68 @@ void Recogniser::note(float distance, const Template& t, RecogniserSpace& space)
     }
 }
 
+/// Distance of a gesture from its nearest templates.
+float Recogniser::distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const {
+    const auto& near = space.nearest_[gesture];
+    // A gesture of several strokes of which one alone was compared: the others are at least so far.
+    const float unknown = strokes_of_[gesture] > 1 ? farthest : near.first;
+    const float second = near.count > 1 ? near.second : unknown;
+    const float mean = (near.first + second_weight * second) / (1 + second_weight);
+    return near.count > 0 ? mean : farthest_possible;
+}
+
+bool Recogniser::are_twins(std::uint32_t a, std::uint32_t b) const {
+    if (a >= twins_.size()) return false;
+    return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
+}
+
+/// How far a mean force is from that of a gesture's templates: half the square of their logarithms' difference.
+double Recogniser::strangeness(std::uint32_t gesture, double mean_force) const {
+    constexpr double least_force = 1e-3;  // share of the templates'
+    const double ratio = std::max(mean_force / template_force_[gesture], least_force);
+    const double off = det::log(ratio) / force_scatter;
+    return off * off / 2;
+}
+
+std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force) const {
+    auto best = gesture;
+    for (const auto twin : twins_[gesture]) {
+        if (strangeness(twin, mean_force) < strangeness(best, mean_force)) best = twin;
+    }
+    return best;
+}
+
+/// Chooses among the nearest gesture and its twins, and the runner-up among the others. Returns the probability of the
+/// choice.
+double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
+    const auto oddness = [&](std::uint32_t g) {
+        const auto ratio = static_cast<double>(distance_of(g, farthest, space) / std::max(r.distance, 1e-4F));
+        return strangeness(g, static_cast<double>(force)) +
+               twin_distance_power * det::log(std::max(ratio, 1.0));
+    };
+    const auto twins = std::span(twins_[r.gesture]);
+    std::uint32_t best = r.gesture;
+    double least = oddness(best), sum = 1;  // sum of the odds against the best
+    for (const auto twin : twins) {
+        const double odd = space.nearest_[twin].count > 0 ? oddness(twin) : 1e3;
+        sum = odd < least ? 1 + sum * det::exp(odd - least) : sum + det::exp(least - odd);
+        best = odd < least ? twin : best;
+        least = std::min(least, odd);
+    }
+    r.runner_up = Recognition::none;
+    r.runner_up_distance = 0;
+    for (std::uint32_t g = 0; g < gestures(); ++g) {
+        if (space.nearest_[g].count == 0 || g == best || are_twins(best, g)) continue;
+        const float d = distance_of(g, farthest, space);
+        if (r.runner_up != Recognition::none && d >= r.runner_up_distance) continue;
+        r.runner_up = g;
+        r.runner_up_distance = d;
+    }
+    r.gesture = best;
+    r.distance = distance_of(best, farthest, space);
+    return 1 / sum;
+}
+
 Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& space) const {
     float farthest = 0;
     for (std::size_t g = 0; g < gestures(); ++g) {
@@ -287,12 +354,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     Recognition r;
     r.distance = r.runner_up_distance = farthest_possible;
     for (std::uint32_t g = 0; g < gestures(); ++g) {
-        const auto& near = space.nearest_[g];
-        // A gesture of several strokes of which one alone was compared: the others are at least so far.
-        const float unknown = strokes_of_[g] > 1 ? farthest : near.first;
-        const float second = near.count > 1 ? near.second : unknown;
-        const float mean = (near.first + second_weight * second) / (1 + second_weight);
-        const float d = near.count > 0 ? mean : farthest_possible;
+        const float d = distance_of(g, farthest, space);
         // Without branches, which the processor would often guess wrongly.
         const bool best = d < r.distance, next = !best && d < r.runner_up_distance;
         r.runner_up = best ? r.gesture : next ? g : r.runner_up;
@@ -303,9 +365,10 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     if (r.runner_up == Recognition::none) r.runner_up_distance = 0;
     if (r.gesture == Recognition::none) r.distance = 0;
     if (r.gesture == Recognition::none) return r;
+    const double by_force = twins_[r.gesture].empty() ? 1 : by_twins(shape.force, farthest, space, r);
     const float other = r.runner_up == Recognition::none ? farthest_possible : r.runner_up_distance;
     r.evidence = evidence_of(r.distance, other, calibration_.usual[r.gesture]);
-    r.probability = calibration_.probability(r.evidence);
+    r.probability = by_force * calibration_.probability(r.evidence);
     r.accepted =
         r.distance <= calibration_.threshold[r.gesture] && r.probability >= settings_.least_probability;
     r.mean_force = static_cast<double>(shape.force);

@@ -12,6 +12,9 @@
 // the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot product. A gesture
 // that is not sensitive to direction has its templates drawn backwards as well.
 //
+// Force. Gestures of one shape whose strokes differ in mean force are twins. Between them the mean force of the stroke
+// decides, together with what little the shapes tell.
+//
 // Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and equal input
 // gives equal bits in every thread and on every processor.
 #pragma once
@@ -32,7 +35,7 @@ struct Recognition {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;    ///< nearest gesture; none for a stroke without a shape
-    std::uint32_t runner_up = none;  ///< nearest other gesture; none if no other was compared
+    std::uint32_t runner_up = none;  ///< nearest gesture of another shape; none if no other was compared
     float distance{};                ///< elastic distance of the nearest gesture
     float runner_up_distance{};
     Evidence evidence{};   ///< for a calibration with labelled strokes
@@ -108,6 +111,10 @@ public:
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                           float runner_up_distance) const;
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;
+    /// True if only force tells strokes of the two gestures apart. A gesture is no twin of itself.
+    bool are_twins(std::uint32_t a, std::uint32_t b) const;
+    /// The gesture, or its twin whose templates have the mean force nearest to this one.
+    std::uint32_t twin_by_force(std::uint32_t gesture, double mean_force) const;
 
     /// True if some gesture counts z, or does not.
     bool needs_solid() const { return needs_solid_; }
@@ -140,6 +147,7 @@ private:
         std::uint32_t left_out = Recognition::none;
         float length_range = 0;  ///< 0: every length
         bool means = true;       ///< false to leave out the means of recorded strokes
+        bool twins = true;       ///< false to leave out the twins of `left_out` too
     };
 
     Expected<void> add(const Gesture& gesture, RecogniserSpace& space);
@@ -151,6 +159,7 @@ private:
     void add_mean(std::size_t first, std::size_t step, std::size_t end, RecogniserSpace& space);
     float spread_of(std::size_t first, std::size_t step, RecogniserSpace& space) const;
     void calibrate(std::span<const Gesture> gestures, RecogniserSpace& space);
+    void find_twins(std::span<const Gesture> gestures, RecogniserSpace& space);
     Recognition recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const;
     Recognition decide(const Shape* solid, const Shape* flat, const Limits& limits,
                        RecogniserSpace& space) const;
@@ -167,13 +176,17 @@ private:
     /// The best start.
     Survivor closed_score(const Shape& shape, const Template& t) const;
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
+    float distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const;
+    double by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const;
+    double strangeness(std::uint32_t gesture, double mean_force) const;
     std::size_t verified_at_most() const;
 
     RecogniserSettings settings_;
     std::vector<std::string> names_;
-    std::vector<GestureOptions> options_;    ///< with the force bands filled in
-    std::vector<std::uint32_t> strokes_of_;  ///< number of recorded strokes of each gesture
-    std::vector<double> template_force_;     ///< mean force of the templates of each gesture
+    std::vector<GestureOptions> options_;            ///< with the force bands filled in
+    std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
+    std::vector<double> template_force_;             ///< mean force of the templates of each gesture
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< of each gesture
     std::vector<Template> templates_;
     std::vector<float> values_;
     std::vector<FineShape> fine_;       ///< fine shape of each template

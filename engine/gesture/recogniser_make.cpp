@@ -17,6 +17,9 @@ constexpr float open_threshold = 1e9F;
 constexpr float assumed_usual = 0.1F, least_usual = 1e-3F;
 /// Recorded strokes of a gesture that are compared with one another. More tell little more.
 constexpr std::size_t most_compared = 16;
+/// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
+/// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
+constexpr double twin_distance = 0.07, most_twin_distance = 0.15;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
@@ -178,6 +181,31 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
     return {};
 }
 
+/// Finds gestures of one shape that differ in force: some stroke of one is near to the other.
+void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& space) {
+    std::vector<std::vector<std::uint32_t>> twins(gestures.size());
+    const auto add = [&](std::uint32_t a, std::uint32_t b) {
+        if (std::find(twins[a].begin(), twins[a].end(), b) == twins[a].end()) twins[a].push_back(b);
+    };
+    twins_.assign(gestures.size(), {});
+    for (std::uint32_t g = 0; g < gestures.size(); ++g) {
+        for (const auto& stroke : gestures[g].strokes) {
+            recognise_within(stroke, {.left_out = g}, space);
+            for (std::uint32_t other = 0; other < gestures.size(); ++other) {
+                const auto& near = space.nearest_[other];
+                const double a = template_force_[g], b = template_force_[other];
+                if (near.count == 0 || !(std::min(a, b) > 0)) continue;
+                const double doublings = std::abs(det::log(a / b)) / det::log(2);
+                if (static_cast<double>(near.first) > std::min(twin_distance * doublings, most_twin_distance))
+                    continue;
+                add(g, other);
+                add(other, g);
+            }
+        }
+    }
+    twins_ = std::move(twins);
+}
+
 /// Strokes that other users might draw, and strokes that mean nothing, recognised with open thresholds.
 void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& space) {
     Random random = random_stream(settings_.seed, 0x9e57);
@@ -190,7 +218,7 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
             drawn[g].push_back(variation_of(strokes[v % strokes.size()], random));
             // Without means, because the spotter weighs gestures by their usual distance, and does without them too.
             const auto r = recognise_within(drawn[g].back(), {.means = false}, space);
-            if (r.gesture == g) meant[g].push_back(r.distance);
+            if (r.gesture == g || are_twins(g, r.gesture)) meant[g].push_back(r.distance);
         }
         float sum = 0;
         for (const float d : meant[g]) sum += d;
@@ -205,8 +233,8 @@ void Recogniser::calibrate(std::span<const Gesture> gestures, RecogniserSpace& s
     for (std::uint32_t g = 0; g < names_.size(); ++g) {
         for (const auto& stroke : drawn[g]) {
             const auto r = recognise(stroke, space);
-            keep(r, r.gesture == g);
-            keep(recognise_without(stroke, g, space), false);
+            keep(r, r.gesture == g || are_twins(g, r.gesture));
+            keep(recognise_within(stroke, {.left_out = g, .twins = false}, space), false);
         }
     }
     const std::size_t scribbles =
@@ -231,6 +259,8 @@ Expected<Recogniser> Recogniser::make(std::span<const Gesture> gestures, const R
     }
     result.calibration_.weights = {0, 0, 0, 0};
     result.calibration_.threshold.assign(gestures.size(), open_threshold);
+    result.twins_.resize(gestures.size());
+    if (settings.channels.force) result.find_twins(gestures, space);
     if (settings.calibrate) result.calibrate(gestures, space);
     return result;
 }

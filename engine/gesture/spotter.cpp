@@ -267,6 +267,7 @@ void Spotter::collect() {
         for (std::uint32_t other = 0; other < recogniser_.gestures(); ++other) {
             if (other == g || !best_[other].found) continue;
             if (c.runner_up != Recognition::none && best_[other].distance >= c.runner_up_distance) continue;
+            if (recogniser_.are_twins(c.gesture, other)) continue;
             c.runner_up = other;
             c.runner_up_distance = best_[other].distance;
         }
@@ -339,6 +340,7 @@ void Spotter::end_look() {
     const double duration = usual > 0 ? det::log(std::max(c.end - c.start, shortest) / usual) : 0;
     c.score = static_cast<float>(static_cast<double>(factors_[c.gesture] * look_.distance()) *
                                  quiet_factor(first, last) * det::exp(duration_weight * duration * duration));
+    c.gesture = recogniser_.twin_by_force(c.gesture, c.mean_force);
     candidates_.push_back(c);
 }
 

@@ -112,20 +112,51 @@ TEST(Gesture, DepthCountsUnlessTheGestureIsPlanar) {
     EXPECT_EQ(read(planar, deep).gesture, 0U);
 }
 
+/// The stroke with another force.
+Course pressed(Course stroke, double force) {
+    for (auto& p : stroke) p.force = force;
+    return stroke;
+}
+
 TEST(Gesture, ForceGivesGentleNormalAndHarsh) {
-    const auto pressed = [](double force) {
-        auto stroke = ess();
-        for (auto& p : stroke) p.force = force;
-        return stroke;
-    };
-    const auto recogniser = recogniser_of({gesture_of("ess", {pressed(2)}), gesture_of("vee", {vee()})});
-    EXPECT_EQ(read(recogniser, pressed(0.5)).force, ForceClass::gentle);
-    EXPECT_EQ(read(recogniser, pressed(2)).force, ForceClass::normal);
-    EXPECT_EQ(read(recogniser, pressed(5)).force, ForceClass::harsh);
-    const auto banded = recogniser_of(
-        {gesture_of("ess", {pressed(2)}, {.gentle_below = 3, .harsh_above = 9}), gesture_of("vee", {vee()})});
-    EXPECT_EQ(read(banded, pressed(2)).force, ForceClass::gentle);
-    EXPECT_EQ(read(banded, pressed(5)).force, ForceClass::normal);
+    const auto recogniser =
+        recogniser_of({gesture_of("ess", {pressed(ess(), 2)}), gesture_of("vee", {vee()})});
+    EXPECT_EQ(read(recogniser, pressed(ess(), 0.5)).force, ForceClass::gentle);
+    EXPECT_EQ(read(recogniser, pressed(ess(), 2)).force, ForceClass::normal);
+    EXPECT_EQ(read(recogniser, pressed(ess(), 5)).force, ForceClass::harsh);
+    const auto banded =
+        recogniser_of({gesture_of("ess", {pressed(ess(), 2)}, {.gentle_below = 3, .harsh_above = 9}),
+                       gesture_of("vee", {vee()})});
+    EXPECT_EQ(read(banded, pressed(ess(), 2)).force, ForceClass::gentle);
+    EXPECT_EQ(read(banded, pressed(ess(), 5)).force, ForceClass::normal);
+}
+
+/// Variations of a circle among a gentle one, a harsh one and a vee, by a hand whose force scatters by 15 %.
+TEST(Gesture, TwinsOfOneShapeAreToldApartByForce) {
+    const std::vector<Gesture> gestures{gesture_of("gentle", {pressed(circle(), 0.5)}),
+                                        gesture_of("harsh", {pressed(circle(), 2)}),
+                                        gesture_of("vee", {pressed(vee(), 1)})};
+    const auto recogniser = recogniser_of(gestures);
+    EXPECT_TRUE(recogniser.are_twins(0, 1));
+    EXPECT_FALSE(recogniser.are_twins(0, 2));
+    auto hand = careful;
+    hand.force = 0.15;
+    Random random = random_stream(5, 1);
+    int right = 0, accepted = 0;
+    constexpr int tries = 300;
+    for (int i = 0; i < tries; ++i) {
+        const auto g = static_cast<std::uint32_t>(i % 3);
+        const auto r = read(recogniser, variation_of(gestures[g].strokes[0], random, hand));
+        right += r.gesture == g;
+        accepted += r.gesture == g && r.accepted;
+        if (g < 2) {
+            EXPECT_EQ(r.runner_up, 2U) << "a twin is no runner-up";
+        }
+    }
+    EXPECT_GE(right, tries * 98 / 100);
+    EXPECT_GE(accepted, tries * 90 / 100);
+    const auto between = read(recogniser, pressed(circle(), 1));
+    EXPECT_FALSE(between.probability > 0.6) << "as near to one as to the other";
 }
 
 std::uint64_t hash_of(const Recogniser& recogniser, const std::vector<Course>& strokes) {
@@ -256,6 +287,18 @@ TEST(GestureCollisions, ACopyCollidesAlthoughTheRecogniserIsSureOfNeither) {
     EXPECT_GT((*pairs)[0].nearer(), 0.3);
     EXPECT_FALSE((*pairs)[1].collides());
     EXPECT_FALSE((*pairs)[2].collides());
+}
+
+TEST(GestureCollisions, TwinsCollideUnlessForceTellsThemApart) {
+    const auto collide = [](double gentle, double harsh) {
+        const auto pairs = compare_gestures(std::vector<Gesture>{
+            gesture_of("gentle", {pressed(ess(), gentle)}), gesture_of("harsh", {pressed(ess(), harsh)})});
+        return pairs && (*pairs)[0].collides();
+    };
+    EXPECT_FALSE(collide(0.5, 2));
+    EXPECT_TRUE(collide(0.9, 1.1));
+    EXPECT_TRUE(collide(0.8, 1.25));
+    EXPECT_TRUE(collide(0, 2)) << "a stroke without force";
 }
 
 TEST(GestureCollisions, AreMeasuredByTheReadingOfStrokesAndNotByDistance) {
