@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "haptics/safety.h"
 
 namespace thaum::haptics {
 namespace {
@@ -97,6 +98,12 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
     constexpr double fading = fading_share * active_budget;
     const double left = active_budget - observer.active_work;
     return left >= fading ? active : std::max(0.0, left / fading) * active;
+}
+
+double fade_energy(const PassivityObserver& observer) {
+    constexpr double least_share = 0.1;
+    const double left = reserve_energy + switch_energy - std::max(0.0, observer.created);
+    return std::clamp(left, least_share * switch_energy, switch_energy);
 }
 
 void hold_back(PassivityObserver& observer) {

@@ -61,7 +61,7 @@ struct PassivityObserver {
     std::uint32_t newest{};
     std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
     std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
-    std::uint32_t spare{};
+    std::uint32_t unsettled{};     ///< ticks left in which the primitives settle after a switch
 };
 static_assert(sizeof(PassivityObserver) ==
               (3 + 10 * (most_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
@@ -72,8 +72,6 @@ inline constexpr double longest_step = 0.05;  ///< largest plausible motion of t
 /// Energy that active sources may give in any second (J).
 inline constexpr double active_budget = 0.5;
 
-/// Largest work that the fading offset of one switch does on the hand (J).
-inline constexpr double switch_energy = 0.01;
 /// Energy that springs may give after a switch beyond what they received (J). Together with the offset's, and with what a
 /// tick's delay adds, it stays below 0.02 J.
 inline constexpr double reserve_energy = 0.008;
@@ -111,6 +109,10 @@ double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 /// Limits the active force to its budget (N). It fades while the last fifth of the budget is used, and all of it alike:
 /// a force that pushed only against the motion would jump whenever the hand turns.
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
+
+/// Largest work that the fading offset of a switch may do now (J): less soon after other switches, so that many together
+/// do hardly more than one.
+double fade_energy(const PassivityObserver& observer);
 
 /// Begins a reserve at a switch. Forgets what was created beyond twice the energy of a switch, such as by a device that
 /// lost its place.

@@ -208,11 +208,18 @@ void add_heat(SafetyState& state, vec3 force) {
 
 /// Starts a switch. The output stays, and its difference from the sources becomes the offset. The last output
 /// may exceed the present limit, because the cap may have been lowered.
-void begin_fade(double most, SafetyState& state, vec3 goal) {
+void begin_fade(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
     state.offset = shortened(state.output, most) - goal;
     state.initial_offset = glm::length(state.offset);
     state.fade_work = 0;
+    state.fade_budget = input.fade_energy;
     state.fade = static_cast<std::uint32_t>(Fade::running);
+}
+
+/// Lets the offset take up a jump of sources that settle after a switch. Its budget of work stays.
+void settle(double most, SafetyState& state, vec3 goal) {
+    state.offset = shortened(state.output, most) - goal;
+    state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
 }
 
 /// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
@@ -229,7 +236,7 @@ void add_fade_work(SafetyState& state, const SafetyInput& input) {
 /// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
 /// like a relaxing spring, follows this law exactly. It is zero when it has done all its work.
 double length_after_work(const SafetyState& state) {
-    const double left = std::clamp(1 - state.fade_work / switch_energy, 0.0, 1.0);
+    const double left = std::clamp(1 - state.fade_work / state.fade_budget, 0.0, 1.0);
     return state.initial_offset * std::sqrt(left);
 }
 
@@ -248,11 +255,14 @@ double part_within(double most, vec3 force, vec3 offset) {
 /// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
 /// only gets shorter.
 vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
+    if (input.settles && state.fade == static_cast<std::uint32_t>(Fade::over))
+        state.fade = static_cast<std::uint32_t>(Fade::begins);
     if (state.fade == static_cast<std::uint32_t>(Fade::over)) return goal;
     if (state.fade == static_cast<std::uint32_t>(Fade::begins))
-        begin_fade(most, state, goal);
+        begin_fade(most, state, goal, input);
     else
         add_fade_work(state, input);
+    if (input.settles) settle(most, state, goal);
     const double step = limits.slew * tick_seconds;
     const double size = glm::length(state.offset);
     const double left = std::min(size, length_after_work(state)) - step;

@@ -49,6 +49,8 @@ inline constexpr double gentle_share = 0.45;  ///< default cap as a share of the
 inline constexpr double thermal_window = 10;  ///< length of the window for motor heat (s)
 /// Age up to which a model counts as fresh (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
+/// Largest work that the offset of one switch does on the hand (J).
+inline constexpr double switch_energy = 0.01;
 /// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
 inline constexpr double ramp_seconds = 0.05;
 /// Rate at which the output comes down to a cap that was lowered (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
@@ -96,6 +98,7 @@ struct SafetyState {
     vec3 tip{};                               ///< measured position at the last tick (m)
     double initial_offset{};                  ///< length of the offset at the switch (N)
     double fade_work{};                       ///< work of the offset on the hand since the switch (J)
+    double fade_budget{};                     ///< largest work that this offset may do (J)
     double cap{};                             ///< cap in force, above the player's while it comes down (N)
     std::array<double, thermal_bins> heat{};  ///< heat of the output, a ring of bins (N^2 s)
     std::uint32_t tick{};                     ///< ticks in the bin being filled
@@ -111,7 +114,7 @@ struct SafetyState {
     std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
 };
-static_assert(sizeof(SafetyState) == (15 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
+static_assert(sizeof(SafetyState) == (16 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
 
 /// Input of the safety stage in one tick.
 struct SafetyInput {
@@ -127,11 +130,15 @@ struct SafetyInput {
     /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to zero. Infinite:
     /// the springs are not held back.
     double reserve_force{HUGE_VAL};
+    double fade_energy{
+        switch_energy};         ///< largest work of the offset if a switch begins in this tick, > 0 (J)
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped
-    bool on{true};              ///< the player wants forces
-    bool panic{};               ///< a panic key is down
-    bool rearm{};               ///< the player asks for forces again after a panic or shut-off
+    /// The sources still settle after a switch: the offset takes up what they jump by.
+    bool settles{};
+    bool on{true};  ///< the player wants forces
+    bool panic{};   ///< a panic key is down
+    bool rearm{};   ///< the player asks for forces again after a panic or shut-off
 };
 
 /// Returns the force for the device (N). `state.cause` says why it is less than the wanted force.

@@ -9,8 +9,7 @@ namespace {
 // Copied from haptics.md, not from the stage: tests compare the stage with these figures.
 constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
-constexpr double energy_of_a_switch = 0.01;  // J
-constexpr double longest_hand_step = 0.05;   // m
+constexpr double longest_hand_step = 0.05;  // m
 // Share of the budget below which nothing may be scaled.
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
@@ -202,13 +201,15 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
 }
 
 /// Checks that the force does not jump at a switch, unless it has to shrink.
-void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool) {
+void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool,
+                             double fade_energy) {
     const bool may_shrink = !cool || length_of_vector(last_output_) > limits.cap;
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
     count(SafetyRule::slew, moved > step * (1 + 1e-8) + rounding(last_output_));
 
+    fade_budget_ = fade_energy;
     offset_ = within_cap(last_output_, limits.cap) - goal;
     initial_length_ = length_of_vector(offset_);
     fade_work_ = 0;
@@ -226,8 +227,14 @@ void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInp
     if (input.reserve_force < HUGE_VAL && work > 0)
         work = std::fmin(work, std::fmax(0, glm::dot(last_output_, moved)));
     if (length_of_vector(moved) <= longest_hand_step) fade_work_ = std::fmax(0, fade_work_ + work);
+    if (input.settles) {
+        offset_ = within_cap(last_output_, limits.cap) - goal;
+        initial_length_ = std::fmax(initial_length_, length_of_vector(offset_));
+        const double ticks_left = length_of_vector(offset_) / (limits.slew * tick_seconds);
+        last_fading_ = std::max(last_fading_, now_ + static_cast<Moment>(ticks_left) + 1);
+    }
     const double size = length_of_vector(offset_);
-    const double worked_off = initial_length_ * std::sqrt(std::fmax(0, 1 - fade_work_ / energy_of_a_switch));
+    const double worked_off = initial_length_ * std::sqrt(std::fmax(0, 1 - fade_work_ / fade_budget_));
     const double left = std::fmin(size, worked_off) - limits.slew * tick_seconds;
     offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
     offset_ *= share_within(limits.cap, goal, offset_);
@@ -238,8 +245,8 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     const vec3 wanted = within_cap(finite_or_zero(input.wanted), limits.cap);
     const vec3 brake = within_cap(finite_or_zero(input.brake), limits.cap);
     const vec3 goal = within_cap(wanted + brake, limits.cap);
-    const bool begins = next_is_switch_ || input.switched;
-    if (begins) begin_fade(limits, goal, output, cool);
+    const bool begins = next_is_switch_ || input.switched || (input.settles && !may_be_fading_);
+    if (begins) begin_fade(limits, goal, output, cool, input.fade_energy);
     const bool all_of_it = brake == vec3(0) && length_of_vector(output - goal) <= rounding(goal);
     unscaled_ = cool && (unscaled_ || all_of_it);
     offset_known_ = offset_known_ && unscaled_;

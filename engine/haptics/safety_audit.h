@@ -68,7 +68,7 @@ private:
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
     bool is_cool(const SafetyLimits& limits) const;
-    void begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool);
+    void begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool, double fade_energy);
     void fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins);
     void heat(vec3 output);
 
@@ -95,6 +95,7 @@ private:
     vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset at the switch (N)
     double fade_work_{};       // work of the offset (J)
+    double fade_budget_{};     // work that it may do (J)
     Moment last_fading_{};     // last tick in which there may be an offset
 
     std::vector<double> squared_outputs_;  // squares of the output, a ring (N^2)

@@ -66,12 +66,17 @@ bool detect_source_switch(ServoState& state, const HapticModel& model) {
 /// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
 constexpr double solved_residual = 1e-9;
 
+/// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
+constexpr std::uint32_t unsettled_ticks = 8;
+
 /// Returns true if the set appeared, ended or jumped.
 bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
     state.set_number = count == 0 ? 0 : model.set_number;
     if (jumped) state.settling = {};
+    auto& unsettled = state.energy.unsettled;
+    unsettled = jumped && count != 0 ? unsettled_ticks : unsettled - std::min(unsettled, 1U);
     return jumped;
 }
 
@@ -374,11 +379,9 @@ double expected_creation(const Servo& servo, const PassivityObserver& observer, 
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// Energy that the controller takes out in this tick (J). Springs that are held back give no more than their reserve,
-/// and do not slow a hand that is free of them.
-double energy_to_take_out(const PassivityObserver& observer, double held, double pull) {
+/// Energy that the controller takes out in this tick (J). Springs that are held back give no more than their reserve.
+double energy_to_take_out(const PassivityObserver& observer, double held) {
     if (observer.held_back == 0) return surplus(observer, held);
-    if (pull == 0) return 0;
     return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
 }
 
@@ -438,12 +441,14 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
             release_if_covered(state.energy, stored - fluid.stored, pull, servo.most_stiffness);
     }
     const double taken =
-        energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip), pull);
+        energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
     // Without it, skips the velocity, which takes half the time of a quiet step.
     if (taken > 0) {
         const vec3 velocity = prompt_velocity(state, servo.quantum);
         limits.brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
     }
+    // A hand that is free of the springs is not slowed, and one that comes and goes feels no jumps.
+    if (state.energy.held_back != 0) limits.brake = limited(limits.brake, glm::length(sources.springs));
     return limits;
 }
 
@@ -578,8 +583,10 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
                                    .velocity = velocity,
                                    .path_speed = path_speed(state, servo.quantum),
                                    .reserve_force = energy.reserve_force,
+                                   .fade_energy = fade_energy(state.energy),
                                    .model_age = sample.model_age,
                                    .switched = cut_off || switches.any,
+                                   .settles = state.energy.unsettled != 0,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});

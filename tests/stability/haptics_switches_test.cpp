@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptics/safety_audit.h"
+#include "tests/scenes/changed_world.h"
 #include "tests/scenes/switches.h"
 #include "unit/shipped_devices.h"
 
@@ -36,6 +38,106 @@ TEST(HapticsSwitches, TenThousandRandomSwitchesOfEachDeviceCreateNextToNothing) 
             EXPECT_EQ(run.switches, switches * static_cast<int>(bench::switch_seeds.size()));
             EXPECT_GT(run.fastest, 0.01) << "nothing moved: " << spec.name << ", " << hand.name;
         }
+    }
+}
+
+TEST(HapticsSwitches, AWorldThatChangesAgainAndAgainPushesNoHandAway) {
+    for (const auto& spec : shipped_devices()) {
+        for (const auto& hand : bench::pressing_hands) {
+            for (const auto change : bench::world_changes) {
+                for (const bool surface : {false, true}) {
+                    bench::ChangedWorld world(spec, hand, surface);
+                    for (int i = 0; i < 5; ++i) world.change(change);
+                    const auto which = static_cast<int>(change);
+                    EXPECT_LE(world.most_created(), most_per_switch)
+                        << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
+                    // A hand that falls onto a surface that came back meets it as any wall.
+                    if (surface && change == bench::WorldChange::spring) continue;
+                    EXPECT_LE(world.largest_jump(), 0.75)
+                        << spec.name << ", " << hand.stiffness << ", " << which << ", " << surface;
+                }
+            }
+        }
+    }
+}
+
+/// A safety stage whose every tick is audited.
+struct AuditedStage {
+    SafetyLimits limits{};
+    SafetyState state{};
+    SafetyAudit audit{};
+
+    vec3 feel(const SafetyInput& input, int ticks = 1) {
+        vec3 output{};
+        for (int i = 0; i < ticks; ++i) {
+            output = make_safe(limits, state, input);
+            audit.record(limits, input, output);
+        }
+        return output;
+    }
+    vec3 feel(vec3 wanted) { return feel(SafetyInput{.wanted = wanted}); }
+};
+
+TEST(HapticsSwitches, ALargestForceThatIsMovedAtOnceMakesNoJump) {
+    AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
+    const SafetyLimits full = stage.limits;
+    stage.feel({.wanted = {3, 0, 0}}, 100);
+    double before = 3;
+    for (int move = 0; move < 6; ++move) {
+        stage.limits.cap = move % 2 == 0 ? 0.05 * full.cap : full.cap;
+        for (int tick = 0; tick < 20 + 15 * move; ++tick) {
+            const double force = stage.feel({3, 0, 0}).x;
+            EXPECT_LE(std::abs(force - before), 0.4 + 1e-12) << move << ", " << tick;
+            EXPECT_GE(force, 0);
+            if (move % 2 == 0 && tick > 7) EXPECT_LE(force, stage.limits.cap);
+            before = force;
+        }
+    }
+    EXPECT_EQ(stage.audit.violations(), 0);
+}
+
+TEST(HapticsSwitches, SourcesThatSettleAfterASwitchMakeNoJump) {
+    AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
+    stage.feel({.wanted = {3, 0, 0}}, 100);
+    SafetyInput input{.wanted = {3, 0, 0}, .switched = true, .settles = true};
+    double before = 3;
+    for (const double wanted : {3.0, 1.0, 1.2, -2.0, 2.5, 2.5}) {
+        input.wanted.x = wanted;
+        const double force = stage.feel(input).x;
+        EXPECT_LE(std::abs(force - before), 0.04 + 1e-12) << wanted;
+        before = force;
+        input.switched = false;
+    }
+    input.settles = false;
+    EXPECT_NEAR(stage.feel(input, 30).x, 2.5, 1e-12);
+    EXPECT_EQ(stage.audit.violations(), 0);
+}
+
+TEST(HapticsSwitches, AThingThatVanishesFadesOut) {
+    for (const auto& spec : shipped_devices()) {
+        const Servo servo = servo_of(spec, 1);
+        ServoState state;
+        HapticModel model;
+        model.patch.count = model.patch.body_count = 2;
+        model.patch.surfaces[0] = {.kind = SurfaceKind::plane, .body = 0, .a = {0, -0.02, 0}, .b = {0, 1, 0}};
+        model.patch.surfaces[1] = {
+            .kind = SurfaceKind::sphere, .body = 1, .a = {0, -0.01, 0}, .b = {0.01, 0, 0}};
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            model.patch.bodies[i].key = 10 + i;
+            model.patch.bodies[i].material.stiffness = spec.max_stiffness;
+        }
+        const double depth = 0.5 * spec.peak_force / spec.max_stiffness;
+        vec3 before{};
+        for (int i = 0; i <= 100; ++i)
+            before = servo_step(servo, state, model, {vec3(0, 1e-4 - (depth + 1e-4) * i / 100, 0), 0});
+        ASSERT_NEAR(before.y, 0.5 * spec.peak_force, 0.02 * spec.peak_force) << spec.name;
+        model.patch.count = model.patch.body_count = 1;  // the ball is gone, the floor stays
+        for (int i = 0; i < 400; ++i) {
+            const vec3 force = servo_step(servo, state, model, {vec3(0, -depth, 0), 0});
+            EXPECT_LE(glm::length(force - before), 0.04 + 1e-9) << spec.name << ", " << i;
+            before = force;
+        }
+        EXPECT_EQ(before, vec3(0)) << spec.name;
     }
 }
 

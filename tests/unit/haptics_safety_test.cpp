@@ -207,23 +207,6 @@ TEST(HapticsSafety, ForcesThatAPlayerSwitchesOffRampToZero) {
     EXPECT_EQ(stage.feel(off), vec3(0)) << "a hand that is too fast gets none at once";
 }
 
-TEST(HapticsSafety, ALargestForceThatIsMovedAtOnceMakesNoJump) {
-    Stage stage;
-    const SafetyLimits full = stage.limits;
-    stage.feel({.wanted = {3, 0, 0}}, 100);
-    double before = 3;
-    for (int move = 0; move < 6; ++move) {
-        stage.limits.cap = move % 2 == 0 ? 0.05 * full.cap : full.cap;
-        for (int tick = 0; tick < 20 + 15 * move; ++tick) {
-            const double force = stage.feel({3, 0, 0}).x;
-            EXPECT_LE(std::abs(force - before), 0.4 + 1e-12) << move << ", " << tick;
-            EXPECT_GE(force, 0);
-            if (move % 2 == 0 && tick > 7) EXPECT_LE(force, stage.limits.cap);
-            before = force;
-        }
-    }
-}
-
 TEST(HapticsSafety, PanicIsZeroAtOnceAndComesBackSlowly) {
     Stage stage;
     stage.feel({.wanted = {2, 0, 0}}, 60);

@@ -102,6 +102,36 @@ TEST(VolumeLab, ABallIsFeltWhereItIsDrawn) {
     }
 }
 
+TEST(VolumeLab, MaterialThatGrowsAtTheHandDoesNotPushItAway) {
+    for (const char* device : {"touch", "omega3"}) {
+        for (const char* tool : {"construct", "stamp"}) {
+            auto lab = lab_of(*field::make_volume("sphere", 48, 3), device);
+            const auto& spec = lab.data.device;
+            choose(lab, "isosurface", 0.9 * std::min(spec.peak_force, 10.0), 127.5);
+            const double r = ball_radius(lab),
+                         deep = spec.peak_force * (0.5 / 400 + 0.5 / spec.max_stiffness);
+            rest_hand(lab, {0, r + 0.006, 0});
+            move(lab, {0, r - deep, 0}, 300, 200);
+            double created = 0, most = 0;
+            const auto act = [&](int ticks, VolumeLabInput input) {
+                input.target = lab.hand.target;
+                for (int i = 0; i < ticks; ++i) {
+                    const vec3 from = lab.hand.position;
+                    const double force = glm::length(step_volume_lab(lab, input).force);
+                    input.history = 0;
+                    created = std::max(created + glm::dot(lab.hand.force, lab.hand.position - from),
+                                       -force * force / (2 * spec.max_stiffness));
+                    most = std::max(most, created);
+                }
+            };
+            act(300, {.carve = true, .tool = tool_named(lab, tool)});
+            ASSERT_TRUE(lab.edited);
+            for (int i = 0; i < 3; ++i) act(100, {.history = -1}), act(100, {.history = 1});
+            EXPECT_LE(most, 0.02) << device << ", " << tool;
+        }
+    }
+}
+
 TEST(VolumeLab, APushBeyondTheStrengthPokesThrough) {
     const auto pressed = [](double strength) {
         auto lab = made("sphere");
