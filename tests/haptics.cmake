@@ -16,7 +16,7 @@ thaum_test(test_haptics
 
 thaum_test(test_haptic_modes
     SOURCES
-        accuracy/haptics_modes_test.cpp accuracy/haptics_implicit_test.cpp accuracy/haptics_volume_test.cpp
+        accuracy/haptics_drawn_body_test.cpp accuracy/haptics_modes_test.cpp accuracy/haptics_implicit_test.cpp accuracy/haptics_volume_test.cpp
         stability/haptics_modes_hostile_test.cpp stability/haptics_still_hand_test.cpp
     LINK thaum_modes)
 

@@ -12,7 +12,9 @@ constexpr std::size_t few_values = 100;
 constexpr int widest_block = 16;
 /// Blocks along an axis from which on they serve: fewer show nothing of a body's shape.
 constexpr int fewest_blocks = 4;
-/// Widest spacings in a block of samples with such steps.
+/// Widest spacing from which on slices have steps of their own, in finest spacings.
+constexpr double far_apart = 2;
+/// Widest spacings in a block of samples with steps.
 constexpr double over_steps = 2;
 
 /// Calls use(sample) for each sample of a box until it returns false.
@@ -80,7 +82,8 @@ bool has_steps(const Grid& grid) {
 
 std::array<int, 3> block_of(const Grid& grid) {
     const double widest = std::max({grid.spacing.x, grid.spacing.y, grid.spacing.z});
-    const double width = (has_steps(grid) ? over_steps : 1) * widest;
+    const double finest = std::min({grid.spacing.x, grid.spacing.y, grid.spacing.z});
+    const double width = (widest >= far_apart * finest || has_steps(grid) ? over_steps : 1) * widest;
     std::array<int, 3> block{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double samples = std::round(width / grid.spacing[static_cast<int>(axis)]);

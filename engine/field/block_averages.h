@@ -2,8 +2,8 @@
 //
 // Two kinds of body have steps that are larger than a sample: one whose samples lie farther apart along one axis, as
 // slices of a scan do, and one whose samples have few values, as a mask's. Blocks are as wide along each axis as the
-// widest spacing, or twice that if there are few values. So their averages are as far apart along all axes and have
-// values in between.
+// widest spacing, or twice that if slices are twice as far apart as samples or there are few values. So their averages
+// are as far apart along all axes and have values in between.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -110,6 +110,8 @@ bool can_read(const Grid& grid, vec3 place) {
 
 }  // namespace
 
+double Grid::linear_value(double x, double y, double z) const { return trilinear(*this, {x, y, z}); }
+
 double Grid::value_at(double x_m, double y_m, double z_m) const {
     const vec3 place(x_m, y_m, z_m);
     if (!can_read(*this, place)) return 0;

@@ -92,6 +92,9 @@ struct Grid {
     Scalar operator()(vec3 place) const { return scalar_at(place.x, place.y, place.z); }
     /// The same value, to the last bit, without the gradient and in less time.
     double value(vec3 place) const { return value_at(place.x, place.y, place.z); }
+    /// Value at a place counted in samples from the first one, linear between samples and continued beyond them. Needs
+    /// two samples along each axis and numbers that are finite.
+    double linear_value(double x, double y, double z) const;
 
 private:
     Scalar scalar_at(double x, double y, double z) const;

@@ -58,15 +58,6 @@ struct SampleBox {
     Placement placement{};  ///< from the frame of the samples to the reader's
 };
 
-/// The box that a grid's samples span, in the frame of the grid, without samples to be drawn.
-inline SampleBox sample_box_of(const Grid& grid) {
-    const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
-    return {.bounded = grid.first != nullptr,
-            .middle = grid.origin + half,
-            .half = half,
-            .spacing = grid.spacing};
-}
-
 /// The box of a field's samples in the frame of its reader.
 template <class Sample>
 SampleBox sample_box_of(const Field<Sample>& field) {

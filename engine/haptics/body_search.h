@@ -14,6 +14,7 @@
 #pragma once
 #include <optional>
 
+#include "field/placement.h"
 #include "haptics/level_contact.h"
 
 namespace thaum::haptics {
@@ -53,6 +54,7 @@ private:
 
     vec3 to_box(vec3 place) const;
     vec3 to_reader(vec3 place) const;
+    vec3 to_samples(vec3 place) const;
     bool in_box(vec3 place) const;
     bool is_solid(double inside) const;
     /// Depth in the body, in units of the field; -infinity outside of the box and where the field has no number.
@@ -63,7 +65,8 @@ private:
     std::optional<Slope> slope_at(vec3 place);
     vec3 at_box(vec3 out, double depth, vec3 place) const;
 
-    std::optional<Found> near(vec3 place);
+    std::optional<Found> near(vec3 place, vec3 target);
+    std::optional<Found> on_smooth(vec3 place, const Way& way, vec3 target);
     std::optional<Found> leaving(vec3 place, double at_place, const Way& way);
     std::optional<Found> out_of_crevice(vec3 place, double at_place);
     std::optional<Found> entering(vec3 place, double at_place, const Way& way, double limit);
@@ -76,8 +79,10 @@ private:
     const LevelSurface& surface_;
     const field::SampleBox& box_;
     LevelContact& contact_;
-    vec3 half_{};    ///< half of the box's extent (m)
-    double fine_{};  ///< smallest distance between samples (m)
+    vec3 half_{};  ///< half of the box's extent (m)
+    vec3 samples_per_metre_{};
+    double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
+    double fine_{};       ///< smallest distance between samples (m)
 };
 
 }  // namespace thaum::haptics

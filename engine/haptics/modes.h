@@ -82,6 +82,7 @@ struct Mode {
     std::uint32_t primitives{};  ///< number of primitives that it adds
     /// Whether it creates no energy in any field: it pushes nothing and only resists.
     bool passive{};
+    bool ends_at_box{};  ///< it ends by itself where the samples of its field do (field::SampleBox)
     /// Adds the primitives. There is room for them.
     void (*add)(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                 PrimitiveSet& set){};

@@ -52,6 +52,10 @@ public:
     PrimitiveFault add(const Primitive& primitive) noexcept;
 
     void clear() noexcept { count_ = by_proxy_ = 0; }
+    /// Multiplies the strengths from the primitive `first` on by a share from 0 to 1.
+    void weaken(std::size_t first, double share) noexcept {
+        for (std::size_t i = first; i < count_; ++i) items_[i].strength *= share;
+    }
     std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
 
     /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The servo lets

@@ -121,10 +121,14 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
 }
 
 field::SampleBox SmoothGrid::sample_box() const {
-    field::SampleBox box = field::sample_box_of(grid);
-    box.drawn = grid;
+    const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
+    field::SampleBox box{.bounded = grid.first != nullptr && *std::ranges::min_element(grid.count) >= 2,
+                         .drawn = grid,
+                         .averages = averages,
+                         .middle = grid.origin + half,
+                         .half = half,
+                         .spacing = grid.spacing};
     box.drawn.kernel = field::Kernel::linear;
-    box.averages = averages;
     return box;
 }
 

@@ -103,8 +103,8 @@ VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, Primi
         feel_shell(feel.shell, here.value, felt);
     }
     const MaterialFeel material = material_at(feel, input.tip, felt.material);
-    felt.stiff = finite_or_zero(felt.stiff * material.stiffness);
-    felt.viscosity = std::max(0.0, finite_or_zero(felt.viscosity * material.viscosity));
+    felt.stiff = finite_or_zero(feel.share * felt.stiff * material.stiffness);
+    felt.viscosity = std::max(0.0, finite_or_zero(feel.share * felt.viscosity * material.viscosity));
     add_stiffness(felt.stiff, up, input, set);
     add_ambient(feel, set);
     for (std::uint32_t i = 0; i < std::min<std::uint32_t>(feel.wall_count, most_walls_felt); ++i)

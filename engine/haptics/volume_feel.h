@@ -107,6 +107,7 @@ struct VolumeFeel {
     std::uint32_t wall_count{};
     OpacityFeel opacity{};
     DensityShell shell{};
+    double share{1};  ///< factor of opacity and shell, for a volume that ends; walls end by themselves
 };
 
 /// What the hand feels of a volume besides the primitives.

@@ -181,6 +181,16 @@ bool move_volumes(VolumeLab& lab, const std::vector<LabPlace>& places) {
     return jumps;
 }
 
+/// Share of a volume's feel at a place: 1 within the box of its samples and 0 beyond. It falls over the last half sample,
+/// so that no force jumps there.
+double share_within(const VolumeRef& volume, vec3 place) {
+    const vec3 own = field::to_own(volume.placement, place), half = 0.5 * volume.source.extent();
+    double share = 1;
+    for (int axis = 0; axis < 3; ++axis)
+        share = std::min(share, (half[axis] - std::abs(own[axis])) / (0.5 * volume.source.spacing[axis]));
+    return std::max(share, 0.0);
+}
+
 void fill_primitives(VolumeLab& lab, vec3 tip) {
     lab.model.primitives.clear();
     const haptics::ModeInput input{
@@ -191,13 +201,17 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
         const LabMode& mode = lab.settings.modes[i];
         const haptics::ModeUse use{haptics::find_mode(mode.name), lab.fields[i]->placed.field, mode.settings};
+        const std::size_t first = lab.model.primitives.items().size();
         haptics::add_modes(std::span(&use, 1), input, lab.model.primitives);
+        if (!use.mode->ends_at_box)
+            lab.model.primitives.weaken(first, share_within(volume_of(lab, mode.volume), input.proxy));
     }
     lab.model.viscosity = 0;
     if (lab.settings.feel.empty()) return;
     lab.feel.density = field::field_of<field::Scalar>(lab.views->placed_density);
     lab.feel.material = haptics::material_field_of(lab.views->materials);
     lab.feel.materials = &lab.material_table;
+    lab.feel.share = share_within(volume_of(lab, 0), tip);
     lab.model.viscosity = haptics::add_volume_feel(lab.feel, input, lab.model.primitives).viscosity;
 }
 

@@ -132,6 +132,30 @@ TEST(VolumeLab, MaterialThatGrowsAtTheHandDoesNotPushItAway) {
     }
 }
 
+TEST(VolumeLab, NothingIsFeltBesideTheBoxOfAVolume) {
+    for (const char* name : {"gradient", "viscosity", "surface", "isosurface"}) {
+        auto lab = made("gyroid", 16);
+        choose(lab, name, 1, 0);
+        const vec3 half = 0.5 * lab.placement.scale * lab.source.extent();
+        const vec3 room = 0.5 * lab.data.device.workspace - half;
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) axis = room[a] > room[axis] ? a : axis;
+        const double beside = half[axis] + 0.3 * room[axis];
+        double most = 0;
+        for (const double side : {-1.0, 1.0}) {
+            for (int i = 0; i < 20; ++i) {
+                vec3 place = 0.1 * i * half - half;
+                place[axis] = side * beside;
+                rest_hand(lab, place);
+                lab.servo_state = {};
+                place[(axis + 1) % 3] += 0.001;
+                most = std::max(most, glm::length(move(lab, place, 5, 10).force));
+            }
+        }
+        EXPECT_LE(most, 1e-9) << name;
+    }
+}
+
 TEST(VolumeLab, APushBeyondTheStrengthPokesThrough) {
     const auto pressed = [](double strength) {
         auto lab = made("sphere");

@@ -1,0 +1,208 @@
+// Surfaces of sampled bodies: a hand feels what a picture shows of them (haptics/body_search.h).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+#include "core/units.h"
+#include "field/block_averages.h"
+#include "haptics/level_contact.h"
+#include "tests/scenes/scanned_volumes.h"
+
+namespace thaum::haptics {
+namespace {
+
+using bench::TouchedModes;
+using field::field_of;
+using field::Scalar;
+
+constexpr double stiffness = 1000, level = 0.5, fine = 0.001;
+
+/// Samples about the origin, with the averages that their directions need.
+struct Body {
+    std::array<int, 3> count{};
+    vec3 spacing{fine};
+    std::vector<float> samples{};
+    field::BlockAverages averages{};
+
+    template <class Sample>
+    Body(std::array<int, 3> n, vec3 apart, Sample sample) : count(n), spacing(apart) {
+        for (int k = 0; k < n[2]; ++k) {
+            for (int j = 0; j < n[1]; ++j) {
+                for (int i = 0; i < n[0]; ++i)
+                    samples.push_back(static_cast<float>(sample(spacing * vec3(i, j, k) - half())));
+            }
+        }
+        averages = field::make_block_averages(grid());
+    }
+    vec3 half() const { return 0.5 * spacing * vec3(count[0] - 1, count[1] - 1, count[2] - 1); }
+    field::Grid grid() const {
+        const std::ptrdiff_t row = count[0];
+        return {samples.data(), count, {1, row, row * count[1]}, -half(), spacing, field::Kernel::linear};
+    }
+    SmoothGrid felt() const { return {grid(), averages.grid(grid())}; }
+    /// As the surface's shader draws it.
+    bool is_drawn(vec3 p) const {
+        const vec3 h = half();
+        return std::abs(p.x) <= h.x && std::abs(p.y) <= h.y && std::abs(p.z) <= h.z &&
+               grid().value(p) >= level;
+    }
+};
+
+auto ball_at(vec3 middle, double radius, double edge) {
+    return [=](vec3 p) { return std::clamp(0.5 + (radius - glm::distance(p, middle)) / edge, 0.0, 1.0); };
+}
+
+TouchedModes hand_on(const SmoothGrid& felt) {
+    ModeUse use{find_mode("isosurface"), any_field(field_of<Scalar>(felt)), {}};
+    use.settings.strength = field::constant(50);
+    use.settings.level = level;
+    use.settings.reach = 2 * fine;
+    return {{use}, stiffness};
+}
+
+/// Moves a hand evenly and returns the force after its rest at the end.
+vec3 pushed(TouchedModes& hand, vec3 from, vec3 to, int ticks, double* most = nullptr) {
+    hand.start(from);
+    vec3 force(0);
+    for (int t = 1; t <= ticks + 5; ++t) {
+        force = hand.move(glm::mix(from, to, std::min(1.0, static_cast<double>(t) / ticks)));
+        if (most != nullptr) *most = std::max(*most, glm::length(force));
+    }
+    return force;
+}
+
+TEST(DrawnBody, ACutFaceIsAWallWithThePlanesNormal) {
+    const Body full({16, 12, 20}, vec3(fine), [](vec3 p) { return 4 + 300 * p.x + 100 * p.y; });
+    const SmoothGrid felt = full.felt();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            vec3 out(0), foot(0.0013, -0.0021, 0.0017);
+            out[axis] = side;
+            foot[axis] = side * full.half()[axis];
+            auto hand = hand_on(felt);
+            const vec3 force = pushed(hand, foot + 0.005 * out, foot - 0.001 * out, 100);
+            EXPECT_LE(glm::distance(force, stiffness * 0.001 * out), 1e-6);
+            double beside = 0;
+            vec3 across(0);
+            across[(axis + 1) % 3] = 0.02;
+            pushed(hand, foot + across + 0.005 * out, foot + across - 0.005 * out, 100, &beside);
+            EXPECT_LE(beside, 1e-12) << "beside the box";
+        }
+    }
+}
+
+TEST(DrawnBody, ItIsFeltWhereItIsDrawnAndNowhereElse) {
+    const std::array bodies{
+        Body({24, 24, 24}, vec3(fine), ball_at({0.006, 0.003, 0}, 0.009, fine)),            // cut
+        Body({24, 24, 24}, vec3(fine), ball_at({0.001, 0.0004, 0.0007}, 0.008, 1e-9)),      // mask
+        Body({24, 24, 8}, {fine, fine, 3 * fine}, ball_at({0, 0.004, 0.01}, 0.009, fine)),  // slices
+        Body({10, 12, 14}, vec3(fine), [](vec3) { return 1.0; }),                           // full
+    };
+    Random random{7};
+    for (const Body& body : bodies) {
+        const SmoothGrid felt = body.felt();
+        const vec3 wide = body.half() + vec3(4 * fine);
+        const auto anywhere = [&](vec3 reach) {
+            return reach * vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        };
+        for (int drawn = 0, free = 0; drawn < 60 || free < 60;) {
+            const vec3 from = anywhere(wide), to = from + anywhere(vec3(4 * fine));
+            if (body.is_drawn(from)) continue;
+            const bool ends_in = body.is_drawn(to) && body.is_drawn(glm::mix(from, to, 0.97));
+            bool passes = false;
+            for (int i = 0; i <= 60 && !passes; ++i) {
+                const vec3 at = glm::mix(from, to, i / 60.0);
+                for (int c = 0; c < 27; ++c)
+                    passes |= body.is_drawn(at + 0.15 * fine * vec3(c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1));
+            }
+            if (passes && !ends_in) continue;
+            auto hand = hand_on(felt);
+            double most = 0;
+            const vec3 force = pushed(hand, from, to, 40, &most);
+            if (ends_in) EXPECT_GT(glm::length(force), 1e-9);
+            if (!ends_in) EXPECT_LE(most, 1e-12);
+            ++(ends_in ? drawn : free);
+        }
+    }
+}
+
+TEST(DrawnBody, ASheetOfOneSampleIsFeltInEveryDirection) {
+    Random random{3};
+    for (int i = 0; i < 40; ++i) {
+        const vec3 normal = bench::even_direction(i, 40);
+        const double at = random.uniform(-3, 3) * fine;
+        const Body sheet({24, 24, 24}, vec3(fine), [&](vec3 p) {
+            return std::clamp(1 - std::abs(glm::dot(p, normal) - at) / fine, 0.0, 1.0);
+        });
+        const SmoothGrid felt = sheet.felt();
+        auto hand = hand_on(felt);
+        const vec3 force = pushed(hand, (at + 0.004) * normal, (at - 0.0006) * normal, 200);
+        EXPECT_GT(glm::dot(force, normal), 0.6) << i;
+    }
+}
+
+/// Largest angle between force and normal of a ball of 20 samples (degrees).
+double worst_direction(const Body& body, vec3 middle) {
+    constexpr double radius = 20 * fine;
+    const SmoothGrid felt = body.felt();
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+        const vec3 out = bench::even_direction(i, 200);
+        auto hand = hand_on(felt);
+        const vec3 force =
+            pushed(hand, middle + (radius + 0.004) * out, middle + (radius - 0.003) * out, 100);
+        worst = std::max(worst, glm::length(glm::cross(force, out)) / glm::length(force));
+    }
+    return std::asin(worst) / radians_per_degree;
+}
+
+TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
+    const vec3 middle(0.21 * fine, 0.37 * fine, -0.13 * fine);
+    const auto soft = ball_at(middle, 20 * fine, fine), hard = ball_at(middle, 20 * fine, 1e-9);
+    EXPECT_LE(worst_direction({{64, 64, 64}, vec3(fine), soft}, middle), 1.5);
+    EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, soft}, middle), 3);
+    EXPECT_LE(worst_direction({{64, 64, 64}, vec3(fine), hard}, middle), 6);
+    EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, hard}, middle), 6);
+}
+
+TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
+    const vec3 middle(0, 0, 0.005);
+    constexpr double radius = 0.015, step = 1e-5;
+    const Body cut({40, 40, 20}, vec3(fine), ball_at(middle, radius, fine));
+    const SmoothGrid felt = cut.felt();
+    const double face = cut.half().z, high = face - middle.z, edge = std::sqrt(radius * radius - high * high);
+    const double begin = std::asin(edge / radius);
+    vec3 before(0, 0, 1);
+    for (int i = -300; i < 300; ++i) {
+        // From the cut face over the edge and down the ball.
+        const double turn = begin + std::max(i, 0) * step / radius;
+        const vec3 out(det::sin(turn), 0, det::cos(turn));
+        const vec3 place = i < 0 ? vec3(edge + i * step, 0, face) : middle + radius * out;
+        const LevelContact contact = find_contact({field_of<Scalar>(felt), level, false, 2 * fine},
+                                                  place + 1e-6 * before, place - 1e-4 * before);
+        ASSERT_GE(contact.count, 1U) << i;
+        const vec3 normal = contact.planes[0].normal;
+        EXPECT_LE(glm::distance(normal, before), 0.06) << i;
+        before = normal;
+        if (i == -300) EXPECT_LE(glm::distance(normal, vec3(0, 0, 1)), 1e-12);
+        if (i == 299) EXPECT_LE(glm::distance(normal, out), 0.06);
+    }
+}
+
+TEST(DrawnBody, AveragesFollowEdits) {
+    auto voxels = field::make_voxels({20, 21, 9}, {fine, fine, 2.4 * fine});
+    const field::Grid grid = voxels.density_grid(field::Kernel::linear);
+    auto averages = field::make_block_averages(grid, &voxels.bricks);
+    ASSERT_FALSE(averages.samples.empty());
+    voxels.density[3 + 20 * (7 + 21 * 4)] = 1;
+    field::mark_changed(voxels.bricks, {{3, 7, 4}, {4, 8, 5}});
+    field::update(averages, grid, voxels.bricks);
+    EXPECT_EQ(averages.samples, field::make_block_averages(grid).samples);
+    EXPECT_EQ(averages.newest, voxels.bricks.newest);
+    EXPECT_TRUE(field::make_block_averages(field::Grid{}).samples.empty());
+}
+
+}  // namespace
+}  // namespace thaum::haptics
