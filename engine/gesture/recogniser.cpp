@@ -405,6 +405,10 @@ Recognition Recogniser::recognise(Points stroke, RecogniserSpace& space) const {
     return recognise_without(stroke, Recognition::none, space);
 }
 
+Recognition Recogniser::recognise_part(Points part, RecogniserSpace& space) const {
+    return recognise_within(part, {.rests = Rests::kept}, space);
+}
+
 Recognition Recogniser::recognise_without(Points stroke, std::uint32_t left_out,
                                           RecogniserSpace& space) const {
     return recognise_within(stroke, {.left_out = left_out}, space);
@@ -412,8 +416,9 @@ Recognition Recogniser::recognise_without(Points stroke, std::uint32_t left_out,
 
 Recognition Recogniser::recognise_within(Points stroke, const Limits& limits, RecogniserSpace& space) const {
     const Channels solid{true, settings_.channels.force}, flat{false, settings_.channels.force};
-    if (needs_solid_ && !make_shape(stroke, solid, space.points_, space.solid_)) return {};
-    const bool flat_made = needs_flat_ && make_shape(stroke, flat, space.points_, space.planar_);
+    if (needs_solid_ && !make_shape(stroke, solid, space.points_, space.solid_, limits.rests)) return {};
+    const bool flat_made =
+        needs_flat_ && make_shape(stroke, flat, space.points_, space.planar_, limits.rests);
     if (!needs_solid_ && !flat_made) return {};
     return decide(needs_solid_ ? &space.solid_ : nullptr, flat_made ? &space.planar_ : nullptr, limits,
                   space);

@@ -103,6 +103,8 @@ public:
     void set_calibration(Calibration calibration) { calibration_ = std::move(calibration); }
 
     Recognition recognise(Points stroke, RecogniserSpace& space) const;
+    /// Does the same for a part of continuous motion, in which no rest is left out.
+    Recognition recognise_part(Points part, RecogniserSpace& space) const;
     /// Does the same as `recognise` for a recogniser without the gesture `left_out`, to see how a stroke that means
     /// nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
@@ -147,7 +149,8 @@ private:
         std::uint32_t left_out = Recognition::none;
         float length_range = 0;  ///< 0: every length
         bool means = true;       ///< false to leave out the means of recorded strokes
-        bool twins = true;       ///< false to leave out the twins of `left_out` too
+        Rests rests = Rests::left_out;
+        bool twins = true;  ///< false to leave out the twins of `left_out` too
     };
 
     Expected<void> add(const Gesture& gesture, RecogniserSpace& space);

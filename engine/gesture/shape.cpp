@@ -319,12 +319,12 @@ void drop_rests(ShapeSpace& s) {
     s.count = k + 1;
 }
 
-bool fill(Points stroke, Channels channels, ShapeSpace& space) {
+bool fill(Points stroke, Channels channels, Rests rests, ShapeSpace& space) {
     if (stroke.empty() || !all_finite_numbers(stroke)) return false;
     space.before = space.paused = 0;
     auto copied = copy(stroke, channels.depth, space);
     if (!copied.finite) return false;
-    copied = leave_out_rests(stroke, channels.depth, copied, space);
+    if (rests == Rests::left_out) copied = leave_out_rests(stroke, channels.depth, copied, space);
     if (!copied.finite) return false;
     if (!copied.plain) drop_rests(space);
     return std::isfinite(space.length[space.count - 1]);
@@ -572,8 +572,8 @@ bool make_fine_shape(ShapeSpace& s, std::size_t first, std::size_t last, FineKin
     return true;
 }
 
-bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape) {
-    if (!fill(stroke, channels, space) || space.count < 2 ||
+bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape, Rests rests) {
+    if (!fill(stroke, channels, rests, space) || space.count < 2 ||
         !make_shape(space, 0, space.count - 1, channels, shape))
         return false;
     shape.start_t += space.before;

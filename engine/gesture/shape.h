@@ -69,9 +69,14 @@ struct ShapeSpace {
     float paused{};  ///< time of rests within the stroke that was left out (s)
 };
 
+/// Whether the time for which the hand rests is left out of a stroke (rests.h), or belongs to it, as in a part that a caller
+/// has cut out of continuous motion.
+enum class Rests : std::uint8_t { left_out, kept };
+
 /// Makes the shape of a stroke. Returns false for a stroke without two different places or with a value that is not
 /// finite. No allocation.
-bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape);
+bool make_shape(Points stroke, Channels channels, ShapeSpace& space, Shape& shape,
+                Rests rests = Rests::left_out);
 
 /// Makes the shape of the points in `space` from `first` to `last`, both included. `length` has the arc length up to
 /// each point. For callers that fill the space themselves.

@@ -91,7 +91,7 @@ double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
 void read_window(const CastingRules& rules, const gesture::Recogniser& recogniser, const FreeMotion& motion,
                  std::size_t begin, ReadingSpace& space, FreeHand& hand) {
     const auto stroke = motion.points.subspan(begin);
-    const auto found = recogniser.recognise(stroke, space.recogniser);
+    const auto found = recogniser.recognise_part(stroke, space.recogniser);
     if (found.gesture == gesture::Recognition::none) return;
     const double lasts = std::max(found.end - found.start, gameplay_dt);
     const double pace = pace_before(motion, begin, lasts);
