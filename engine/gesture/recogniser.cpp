@@ -191,9 +191,8 @@ void Recogniser::score(const Shape& shape, std::size_t count, RecogniserSpace& s
 
 std::size_t Recogniser::verified_at_most() const {
     if (settings_.exhaustive) return most_templates;
-    if (templates_.size() <= 2 * lanes) return lanes;
     const std::size_t groups = (templates_.size() + 31) / 32 + (templates_.size() > 128 ? 2 : 0);
-    return lanes * std::clamp<std::size_t>(groups, 2, 8);
+    return lanes * std::clamp<std::size_t>(groups, 1, 8);
 }
 
 /// Keeps the templates with the largest dot products, best first.
