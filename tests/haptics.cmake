@@ -1,7 +1,7 @@
 thaum_test(test_haptics
     SOURCES
         unit/haptics_device_test.cpp unit/haptics_simulated_test.cpp unit/haptics_coupling_test.cpp
-        unit/haptics_safety_test.cpp unit/haptics_servo_test.cpp unit/haptics_servo_contact_test.cpp
+        unit/haptics_safety_audit_test.cpp unit/haptics_safety_test.cpp unit/haptics_servo_test.cpp unit/haptics_servo_contact_test.cpp
         unit/haptics_energy_test.cpp unit/haptics_viscosity_test.cpp unit/haptics_surface_test.cpp unit/haptics_surface_laws_test.cpp
         unit/haptics_texture_test.cpp unit/allocations.cpp
         unit/flow_patch_test.cpp unit/fluid_touch_test.cpp

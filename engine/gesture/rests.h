@@ -16,7 +16,7 @@
 namespace thaum::gesture {
 
 /// Longest time at one place that is a part of the stroke (s).
-inline constexpr double longest_halt = 0.15;
+inline constexpr double longest_halt = 0.2;
 /// Way from the middle of a rest within which the hand rests (share of the largest of the stroke's width, height, depth).
 inline constexpr double rest_reach = 0.02;
 

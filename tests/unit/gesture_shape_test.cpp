@@ -110,10 +110,10 @@ TEST(GestureShape, RestsOfATremblingHandHaveNoEffect) {
                     const auto far = [&](const Course& rested) {
                         return elastic_distance(plain, shape_of(rested));
                     };
-                    EXPECT_LT(far(with_rests(stroke, s, 0, 0, tremor)), 0.025F) << s << " s before";
-                    EXPECT_LT(far(with_rests(stroke, 0, 0, s, tremor)), 0.025F) << s << " s after";
-                    EXPECT_LT(far(with_rests(stroke, s, 0, s, tremor)), 0.025F) << s << " s at both ends";
-                    EXPECT_LT(far(with_rests(stroke, 0, s, 0, tremor)), 0.03F) << s << " s within";
+                    EXPECT_LT(far(with_rests(stroke, s, 0, 0, tremor)), 0.03F) << s << " s before";
+                    EXPECT_LT(far(with_rests(stroke, 0, 0, s, tremor)), 0.03F) << s << " s after";
+                    EXPECT_LT(far(with_rests(stroke, s, 0, s, tremor)), 0.03F) << s << " s at both ends";
+                    EXPECT_LT(far(with_rests(stroke, 0, s, 0, tremor)), 0.04F) << s << " s within";
                 }
             }
             const auto rested = shape_of(with_rests(stroke, 20, 5, 20, 0.004));
