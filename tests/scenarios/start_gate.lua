@@ -46,13 +46,14 @@ local function ease_off()
     expect_near(300 * -me:hand().z, cap, 0.1, "the force waits until the spring is within the cap")
     expect(not on_screen(caption))
     -- The offset starts at minus the spring force and shrinks by 0.04 N a tick. The spring force itself,
-    -- which falls as the hand eases off, is not delayed.
+    -- which falls as the hand eases off, is not delayed. From the second tick on, the brake on a spring that holds more
+    -- than it received takes up to 0.08 N.
     local before, first = {0, 0, 0}, 300 * -me:hand().z
     for i = 1, 25 do
         local force = me:force()
         local step, eased = distance(force, before), first - 300 * -me:hand().z
-        expect(step <= 0.04 + 1e-12, "no jump of the force, tick " .. i)
-        expect_near(length(force), 0.04 * i - eased, 0.005, "the force grows from zero, tick " .. i)
+        expect(step <= 0.05, "no jump of the force, tick " .. i)
+        expect_near(length(force), 0.04 * i - eased, 0.085, "the force grows from zero, tick " .. i)
         before = force
         tick()
     end
