@@ -30,7 +30,7 @@ constexpr Summary overview[] = {
     {"bench", "measure time against error"},
     {"plot", "draw a benchmark's report"},
     {"sounds", "list the sounds; write them as files and pictures"},
-    {"gesture", "measure, train and check the recognisers of gestures"},
+    {"gesture", "measure, record and check gestures and how they are recognised"},
     {"check", "read all data files and list every fault in them"},
     {"doctor", "check this machine and report what is missing"},
 };
