@@ -75,8 +75,10 @@ vec3 random_place(Random& random, double half) {
 /// A curve with jumps, of either sign (N).
 field::TransferFunction random_curve(Random& random, double from, double to) {
     std::array<vec2, 8> points{};
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {from + (to - from) * static_cast<double>(i / 2) / 3, random.uniform(-3, 3)};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t place = i / 2;  // two points at each
+        points[i] = {from + (to - from) * static_cast<double>(place) / 3, random.uniform(-3, 3)};
+    }
     return field::transfer_function(points).value_or(field::constant(1));
 }
 
