@@ -10,7 +10,7 @@
 namespace thaum::gesture {
 namespace {
 
-constexpr std::size_t prefix_starts = 8;              // of a closed stroke
+constexpr std::size_t prefix_starts = 8;              // points at which a closed stroke may begin
 constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are compared elastically
 /// Distances below this one count as this one: no other hand comes nearer, and the calibration knows nothing of them.
 constexpr float least_counted = 0.02F;

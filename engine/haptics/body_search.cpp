@@ -95,7 +95,7 @@ bool BodySearch::in_box(vec3 place) const {
 }
 
 bool BodySearch::is_solid(double inside) const {
-    // As in the picture, where a sample of just the level is drawn.
+    // The picture, too, shows a sample of just the level as solid.
     return surface_.solid_below ? inside > 0 : inside >= 0;
 }
 
@@ -173,7 +173,7 @@ std::optional<BodySearch::Way> BodySearch::way_out(vec3 place) {
 
 // ---- searching --------------------------------------------------------------------------------------------
 
-/// Where the way through a bracket crosses the surface (regula falsi that halves the weight of an end that stays).
+/// The place where the way through a bracket crosses the surface (regula falsi that halves the weight of an end that stays).
 vec3 BodySearch::crossing(Bracket b, double accuracy) {
     const bool from_solid = is_solid(b.at_from);
     double low = 0, high = 1, at_low = b.at_from, at_high = b.at_to, t = 0;
@@ -202,7 +202,7 @@ std::optional<BodySearch::Found> BodySearch::found_at(vec3 place) {
     return Found{place, *way};
 }
 
-/// What a search from `start`, where the way out was `way`, has found at a place.
+/// The place that a search from `start` has found, and the way out there. `way` is the way out at the start.
 BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     if (glm::distance(place, start) > same_direction * fine_) {
         const auto there = found_at(place);

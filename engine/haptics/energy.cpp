@@ -113,7 +113,8 @@ void hold_back(PassivityObserver& observer) {
 }
 
 void forgive(PassivityObserver& observer) {
-    constexpr double forgetting_time = 5;  // s
+    constexpr double forgetting_time =
+        5;  // time constant with which the debt of a hand that feels no spring fades (s)
     observer.created -= std::max(0.0, observer.created) * (tick_seconds / forgetting_time);
 }
 

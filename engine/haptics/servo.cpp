@@ -401,7 +401,7 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 /// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity, too. If it is worth
 /// more than this force, the controller shakes a tip that hardly moves. In a faster motion a count matters less.
 double controller_damping(const Servo& servo, vec3 velocity) {
-    constexpr double most_of_a_count = 0.28;  // N
+    constexpr double most_of_a_count = 0.28;  // largest force that one count may be worth (N)
     if (!(servo.quantum > 0)) return servo.most_damping;
     const double of_a_count = servo.quantum / tick_seconds;
     const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));

@@ -5,6 +5,21 @@
 #include "core/assert.h"
 
 namespace thaum::game {
+namespace {
+
+/// Returns the reader of the gestures, which is made when it is first asked for.
+template <class Reader>
+const Reader& made_once(std::once_flag& once, std::optional<Reader>& reader,
+                        std::span<const gesture::Gesture> gestures) {
+    std::call_once(once, [&] {
+        auto made = Reader::make(gestures);
+        THAUM_ASSERT(made, "gestures of a set were checked");
+        reader = std::move(*made);
+    });
+    return *reader;
+}
+
+}  // namespace
 
 std::optional<std::uint32_t> GestureSet::number(std::string_view name) const {
     const auto found = std::find_if(gestures_.begin(), gestures_.end(),
@@ -17,22 +32,10 @@ std::string_view GestureSet::name(std::uint32_t number) const {
     return number < gestures_.size() ? std::string_view(gestures_[number].name) : std::string_view();
 }
 
-const gesture::Recogniser& GestureSet::recogniser() const {
-    std::call_once(once_, [this] {
-        auto made = gesture::Recogniser::make(gestures_);
-        THAUM_ASSERT(made, "gestures of a set were checked");
-        recogniser_ = std::move(*made);
-    });
-    return *recogniser_;
-}
+const gesture::Recogniser& GestureSet::recogniser() const { return made_once(once_, recogniser_, gestures_); }
 
 const gesture::PrefixReader& GestureSet::prefixes() const {
-    std::call_once(once_prefixes_, [this] {
-        auto made = gesture::PrefixReader::make(gestures_);
-        THAUM_ASSERT(made, "gestures of a set were checked");
-        prefixes_ = std::move(*made);
-    });
-    return *prefixes_;
+    return made_once(once_prefixes_, prefixes_, gestures_);
 }
 
 std::optional<std::string> fault_of(std::span<const gesture::Gesture> gestures) {

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "haptics/safety.h"
+#include "unit/omni_like.h"
 
 namespace thaum::haptics {
 namespace {
@@ -13,20 +14,13 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-DeviceSpec audited_device() {
-    DeviceSpec spec;
-    spec.peak_force = 3.3;
-    spec.continuous_force = 0.88;
-    return spec;
-}
-
 using Arrange = std::function<void(int tick, SafetyInput&)>;
 using Spoil = std::function<vec3(int tick, vec3 output)>;
 
 /// Plays a valid second of 1.5 N (zero before), changes the output, and returns the violations that the audit
 /// reports.
 std::uint64_t seen(SafetyRule rule, const Arrange& arrange, const Spoil& spoil) {
-    const auto limits = safety_limits(audited_device(), 1);
+    const auto limits = safety_limits(omni_like(), 1);
     SafetyState state;
     SafetyAudit audit;
     for (int tick = 0; tick < 1000; ++tick) {
@@ -153,7 +147,7 @@ TEST(HapticsSafetyAudit, ReportsForcesWhileTheStageMustGiveNone) {
 
 TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     SafetyAudit audit;
-    const auto limits = safety_limits(audited_device(), 1);
+    const auto limits = safety_limits(omni_like(), 1);
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);

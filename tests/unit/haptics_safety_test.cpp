@@ -7,19 +7,13 @@
 #include "core/random.h"
 #include "haptics/safety_audit.h"
 #include "tests/scenes/safety_attack.h"
+#include "unit/omni_like.h"
 
 namespace thaum::haptics {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-DeviceSpec omni_like() {
-    DeviceSpec spec;
-    spec.peak_force = 3.3;
-    spec.continuous_force = 0.88;
-    return spec;
-}
 
 /// A stage with its audit. A test fails if the audit counts a violation.
 struct Stage {
