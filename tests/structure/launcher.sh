@@ -588,6 +588,25 @@ expect "they take turns" not_called "two at once"
 expect "and build once" test "$(grep -c '^ninja' "$place/calls")" = 1
 expect "and install once" test "$(grep -c '^apt-get.* install ' "$place/calls")" = 1
 
+# Another start runs from its first to its last step while this one tries whether programs may be started there. Then a
+# file of another start is gone before its rights can be asked for, as between find's look at a folder and at a file.
+ready_machine
+tool chmod <<'CHMOD'
+PATH=${PATH#*:} chmod "$@"
+[[ $1 == 700 ]] && mkdir "$PLACE/nested" 2>/dev/null && "$PLACE/tree/thaum" within >"$PLACE/start-within" 2>&1
+exit 0
+CHMOD
+run
+expect "is not confused by another start" says "started:"
+expect "which starts, too" grep -q '^started: within' "$place/start-within"
+expect "both in the tree" says_not "building in"
+tool find <<'FIND'
+PATH=${PATH#*:} find "$@"
+[[ $* != *writable* ]] || printf '%s\0' "$1/.gone"
+FIND
+run
+expect "nor by a file that is gone" says_not "building in"
+
 ready_machine
 mv "$fake/cmake" "$fake/real-cmake"
 tool cmake <<<'kill -9 $PPID'
