@@ -27,8 +27,8 @@ struct ArmTicks {
 
     // Shared with the watchdog (detail/stall_watch.h).
     std::atomic<std::uint64_t> done{0};  ///< ticks that have returned
-    std::atomic<bool> pushes{
-        false};  ///< the arm may exert a force: the last one that it took is not known to be zero
+    /// The arm may exert a force: the last one that it took is not known to be zero.
+    std::atomic<bool> pushes{false};
     std::atomic<bool> stalled{false};    ///< the watchdog has ended the force since the newest tick
     std::atomic<bool> unwatched{false};  ///< the watchdog shall end
     std::uint32_t resumed{};  ///< ticks since the last stall, up to those of the ramp; the servo thread's
