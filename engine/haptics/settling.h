@@ -1,15 +1,21 @@
-// haptics/settling.h: how far the proxy goes in one tick, so that a still hand feels a still force.
+// haptics/settling.h: how far the proxy goes in one tick, so that a still hand feels a still force and a hand that creeps
+// or trembles feels no chatter.
 //
 //     proxy of the last tick, balance of spring and primitives --> settle --> proxy of this tick
 //
 // Modes read their field at the proxy of the last tick. On the ridge of a field both sides push towards it. There the
 // balance throws the proxy across in every tick, with the whole strength, and no two ticks agree. The place on the ridge
-// at which all forces cancel lies between. A proxy that goes only part of the way finds it:
+// at which all forces cancel lies between. In the core of a vortex the balance throws the proxy round the axis instead.
+// A proxy that goes only part of the way comes to rest in both:
 //
-//   - A proxy that has to turn back goes half as far as before, and farther again as soon as it goes straight on.
-//   - While the tip stays where it is, the way of a tick shrinks steadily, whatever the field and the modes. So at a
-//     fixed reading the force changes by at most `least_pace` a tick after about 270 ticks.
-//   - A tip that moves always lets the proxy go twice as far as itself, so that a moving hand feels a prompt force.
+//   - A proxy that has to turn back goes half as far as before, and farther again as soon as it goes straight on. If the
+//     balance moves farther than proxy and tip explain, a smaller turn is enough: such a proxy circles the place of rest.
+//   - The way of a tick shrinks steadily, whatever the field and the modes. So at a fixed reading the force changes by at
+//     most `least_pace` a tick after about 270 ticks.
+//   - Each way of the tip, and of a field, gives the proxy a way in proportion: at a steady speed, the force may change by
+//     seven times what the tip's way in a tick stretches the spring. So a moving hand feels a prompt force.
+//   - Beyond the way of the tip the force changes by at most `most_pace` a tick. So a wall that lets go, or takes hold,
+//     takes some ticks for that.
 //
 // A proxy that goes only part of the way to the balance loses energy: the energy of spring and primitives is convex and
 // least at the balance. So passive primitives stay passive.
@@ -20,24 +26,26 @@
 
 namespace thaum::haptics {
 
-/// Largest change of the spring's force in a tick, at first and at rest (N).
-inline constexpr double most_pace = 10, least_pace = 2e-4;
+/// Largest change of the spring's force in a tick besides that by the tip's way (N): when the proxy begins, while the tip
+/// moves, and at rest.
+inline constexpr double first_pace = 10, most_pace = 0.5, least_pace = 2e-4;
 
 /// Way of the tip that counts as rest (m): the flicker of the coarsest encoder.
 inline constexpr double still_range = 1e-4;
 
-/// State of a proxy that settles; all zero: it begins. No padding.
+/// State of a proxy that settles. All zero is a proxy that begins. No padding.
 struct Settling {
     vec3 tip{};                ///< place of the tip in the last tick (m)
-    vec3 rest{};               ///< place from which the tip has not gone farther than `still_range` (m)
+    vec3 rest{};               ///< place that follows the tip at a distance of at most `still_range` (m)
     vec3 step{};               ///< motion of the proxy in the last tick (m)
-    double pace{};             ///< largest change of the force in a tick (N); 0: begins
-    double bound{};            ///< bound of the pace, which falls while the tip rests (N)
+    vec3 balance{};            ///< balance of the last tick (m)
+    double pace{};             ///< largest change of the force in a tick (N); 0: the proxy begins
+    double bound{};            ///< bound of the pace, which falls in time and rises with motion (N)
     std::uint64_t straight{};  ///< ticks since the proxy last turned back
 };
-static_assert(sizeof(Settling) == 3 * sizeof(vec3) + 3 * sizeof(double), "no padding");
+static_assert(sizeof(Settling) == 4 * sizeof(vec3) + 3 * sizeof(double), "no padding");
 
-/// Where a proxy comes from and where it should go.
+/// The proxy of the last tick, and what draws it away from there.
 struct ProxyWay {
     vec3 from{};            ///< proxy of the last tick (m)
     vec3 balance{};         ///< place at which spring and primitives are in balance (m)

@@ -1,5 +1,6 @@
 // A still hand feels a still force: at a fixed reading, in a field that stands still, the force changes by at most 1 mN a
-// tick after 300 ticks, in every mode, field and curve. A moving hand and a moving field are still felt at once.
+// tick after 300 ticks, in every mode, field and curve. A hand that creeps or trembles feels no chatter. A moving hand and
+// a moving field are still felt at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -139,6 +140,92 @@ TEST(StillHand, IsHeldOnARidgeWithTheForceThatTheSpringHasThere) {
     // Off the ridge the whole strength acts at once.
     for (int tick = 0; tick < 100; ++tick) hand.feel({0.01, 0.002 + 1e-4 * tick, 0});
     EXPECT_NEAR(hand.force.y, -1.4, 1e-9);
+}
+
+/// Way along x of a hand that creeps or trembles (m), by the time (s).
+using Motion = double (*)(double seconds);
+
+double tremor(double most, double frequency, double seconds) {
+    return most * det::sin(2 * pi * frequency * seconds);
+}
+
+TEST(StillHand, AHandThatCreepsOrTremblesInTheCoreOfAVortexFeelsNoChatter) {
+    const field::RankineVortex vortex{.radius = 0.01};
+    const std::array<Motion, 5> motions{
+        [](double t) { return 0.0005 * t; }, [](double t) { return 0.005 * t; },
+        [](double t) { return tremor(1e-4, 8, t); }, [](double t) { return tremor(3e-4, 12, t); },
+        [](double t) { return 0.002 * t + tremor(1e-4, 10, t); }};
+    Random random{13};
+    for (int i = 0; i < 10; ++i) {
+        const vec3 place = random_place(random, 0.004);
+        for (const Motion& motion : motions) {
+            FeltModes hand({{find_mode("force"), any_field(field_of<Vector>(vortex)), {}}}, 300);
+            hand.uses[0].settings.strength = field::constant(2);
+            double largest = 0, before = 0;
+            for (int tick = 0; tick < 1200; ++tick) {
+                const double along = motion(std::max(0, tick - 300) * tick_seconds);
+                const double change = hand.feel(place + vec3(along, 0, 0));
+                if (tick > 600) largest = std::max(largest, change - 300 * std::abs(along - before));
+                before = along;
+            }
+            EXPECT_LE(largest, 0.1) << "place " << i << ", motion " << &motion - motions.data();
+        }
+    }
+}
+
+TEST(StillHand, AFieldThatMovesByNextToNothingFreesNoChatter) {
+    const field::RankineVortex vortex{.radius = 0.01};
+    FeltModes hand({{find_mode("force"), any_field(field_of<Vector>(vortex)), {}}}, 300);
+    hand.uses[0].settings.strength = field::constant(2);
+    hand.model.field_motion = 1e-9;
+    EXPECT_LE(hand.rest_at({0.002, 0, 0.001}, {0.01, 0, 0}), most_change);
+}
+
+TEST(StillHand, AHandAtUsualSpeedFeelsTheForceThatAModeHasThere) {
+    Random random{14};
+    double error = 0, felt = 0;
+    for (int i = 0; i < 12; ++i) {
+        const Speed speed{field::make_vortex_flow(0.2, random.next())};
+        const auto feel_force = [&] {
+            FeltModes hand({{find_mode("force"), any_field(field_of<Vector>(speed.flow)), {}}}, 300);
+            hand.uses[0].settings.strength = field::transfer_function(std::array<vec2, 2>{{{0, 0}, {1, 0.8}}})
+                                                 .value_or(field::constant(0));
+            return hand;
+        };
+        FeltModes settles = feel_force(), jumps = feel_force();
+        const vec3 place = random_place(random, 0.05);
+        for (int tick = 0; tick < 1000; ++tick) {  // a circle of 20 mm at 100 mm/s
+            const double angle = 5 * tick * tick_seconds;
+            const vec3 tip = place + 0.02 * vec3(det::cos(angle), det::sin(angle), 0);
+            settles.feel(tip);
+            jumps.state.settling = {};
+            jumps.feel(tip);
+            error += glm::distance(settles.force, jumps.force);
+            felt += glm::length(jumps.force);
+        }
+    }
+    EXPECT_LE(error, 0.005 * felt);
+    EXPECT_GE(felt, 1000);
+}
+
+/// A wall of 1 mm about the plane y = 0.
+Scalar thin_wall(vec3 place) { return {5e-4 - std::abs(place.y), {0, place.y > 0 ? -1.0 : 1.0, 0}}; }
+
+TEST(StillHand, AWallThinnerThanItsReachLetsGoWithoutAJump) {
+    const auto wall = &thin_wall;
+    FeltModes hand({{find_mode("isosurface"), any_field(field_of<Scalar>(wall)), {}}}, 5000);
+    hand.uses[0].settings.strength = field::constant(9);
+    hand.uses[0].settings.reach = 0.004;
+    double before = 0, pressed = 0;
+    for (int tick = 0; tick < 4000; ++tick) {  // through the wall and back, at 5 mm/s
+        const double y = 0.005 - 5e-6 * std::min(tick, 4000 - tick);
+        const double change = hand.feel({0, y, 0});
+        if (tick > 20) EXPECT_LE(change, 0.5 + 3 * 5000 * std::abs(y - before) + 1e-9) << tick;
+        pressed = std::max(pressed, std::abs(hand.force.y));
+        before = y;
+    }
+    EXPECT_NEAR(pressed, 9, 0.1) << "it holds up to its strength";
+    EXPECT_LE(glm::length(hand.force), 1e-9);
 }
 
 TEST(StillHand, AMovingHandMeetsAWallAtOnceAndGetsThroughAtOnce) {
