@@ -45,15 +45,15 @@ void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
 }
 
 /// Lets the bound fall by the factor of a tick, and rise with the motion of tip and fields.
-void adapt_bound(Settling& state, const ProxyWay& way) {
+void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
     const double away = glm::distance(way.tip, state.rest);
-    const double motion = std::max(0.0, away - still_range) + way.field_motion;
+    const double motion = std::max(0.0, away - still_range) + field_motion;
     if (away > still_range) state.rest = glm::mix(way.tip, state.rest, still_range / away);
     if (state.bound > most_pace) {
         state.bound = std::max(most_pace, beginning * state.bound);
     } else {
         const double raised = calming * state.bound + freeing * way.stiffness * motion;
-        state.bound = raised <= most_pace ? std::max(raised, least_pace) : most_pace;  // also if not a number
+        state.bound = std::clamp(raised, least_pace, most_pace);
     }
 }
 
@@ -66,8 +66,9 @@ vec3 settle(Settling& state, const ProxyWay& way) noexcept {
         state.pace = state.bound = first_pace;
         state.rest = way.tip;
     } else {
-        moved = glm::distance(way.tip, state.tip) + way.field_motion;
-        adapt_bound(state, way);
+        const double field_motion = std::max(0.0, way.field_motion);  // 0 if it is not a number
+        moved = glm::distance(way.tip, state.tip) + field_motion;
+        adapt_bound(state, way, field_motion);
         adapt_pace(state, way, moved);
     }
     state.tip = way.tip;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/random.h"
 #include "field/analytic.h"
@@ -283,9 +285,13 @@ TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
         proxy = settle(state, {before, random_place(random, 1e3), {}, 300});
         if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), least_pace * (1 + 1e-9));
     }
-    // Places that are huge or tiny do no harm.
+    // Places that are huge or tiny do no harm, nor do motions that cannot be.
     for (const double far : {1e6, 1e-300, 0.0})
         EXPECT_TRUE(is_finite(settle(state, {{}, vec3(far), {}, 300})));
+    for (const double motion : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_TRUE(is_finite(settle(state, {{}, {0.01, 0, 0}, {}, 300, motion})));
+        EXPECT_TRUE(std::isfinite(settle(state, {{}, vec3(0), {}, 300}).x + state.pace + state.bound));
+    }
 }
 
 }  // namespace
