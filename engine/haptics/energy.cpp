@@ -101,21 +101,22 @@ vec3 within_budget(const PassivityObserver& observer, vec3 active) {
 }
 
 double fade_energy(const PassivityObserver& observer) {
-    constexpr double least_share = 0.1;
-    const double left = reserve_energy + switch_energy - std::max(0.0, observer.created);
-    return std::clamp(left, least_share * switch_energy, switch_energy);
+    // Springs may still give their reserve. What they have received since does not pay for another fade.
+    return std::clamp(reserve_energy + switch_energy - (observer.created + observer.reserve), 0.0,
+                      switch_energy);
 }
 
 void hold_back(PassivityObserver& observer) {
+    const double running = observer.held_back != 0 ? observer.reserve : 0;
     observer.held_back = 1;
-    observer.created = std::min(observer.created, 2 * reserve_energy);
-    observer.reserve = std::max(0.0, reserve_energy - observer.created);
+    observer.reserve = std::max(running, reserve_energy - observer.created);
 }
 
-void forgive(PassivityObserver& observer) {
-    constexpr double forgetting_time =
-        5;  // time constant with which the debt of a hand that feels no spring fades (s)
-    observer.created -= std::max(0.0, observer.created) * (tick_seconds / forgetting_time);
+void forgive(PassivityObserver& observer, bool springs_pull) {
+    // Time constants with which a large debt, and that of a hand that feels no spring, are forgotten (s).
+    constexpr double soon = 2, slowly = 20;
+    observer.created -= std::max(0.0, observer.created - 2 * reserve_energy) * (tick_seconds / soon);
+    if (!springs_pull) observer.created -= std::max(0.0, observer.created) * (tick_seconds / slowly);
 }
 
 void release_if_covered(PassivityObserver& observer, double held, double force, double stiffness) {
@@ -134,19 +135,6 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     const double ahead = stiffness * outward;
     if (ahead < 0) return std::max(std::sqrt(2 * stiffness * left), std::min(-ahead, least_force));
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
-}
-
-void cover_output(PassivityObserver& observer, double force, double stiffness) {
-    if (!(stiffness > 0)) return;
-    const double room = std::max(0.0, active_budget - observer.active_work);
-    const double lack = std::min(force * force / (2 * stiffness) - observer.reserve, room);
-    if (!(lack > 0)) return;
-    observer.created -= lack;
-    observer.reserve += lack;
-    ActiveBin& bin = observer.active[observer.active_bin];
-    bin.sum += lack;
-    bin.most += lack;
-    observer.active_work += lack;
 }
 
 // Cap and heat scale all sources alike. The fading offset of a switch and a ramp to zero return energy that was received

@@ -11,7 +11,8 @@
 // springs have a reserve: what they received and still hold, plus `reserve_energy`. They pull no harder than a spring
 // of the device's largest stiffness with that energy, F <= sqrt(2 k reserve). A hand that yields meets a spring that
 // relaxes, and a hand that presses in again meets one that is stretched from there. The reserve comes out of the
-// account `created`, which a switch does not reset. So many switches together give no more than one.
+// account `created`, which a switch does not reset. So many switches together give no more than one. What was created is
+// forgotten in the course of time only.
 //
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
@@ -110,16 +111,16 @@ double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 /// a force that pushed only against the motion would jump whenever the hand turns.
 vec3 within_budget(const PassivityObserver& observer, vec3 active);
 
-/// Largest work that the fading offset of a switch may do now (J): less soon after other switches, so that many together
-/// do hardly more than one.
+/// Work that fading offsets of switches may do now (J): less soon after other switches, so that many together do no more
+/// than one.
 double fade_energy(const PassivityObserver& observer);
 
-/// Begins a reserve at a switch. Forgets what was created beyond twice the energy of a switch, such as by a device that
-/// lost its place.
+/// Begins a reserve at a switch. What a reserve that runs already has received since goes on.
 void hold_back(PassivityObserver& observer);
 
-/// Forgets slowly what was created, while the springs that are held back do not pull at all.
-void forgive(PassivityObserver& observer);
+/// Forgets in a tick a part of what was created, while springs are held back: soon what is beyond twice the reserve, such
+/// as by a device that lost its place, and slowly all of it, if the springs do not pull at all.
+void forgive(PassivityObserver& observer, bool springs_pull);
 
 /// Ends it once the springs hold no more than they received, or pull no more and nothing is owed. `held` is the energy
 /// that they hold (J), `force` their force (N) and `stiffness` the device's largest (N/m).
@@ -129,10 +130,6 @@ void release_if_covered(PassivityObserver& observer, double held, double force, 
 /// of the tip along their force in a tick (m), `pending` their work that has yet to act (J), `stiffness` the device's
 /// largest (N/m).
 double force_of_reserve(const PassivityObserver& observer, double outward, double pending, double stiffness);
-
-/// Lets a force that acts already ramp to zero like a spring of the device's stiffness, even if it was that of an active
-/// source: books the energy that the reserve lacks for it as the work of active sources, within their budget.
-void cover_output(PassivityObserver& observer, double force, double stiffness);
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
 /// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the

@@ -180,17 +180,17 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
 double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
-    const bool held_back = state.cause == static_cast<std::uint32_t>(SafetyCause::warm);
+    const bool held_back = state.heat_limit > 0;
     const double share = (left - (1 - burst_until) * budget) / ((burst_until - warm_from) * budget);
-    if (share >= 1 && !held_back) return limits.cap;
+    const bool was_stopped = state.cause >= static_cast<std::uint32_t>(SafetyCause::waiting);
+    if (share >= 1 && (!held_back || was_stopped)) return limits.cap;
     const double cool = std::clamp(share, 0.0, 1.0);
     double burst = limits.cap * cool * (2 - cool);  // no kink where it starts
     double kept_up = std::sqrt(sustained(limits, state, heat));
     if (held_back) {
-        const double before = glm::length(state.output);
+        const double before = state.heat_limit;
         burst = std::min(burst, before);
-        if (state.fade == static_cast<std::uint32_t>(Fade::over))
-            kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
+        kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
     const double at_most = std::sqrt(left / tick_seconds);  // stays within the budget in this tick
     return std::min({std::max(burst, kept_up), at_most, limits.cap});
@@ -206,36 +206,60 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- force ------------------------------------------------------------------------------------------------
 
-/// Starts a switch. The output stays, and its difference from the sources becomes the offset. The last output
-/// may exceed the present limit, because the cap may have been lowered.
-void begin_fade(double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
-    state.offset = shortened(state.output, most) - goal;
-    state.initial_offset = glm::length(state.offset);
-    state.fade_work = 0;
-    state.fade_budget = input.fade_energy;
-    state.fade = static_cast<std::uint32_t>(Fade::running);
+/// Length by which the offset fades in a tick (N): the less work it may still do, the more.
+double fade_step(const SafetyLimits& limits, const SafetyInput& input) {
+    const double used = 1 - std::clamp(input.fade_energy / switch_energy, 0.0, 1.0);
+    return (limits.slew + used * std::max(0.0, cap_slew - limits.slew)) * tick_seconds;
 }
 
-/// Lets the offset take up a jump of sources that settle after a switch. Its budget of work stays.
-void settle(double most, SafetyState& state, vec3 goal) {
-    state.offset = shortened(state.output, most) - goal;
-    state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
+/// Lets the offset take up the difference between the last output and the sources. The last output may exceed the
+/// present limit, because the cap may have been lowered.
+void take_up(double most, SafetyState& state, vec3 goal) {
+    state.remnant = shortened(state.output, most);
+    state.offset = state.remnant - goal;
 }
 
 /// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
 /// work. With a reserve, springs that resist count against the offset: if it gave way to a hand that presses in, the
-/// force would rise twice as steeply as the springs alone.
-void add_fade_work(SafetyState& state, const SafetyInput& input) {
+/// force would rise twice as steeply as the springs alone. Of an offset that begins, the last output did the work.
+void add_fade_work(SafetyState& state, const SafetyInput& input, bool begins) {
     const vec3 step = input.tip - state.tip;
     double work = glm::dot(state.offset, step);
-    if (input.reserve_force < HUGE_VAL && work > 0)
+    if ((begins || input.reserve_force < HUGE_VAL) && work > 0)
         work = std::clamp(glm::dot(state.output, step), 0.0, work);
     if (glm::length(step) <= longest_step) state.fade_work = std::max(0.0, state.fade_work + work);
+}
+
+/// Work that an offset of `length` (N) may do (J). It is at least that of a spring of the device's stiffness, so that a
+/// small motion of the hand does not take the whole force away.
+double work_of_offset(double length, const SafetyInput& input) {
+    const double of_spring = input.stiffness > 0 ? length * length / (2 * input.stiffness) : 0;
+    return std::clamp(input.fade_energy, std::min(of_spring, switch_energy), switch_energy);
+}
+
+/// Starts a switch. The output stays. But if another offset still faded, the work of its last tick counts: else no
+/// offset would ever give way while there is a switch in every tick.
+void begin_fade(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal,
+                const SafetyInput& input) {
+    const bool goes_on = glm::length(state.offset) > fade_step(limits, input);
+    take_up(most, state, goal);
+    state.initial_offset = glm::length(state.offset);
+    state.fade_work = 0;
+    state.fade_budget = work_of_offset(state.initial_offset, input);
+    state.fade = static_cast<std::uint32_t>(Fade::running);
+    if (goes_on) add_fade_work(state, input, true);
+}
+
+/// Lets the offset take up a jump of sources that settle after a switch. Its budget of work stays.
+void settle(double most, SafetyState& state, vec3 goal) {
+    take_up(most, state, goal);
+    state.initial_offset = std::max(state.initial_offset, glm::length(state.offset));
 }
 
 /// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
 /// like a relaxing spring, follows this law exactly. It is zero when it has done all its work.
 double length_after_work(const SafetyState& state) {
+    if (!(state.fade_budget > 0)) return 0;
     const double left = std::clamp(1 - state.fade_work / state.fade_budget, 0.0, 1.0);
     return state.initial_offset * std::sqrt(left);
 }
@@ -252,6 +276,23 @@ double part_within(double most, vec3 force, vec3 offset) {
     return std::clamp(along > 0 ? room / (root + along) : (root - along) / square, 0.0, 1.0);
 }
 
+/// Largest share of the offset, 0 to 1, that is no farther from what is left of the last force than the goal is long.
+/// While the goal stays, it is all of it. An offset that hides a goal which ends would else pull the hand where no source
+/// does.
+double part_that_hides(const SafetyState& state, vec3 goal) {
+    const double square = glm::dot(state.offset, state.offset);
+    if (!(square > 0)) return 1;
+    const double nearest = glm::dot(state.offset, state.remnant) / square;
+    const vec3 across = nearest * state.offset - state.remnant;
+    const double room = glm::dot(goal, goal) - glm::dot(across, across);
+    return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
+}
+
+vec3 shorter_by(vec3 force, double step) {
+    const double size = glm::length(force);
+    return size > step ? force * (1 - step / size) : vec3(0);
+}
+
 /// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
 /// only gets shorter.
 vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, const SafetyInput& input) {
@@ -259,20 +300,21 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
         state.fade = static_cast<std::uint32_t>(Fade::begins);
     if (state.fade == static_cast<std::uint32_t>(Fade::over)) return goal;
     if (state.fade == static_cast<std::uint32_t>(Fade::begins))
-        begin_fade(most, state, goal, input);
+        begin_fade(limits, most, state, goal, input);
     else
-        add_fade_work(state, input);
+        add_fade_work(state, input, false);
     if (input.settles) settle(most, state, goal);
-    const double step = limits.slew * tick_seconds;
+    const double step = fade_step(limits, input);
     const double size = glm::length(state.offset);
     const double left = std::min(size, length_after_work(state)) - step;
+    state.remnant = shorter_by(state.remnant, step);
     if (!(left > step * (almost_there - 1))) {
         state.fade = static_cast<std::uint32_t>(Fade::over);
         state.offset = {};
         return goal;
     }
     state.offset *= left / size;
-    state.offset *= part_within(most, goal, state.offset);
+    state.offset *= std::min(part_within(most, goal, state.offset), part_that_hides(state, goal));
     return goal + state.offset;
 }
 
@@ -285,6 +327,14 @@ vec3 ramped_down(const SafetyState& state) {
 SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     if (glm::length(wanted) <= most) return SafetyCause::none;
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
+}
+
+/// Largest force of a ramp to zero (N): that of the reserve, or else one that is no jump from the last output.
+double most_of_ramp(const SafetyState& state, const SafetyInput& input) {
+    const double size = glm::length(state.output);
+    const double outward = size > 0 ? glm::dot(state.output, input.tip - state.tip) / size : 0;
+    const double falls = cap_slew * tick_seconds + input.stiffness * std::max(0.0, outward);
+    return std::max(input.reserve_force, size - falls);
 }
 
 /// Whether a stopped force ramps down. A hand that is too fast gets none at once.
@@ -341,8 +391,11 @@ vec3 make_safe(const SafetyLimits& wished, SafetyState& state, const SafetyInput
         force = faded(limits, most, state, shortened(target + brake, most), input);
         cause = shortening(limits, most, wanted);
     } else if (ramps(state, cause)) {
-        force = shortened(ramped_down(state), input.reserve_force);
+        force = shortened(ramped_down(state), most_of_ramp(state, input));
     }
+    if (!follows) state.offset = {};
+    const bool held_back = follows ? cause == SafetyCause::warm : state.heat_limit > 0 && most < limits.cap;
+    state.heat_limit = held_back ? most : 0;
     state.output = final_force(most, force);
     state.unrequested = follows ? state.output - target : state.output;
     state.tip = input.tip;

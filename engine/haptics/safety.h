@@ -10,10 +10,13 @@
 // lowered comes down by `cap_slew`. Only danger (panic, shut-off, a hand that is too fast) makes the force zero at once.
 //
 // A switch makes no jump: output = wanted + offset. The offset starts as the last output minus the first
-// wanted force, and fades to zero. Three things shorten it, and nothing lengthens it:
-//   - time: by `slew`, so that the fade ends after 2 cap / slew at the latest;
+// wanted force, and fades to zero. Four things shorten it, and nothing lengthens it:
+//   - time: by `slew`, so that the fade ends after 2 cap / slew at the latest; ten times as fast when other switches
+//     have used up the energy of a switch;
 //   - work: the offset may do the work `switch_energy` on the hand and no more, so it fades if the hand yields;
-//   - the cap: if the sum of wanted force and offset exceeds it.
+//   - the cap: if the sum of wanted force and offset exceeds it;
+//   - what it hides: it leads from the wanted force to what is left of the force at the switch. An offset that hides
+//     the force of a wall ends with that force when the wall breaks.
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
 // `switch_energy`.
@@ -49,11 +52,12 @@ inline constexpr double gentle_share = 0.45;  ///< default cap as a share of the
 inline constexpr double thermal_window = 10;  ///< length of the window for motor heat (s)
 /// Age up to which a model counts as fresh (ticks).
 inline constexpr std::uint32_t freshest_ticks = 20;
-/// Largest work that the offset of one switch does on the hand (J).
+/// Largest work that the offsets of switches do on the hand (J).
 inline constexpr double switch_energy = 0.01;
 /// Time in which the force of a stale model, or one that the player switches off, ramps to zero (s).
 inline constexpr double ramp_seconds = 0.05;
-/// Rate at which the output comes down to a cap that was lowered (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
+/// Rate at which the output comes down to a cap that was lowered, and at which an offset fades that may do no more work
+/// (N/s): 12 N in 30 ms, and less than 0.5 N a tick.
 inline constexpr double cap_slew = 400;
 
 /// Limits for a device. `share` is the player's cap as a share of the device's peak, 0 to 1.
@@ -113,8 +117,10 @@ struct SafetyState {
     /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
     std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
+    vec3 remnant{};       ///< what is left of the output at the switch; fades like the offset (N)
+    double heat_limit{};  ///< limit by heat in the last tick, if it held the force back (N); 0: it did not
 };
-static_assert(sizeof(SafetyState) == (16 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
+static_assert(sizeof(SafetyState) == (20 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
 
 /// Input of the safety stage in one tick.
 struct SafetyInput {
@@ -130,8 +136,10 @@ struct SafetyInput {
     /// Largest force of springs that the reserve of energy allows (N, haptics/energy.h); also of a ramp to zero. Infinite:
     /// the springs are not held back.
     double reserve_force{HUGE_VAL};
-    double fade_energy{
-        switch_energy};         ///< largest work of the offset if a switch begins in this tick, > 0 (J)
+    /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
+    double fade_energy{switch_energy};
+    /// Stiffness of the stiffest spring like which an offset fades that yields to the hand (N/m); 0: it has no limit.
+    double stiffness{};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped
     /// The sources still settle after a switch: the offset takes up what they jump by.

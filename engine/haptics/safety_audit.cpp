@@ -14,7 +14,8 @@ constexpr double longest_hand_step = 0.05;  // m
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
 constexpr double ramp_to_zero = 50;
-constexpr double cap_falls_by = 0.4;  // N a tick
+constexpr double cap_falls_by = 0.4;         // N a tick
+constexpr double energy_of_a_switch = 0.01;  // J
 constexpr std::uint64_t calm_after = 100;
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
@@ -191,7 +192,9 @@ bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
         return false;
     }
     next_is_switch_ = true;
-    unscaled_ = true;
+    unscaled_ = offset_known_ = true;
+    may_be_fading_ = false;
+    offset_ = {};
     return true;
 }
 
@@ -200,44 +203,70 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
+/// Length by which an offset fades in a tick: by the slew, and by that of a cap which comes down if no energy is left.
+double fading_step(const SafetyLimits& limits, const SafetyInput& input) {
+    const double slow = limits.slew * tick_seconds;
+    const double left = std::fmin(1, std::fmax(0, input.fade_energy / energy_of_a_switch));
+    return std::fmax(slow, slow * left + cap_falls_by * (1 - left));
+}
+
 /// Checks that the force does not jump at a switch, unless it has to shrink.
-void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool,
-                             double fade_energy) {
+void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& input, vec3 goal, vec3 output,
+                             bool cool) {
     const bool may_shrink = !cool || length_of_vector(last_output_) > limits.cap;
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    count(SafetyRule::slew, moved > step * (1 + 1e-8) + rounding(last_output_));
+    // What an offset that goes on gives way to the hand is judged with the offset.
+    if (!may_be_fading_)
+        count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 
-    fade_budget_ = fade_energy;
-    offset_ = within_cap(last_output_, limits.cap) - goal;
+    remnant_ = within_cap(last_output_, limits.cap);
+    offset_ = remnant_ - goal;
     initial_length_ = length_of_vector(offset_);
+    const double of_spring =
+        input.stiffness > 0 ? initial_length_ * initial_length_ / (2 * input.stiffness) : 0;
+    fade_budget_ = std::fmax(std::fmax(0, input.fade_energy), std::fmin(of_spring, energy_of_a_switch));
     fade_work_ = 0;
     const double longest = length_of_vector(last_output_) + length_of_vector(goal);
     last_fading_ = now_ + static_cast<Moment>(longest / step) + 1;
     next_is_switch_ = false;
-    may_be_fading_ = offset_known_ = true;
+    offset_known_ = offset_known_ || !may_be_fading_;
+    may_be_fading_ = true;
 }
 
-/// Shortens the offset by time, by the work that it does, and so far that the sum stays within the cap. With a reserve,
-/// its work is at most that of the whole output.
-void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins) {
-    const vec3 moved = begins ? vec3(0) : input.tip - tip_;
+/// Largest share of the offset that is no farther from the remnant than the goal is long, or else the nearest one.
+double SafetyAudit::share_that_hides(vec3 goal) const {
+    const double square = glm::dot(offset_, offset_);
+    if (!(square > 0)) return 1;
+    const double nearest = glm::clamp(glm::dot(offset_, remnant_) / square, 0.0, 1.0);
+    return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
+}
+
+/// Shortens the offset by time, by the work that it does, so far that the sum stays within the cap, and to what it hides.
+/// At its beginning and with a reserve, its work is at most that of the whole output.
+void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
+                          bool goes_on) {
+    const vec3 moved = begins && !goes_on ? vec3(0) : input.tip - tip_;
     double work = glm::dot(offset_, moved);
-    if (input.reserve_force < HUGE_VAL && work > 0)
+    if ((begins || input.reserve_force < HUGE_VAL) && work > 0)
         work = std::fmin(work, std::fmax(0, glm::dot(last_output_, moved)));
     if (length_of_vector(moved) <= longest_hand_step) fade_work_ = std::fmax(0, fade_work_ + work);
     if (input.settles) {
-        offset_ = within_cap(last_output_, limits.cap) - goal;
+        remnant_ = within_cap(last_output_, limits.cap);
+        offset_ = remnant_ - goal;
         initial_length_ = std::fmax(initial_length_, length_of_vector(offset_));
         const double ticks_left = length_of_vector(offset_) / (limits.slew * tick_seconds);
         last_fading_ = std::max(last_fading_, now_ + static_cast<Moment>(ticks_left) + 1);
     }
     const double size = length_of_vector(offset_);
-    const double worked_off = initial_length_ * std::sqrt(std::fmax(0, 1 - fade_work_ / fade_budget_));
-    const double left = std::fmin(size, worked_off) - limits.slew * tick_seconds;
+    const double spared = fade_budget_ > 0 ? std::fmax(0, 1 - fade_work_ / fade_budget_) : 0;
+    const double step = fading_step(limits, input);
+    const double left = std::fmin(size, initial_length_ * std::sqrt(spared)) - step;
     offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
-    offset_ *= share_within(limits.cap, goal, offset_);
+    const double remnant = length_of_vector(remnant_);
+    remnant_ *= remnant > step ? 1 - step / remnant : 0;
+    offset_ *= std::fmin(share_within(limits.cap, goal, offset_), share_that_hides(goal));
 }
 
 void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
@@ -246,12 +275,13 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     const vec3 brake = within_cap(finite_or_zero(input.brake), limits.cap);
     const vec3 goal = within_cap(wanted + brake, limits.cap);
     const bool begins = next_is_switch_ || input.switched || (input.settles && !may_be_fading_);
-    if (begins) begin_fade(limits, goal, output, cool, input.fade_energy);
+    const bool goes_on = may_be_fading_ && length_of_vector(offset_) > fading_step(limits, input);
+    if (begins) begin_fade(limits, input, goal, output, cool);
     const bool all_of_it = brake == vec3(0) && length_of_vector(output - goal) <= rounding(goal);
     unscaled_ = cool && (unscaled_ || all_of_it);
     offset_known_ = offset_known_ && unscaled_;
     if (offset_known_) {
-        fade_on(limits, goal, input, begins);
+        fade_on(limits, goal, input, begins, goes_on);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
         // The cap may leave hardly anything of an offset that is at right angles to the force. Rounding then
         // decides how much: the root of an ulp of the cap's square, a few 1e-8 of the cap.

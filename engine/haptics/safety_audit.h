@@ -68,8 +68,9 @@ private:
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
     bool is_cool(const SafetyLimits& limits) const;
-    void begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool, double fade_energy);
-    void fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins);
+    void begin_fade(const SafetyLimits& limits, const SafetyInput& input, vec3 goal, vec3 output, bool cool);
+    double share_that_hides(vec3 goal) const;
+    void fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins, bool goes_on);
     void heat(vec3 output);
 
     std::array<std::uint64_t, safety_rules> counts_{};
@@ -87,11 +88,12 @@ private:
     double cap_{};                      // cap, or what is left above it of a higher one (N)
 
     bool next_is_switch_ = true;  // the next force let through is a switch; so is the first one
-    bool may_be_fading_ = true;   // an offset may be left
-    bool offset_known_ = false;   // `offset_` is known
+    bool may_be_fading_ = false;  // an offset may be left
+    bool offset_known_ = true;    // `offset_` is known
     // The stage neither scales down to keep the motors cool nor recovers from that.
     bool unscaled_ = true;
     vec3 offset_{};            // rest of an old force that fades (N)
+    vec3 remnant_{};           // what is left of the output at the switch (N)
     vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset at the switch (N)
     double fade_work_{};       // work of the offset (J)

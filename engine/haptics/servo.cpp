@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/felt_patch.h"
+
 namespace thaum::haptics {
 namespace {
 
@@ -101,21 +103,7 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
     return balanced ? found.force : spring.stiffness * (state.proxy - spring.centre);
 }
 
-// ---- surfaces -----------------------------------------------------------------------------------------------------
-
-bool contains(const SurfacePatch& patch, std::uint32_t key) {
-    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
-    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
-                       [key](const SurfaceBody& body) { return body.key == key; });
-}
-
-/// Returns true if a touched body is no longer there.
-bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
-    if (patch.count == 0) return surface.contacts != 0;
-    for (std::uint32_t i = 0; i < surface.contacts; ++i)
-        if (!contains(patch, surface.touched[i].key)) return true;
-    return false;
-}
+// ---- switches -------------------------------------------------------------------------------------------------------
 
 /// Returns true if the patch jumped.
 bool detect_patch_jump(ServoState& state, const HapticModel& model) {
@@ -156,80 +144,6 @@ struct Tip {
     bool switched{};  ///< a source appeared, ended or jumped
     bool stops{};     ///< the model is stale, or the player wants no forces
 };
-
-struct SurfaceForces {
-    vec3 force{};       ///< force on the hand (N)
-    vec3 world_step{};  ///< motion of the touched body over the tip in the last tick (m)
-    double stored{};    ///< energy that a spring of this force and stretch would hold (J)
-    double stretch{};   ///< distance from the tip to the proxy (m)
-    bool active{};      ///< a texture is an active source
-};
-
-/// Motion of the touched body in the last tick (m).
-vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
-    for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
-        const SurfaceBody& body = patch.bodies[i];
-        if (surface.contacts != 0 && body.key == surface.touched[0].key)
-            return (body.velocity + glm::cross(body.spin, place - body.position)) * tick_seconds;
-    }
-    return vec3(0);
-}
-
-bool has_active_texture(const SurfacePatch& patch) {
-    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
-    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
-                       [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
-}
-
-/// Computes the contact with the patch. Frame motion and the decaying offset bring the world closer but must
-/// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
-/// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
-/// a jump, nothing is pressed in at all.
-ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
-                                const Tip& probe, double dt) {
-    const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
-    state.contact_offset -= fading;
-    const vec3 tip = probe.position + state.contact_offset;
-    const vec3 drift = drifting.velocity + glm::cross(drifting.spin, tip);
-    const vec3 over_drift = probe.velocity + drift;
-    const ContactResult touched = touch(patch, state.surface, {tip, over_drift}, dt);
-    const double depth = glm::length(touched.push);
-    if (depth == 0) return touched;
-    const vec3 out = touched.push / depth;
-    const double pressed = probe.switched ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
-    if (!(pressed > 0)) return touched;
-    state.contact_offset += pressed * out;
-    if (!is_finite(state.contact_offset)) state.contact_offset = {};
-    return touch(patch, state.surface, {tip + pressed * out, over_drift}, 0);
-}
-
-SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const FrameMotion& drift,
-                         const Tip& probe, double dt) {
-    const vec3 offset_before = state.contact_offset;
-    const ContactResult touched = touch_with_offset(state, patch, drift, probe, dt);
-    if (touched.force == vec3(0)) return {};
-    const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
-    return {.force = touched.force,
-            .world_step =
-                step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
-            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
-            .stretch = glm::length(stretch),
-            .active = has_active_texture(patch)};
-}
-
-/// Evaluates the patch. Things stand still if the model is too old; the force soon ends then.
-SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
-                            const Tip& probe) {
-    if (model.patch.count == 0) {
-        state.contact_offset -= state.contact_offset * (tick_seconds / contact_offset_decay);
-        state.surface = {};
-        return {};
-    }
-    if (age == 0) return feel_patch(state, model.patch, model.frame_motion, probe, tick_seconds);
-    const bool moves = age <= freshest_ticks;
-    const auto patch = moved_on(model.patch, std::min(age, freshest_ticks) * tick_seconds);
-    return feel_patch(state, patch, model.frame_motion, probe, moves ? tick_seconds : 0);
-}
 
 // ---- energy -------------------------------------------------------------------------------------------------------
 
@@ -418,24 +332,19 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
     const bool stopped = is_stopped(state.safety), may_give = may_hold_more(servo, state, tip);
-    const bool stops = tip.stops;
     double stored = (stopped ? held : springs) +
                     other_energy(tether, surfaces, stopped ? felt : servo.limits.cap) + fluid.stored;
-    if (stops) stored = std::max(stored, energy_of_output(servo, state.safety));
+    if (tip.stops) stored = std::max(stored, energy_of_output(servo, state.safety));
     // A tethered hand touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     sources.active = within_budget(state.energy, sources.active);
     EnergyLimits limits;
-    if (may_give && servo.most_stiffness > 0) {
-        hold_back(state.energy);
-        if (stops && !stopped)
-            cover_output(state.energy, glm::length(state.safety.output), servo.most_stiffness);
-    }
+    if (may_give && servo.most_stiffness > 0) hold_back(state.energy);
     const double pull = glm::length(sources.springs);
     if (state.energy.held_back != 0) {
         limits.reserve_force = limit_to_reserve(servo, state, pull, sources);
-        if (pull == 0) forgive(state.energy);
+        forgive(state.energy, pull > 0);
         const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
         if (!may_give && !fades)
             release_if_covered(state.energy, stored - fluid.stored, pull, servo.most_stiffness);
@@ -571,7 +480,7 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.springs = sources.world;
     const bool stops = !model.on || sample.model_age > freshest_ticks;
-    const Tip tip{sample.position, velocity, switches.any, stops};
+    const Tip tip{sample.position, velocity, switches.any || surfaces.switched, stops};
     add_primitives(state, model, tip, sources);
     const FluidForces fluid = add_fluid(servo, state, model, sample, velocity, sources);
     const EnergyLimits energy = update_energy(servo, state, model, tether, tip, surfaces, fluid, sources);
@@ -584,8 +493,9 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
                                    .path_speed = path_speed(state, servo.quantum),
                                    .reserve_force = energy.reserve_force,
                                    .fade_energy = fade_energy(state.energy),
+                                   .stiffness = servo.most_stiffness,
                                    .model_age = sample.model_age,
-                                   .switched = cut_off || switches.any,
+                                   .switched = cut_off || tip.switched,
                                    .settles = state.energy.unsettled != 0,
                                    .on = model.on,
                                    .panic = model.panic,

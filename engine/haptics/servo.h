@@ -138,6 +138,13 @@ struct PlayingPulse {
     std::uint32_t at{};  ///< ticks played; equal to `length` at the end
 };
 
+/// Bodies of the patch of the last tick.
+struct SeenBodies {
+    std::array<double, surface_body_capacity> stiffness{};  ///< (N/m)
+    std::array<std::uint32_t, surface_body_capacity> keys{};
+    std::uint64_t count{};
+};
+
 /// State of the servo; no padding.
 struct ServoState {
     SafetyState safety{};
@@ -161,12 +168,15 @@ struct ServoState {
     FluidTouchState fluid{};
     double viscosity{};   ///< viscosity of the space in the last tick (N s/m)
     Settling settling{};  ///< way of the proxy of the primitives
+    SeenBodies seen{};
 };
-static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
-                                        pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
-                                        6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
-                                        sizeof(PassivityObserver) + sizeof(SurfaceState) +
-                                        sizeof(FluidTouchState) + sizeof(double) + sizeof(Settling));
+static_assert(sizeof(ServoState) ==
+              sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
+                  2 * sizeof(vec3) + 6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
+                  sizeof(PassivityObserver) + sizeof(SurfaceState) + sizeof(FluidTouchState) +
+                  sizeof(double) + sizeof(Settling) + sizeof(SeenBodies));
+static_assert(sizeof(SeenBodies) ==
+              surface_body_capacity * (sizeof(double) + sizeof(std::uint32_t)) + sizeof(std::uint64_t));
 
 /// Time constant with which the contact offset decays if nothing is in the way (s).
 inline constexpr double contact_offset_decay = 0.3;

@@ -12,7 +12,7 @@ THAUM_FIELDS_OF(SimulatedState, position, velocity, target, force, commanded)
 
 THAUM_FIELDS_OF(SafetyState, output, offset, unrequested, tip, initial_offset, fade_work, fade_budget, cap,
                 heat, tick, bin, gate_open, fade, fast_ticks, latched, excess_ticks, excess_count, cause,
-                ramp_ticks, episodes)
+                ramp_ticks, episodes, remnant, heat_limit)
 
 THAUM_FIELDS_OF(Pulse, peak, length, number)
 
@@ -40,9 +40,11 @@ THAUM_FIELDS_OF(FluidTouchState, force, place, wall, mass_position, mass_velocit
 
 THAUM_FIELDS_OF(Settling, tip, rest, step, balance, pace, bound, straight)
 
+THAUM_FIELDS_OF(SeenBodies, stiffness, keys, count)
+
 THAUM_FIELDS_OF(ServoState, safety, positions, pulses, proxy, next_position, samples, last_pulse, next_pulse,
                 primitives, set_number, steady_force_number, tether_number, energy, surface, contact_offset,
-                patch_number, fluid, viscosity, settling)
+                patch_number, fluid, viscosity, settling, seen)
 
 }  // namespace thaum::haptics
 

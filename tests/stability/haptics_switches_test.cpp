@@ -141,6 +141,98 @@ TEST(HapticsSwitches, AThingThatVanishesFadesOut) {
     }
 }
 
+TEST(HapticsSwitches, AnOffsetEndsWithTheForceThatItHides) {
+    for (const int breaks_after : {1, 20, 60}) {
+        for (const int within : {1, 10, 40}) {
+            AuditedStage stage{safety_limits(shipped_devices().back(), 1)};
+            stage.feel({.wanted = vec3(0)}, 10);
+            stage.feel({.wanted = {3, 0, 0}, .switched = true});
+            stage.feel({.wanted = {3, 0, 0}}, breaks_after);
+            for (int tick = 1; tick <= within; ++tick)
+                EXPECT_GE(stage.feel({3 - 3.0 * tick / within, 0, 0}).x, -1e-12)
+                    << "pulled into a broken wall";
+            EXPECT_NEAR(stage.feel(vec3(0)).x, 0, 1e-12);
+            EXPECT_NEAR(stage.feel({2, 0, 0}).x, 2, 1e-12) << "and nothing is left of the offset";
+            EXPECT_EQ(stage.audit.violations(), 0);
+        }
+    }
+}
+
+/// Energy that a wall which moves by 4 mm every `period` ticks creates at a firm hand that sweeps in and out (J).
+double created_by_edits(const DeviceSpec& spec, int period) {
+    auto device_spec = spec;
+    device_spec.continuous_force = 10 * spec.peak_force;  // warm motors hide created energy
+    const auto device = simulated_device(device_spec, {.mass = 0.4, .stiffness = 1500, .damping = 40});
+    const Servo servo = servo_of(device_spec, 1);
+    ServoState state;
+    HapticModel model;
+    model.coupling = {.stiffness = spec.max_stiffness};
+    auto tip = resting_at({0, 0.02, 0});
+    double created = 0, most = 0, wall = 0;
+    for (int t = 0; t < 2000; ++t) {
+        if (t % period == 0) {
+            wall = wall == 0 ? -0.004 : 0;
+            ++model.set_number;
+        }
+        model.primitives.clear();
+        model.primitives.add({PrimitiveKind::plane, {0, wall, 0}, {0, 1, 0}, spec.peak_force});
+        const vec3 force = servo_step(servo, state, model, {measured_position(device, tip), 1});
+        const vec3 from = tip.position;
+        tip = step(device, tip, {0, -0.005 + 0.02 * std::cos(2 * pi * 3.1 * t * tick_seconds), 0}, force);
+        const double depth = std::max(0.0, wall - from.y), bent = spec.peak_force / spec.max_stiffness;
+        const double held =
+            depth < bent ? spec.max_stiffness * depth * depth / 2 : spec.peak_force * (depth - bent / 2);
+        created = std::max(created + glm::dot(tip.force, tip.position - from), -held);
+        most = std::max(most, created);
+    }
+    return most;
+}
+
+TEST(HapticsSwitches, ManyEditsTogetherCreateHardlyMoreThanOne) {
+    for (const auto& spec : shipped_devices())
+        for (const int period : {1, 2, 8, 16, 40})
+            EXPECT_LE(created_by_edits(spec, period), 1.25 * most_per_switch) << spec.name << ", " << period;
+}
+
+TEST(HapticsSwitches, AThingThatAppearsOrHardensUnderTheTipFadesIn) {
+    for (const auto& spec : shipped_devices()) {
+        const Servo servo = servo_of(spec, 1);
+        ServoState state;
+        HapticModel model;
+        model.patch.surfaces[0] = {.kind = SurfaceKind::plane, .b = {0, 1, 0}};
+        const double depth = 0.5 * spec.peak_force / spec.max_stiffness;
+        vec3 before{};
+        for (int i = 0; i < 1000; ++i) {
+            const bool there = i >= 10, hard = i >= 400 && i < 700;
+            model.patch.count = model.patch.body_count = there ? 1 : 0;
+            model.patch.bodies[0].material.stiffness = (hard ? 1 : 0.1) * spec.max_stiffness;
+            const vec3 force = servo_step(servo, state, model, {vec3(0, -depth, 0), 0});
+            EXPECT_LE(glm::length(force - before), 0.04 + 1e-9) << spec.name << ", " << i;
+            EXPECT_GE(force.y, 0) << spec.name << ", " << i;
+            before = force;
+        }
+        EXPECT_GT(before.y, 0.02 * spec.peak_force) << spec.name;
+    }
+}
+
+TEST(HapticsSwitches, WarmMotorsMakeNoJumpWhenForcesGoOffAndOn) {
+    for (const auto& spec : shipped_devices()) {
+        for (const int period : {3, 40}) {
+            AuditedStage stage{safety_limits(spec, 1)};
+            SafetyInput input{.wanted = {0.95 * spec.peak_force, 0, 0}};
+            stage.feel(input, 12'000);
+            vec3 before = stage.state.output;
+            for (int i = 0; i < 2000; ++i) {
+                input.on = i / period % 2 == 0;
+                const vec3 force = stage.feel(input);
+                EXPECT_LE(glm::length(force - before), 0.3) << spec.name << ", " << period << ", " << i;
+                before = force;
+            }
+            EXPECT_EQ(stage.audit.violations(), 0) << spec.name << ", " << period;
+        }
+    }
+}
+
 TEST(HapticsSwitches, AFigureThatIsNoNumberStaysTheWorst) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(bench::worse(1, 2), 2);

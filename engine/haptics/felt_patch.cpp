@@ -1,0 +1,125 @@
+#include "haptics/felt_patch.h"
+
+#include <algorithm>
+
+namespace thaum::haptics {
+namespace {
+
+std::size_t bodies_of(const SurfacePatch& patch) {
+    return patch.count == 0 ? 0 : std::min<std::size_t>(patch.body_count, surface_body_capacity);
+}
+
+bool contains(const SurfacePatch& patch, std::uint32_t key) {
+    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
+    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
+                       [key](const SurfaceBody& body) { return body.key == key; });
+}
+
+/// Whether the last patch had the body with the key and stiffness of one of this patch.
+bool knows(const SeenBodies& seen, const SurfaceBody& body) {
+    for (std::size_t i = 0; i < seen.count; ++i)
+        if (seen.keys[i] == body.key) return seen.stiffness[i] == body.material.stiffness;
+    return false;
+}
+
+/// Returns true if a touched body is new or has another stiffness. Other bodies may come and go: their forces begin at
+/// zero.
+bool has_new_contact(const SeenBodies& seen, const SurfacePatch& patch, const SurfaceState& surface) {
+    for (std::uint32_t i = 0; i < surface.contacts; ++i)
+        for (std::size_t b = 0; b < bodies_of(patch); ++b)
+            if (patch.bodies[b].key == surface.touched[i].key && !knows(seen, patch.bodies[b])) return true;
+    return false;
+}
+
+void remember(SeenBodies& seen, const SurfacePatch& patch) {
+    seen.count = bodies_of(patch);
+    for (std::size_t i = 0; i < seen.count; ++i) {
+        seen.keys[i] = patch.bodies[i].key;
+        seen.stiffness[i] = patch.bodies[i].material.stiffness;
+    }
+}
+
+/// Motion of the touched body in the last tick (m).
+vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
+    for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
+        const SurfaceBody& body = patch.bodies[i];
+        if (surface.contacts != 0 && body.key == surface.touched[0].key)
+            return (body.velocity + glm::cross(body.spin, place - body.position)) * tick_seconds;
+    }
+    return vec3(0);
+}
+
+bool has_active_texture(const SurfacePatch& patch) {
+    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
+    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
+                       [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
+}
+
+/// Computes the contact with the patch. Frame motion and the decaying offset bring the world closer but must
+/// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
+/// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
+/// a jump, nothing is pressed in at all.
+ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
+                                const TouchingTip& probe, double dt) {
+    const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
+    state.contact_offset -= fading;
+    const vec3 tip = probe.position + state.contact_offset;
+    const vec3 drift = drifting.velocity + glm::cross(drifting.spin, tip);
+    const vec3 over_drift = probe.velocity + drift;
+    const ContactResult touched = touch(patch, state.surface, {tip, over_drift}, dt);
+    const double depth = glm::length(touched.push);
+    if (depth == 0) return touched;
+    const vec3 out = touched.push / depth;
+    const double pressed = probe.switched ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
+    if (!(pressed > 0)) return touched;
+    state.contact_offset += pressed * out;
+    if (!is_finite(state.contact_offset)) state.contact_offset = {};
+    return touch(patch, state.surface, {tip + pressed * out, over_drift}, 0);
+}
+
+SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const FrameMotion& drift,
+                         const TouchingTip& probe, double dt) {
+    const vec3 offset_before = state.contact_offset;
+    const ContactResult touched = touch_with_offset(state, patch, drift, probe, dt);
+    if (touched.force == vec3(0)) return {};
+    const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
+    return {.force = touched.force,
+            .world_step =
+                step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
+            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+            .stretch = glm::length(stretch),
+            .active = has_active_texture(patch)};
+}
+
+/// Evaluates the patch. Things stand still if the model is too old; the force soon ends then.
+SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint32_t age,
+                          const TouchingTip& probe) {
+    if (model.patch.count == 0) {
+        state.contact_offset -= state.contact_offset * (tick_seconds / contact_offset_decay);
+        state.surface = {};
+        return {};
+    }
+    if (age == 0) return feel_patch(state, model.patch, model.frame_motion, probe, tick_seconds);
+    const bool moves = age <= freshest_ticks;
+    const auto patch = moved_on(model.patch, std::min(age, freshest_ticks) * tick_seconds);
+    return feel_patch(state, patch, model.frame_motion, probe, moves ? tick_seconds : 0);
+}
+
+}  // namespace
+
+bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
+    if (patch.count == 0) return surface.contacts != 0;
+    for (std::uint32_t i = 0; i < surface.contacts; ++i)
+        if (!contains(patch, surface.touched[i].key)) return true;
+    return false;
+}
+
+SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
+                            const TouchingTip& probe) {
+    SurfaceForces felt = feel_bodies(state, model, age, probe);
+    felt.switched = has_new_contact(state.seen, model.patch, state.surface);
+    remember(state.seen, model.patch);
+    return felt;
+}
+
+}  // namespace thaum::haptics
