@@ -264,6 +264,14 @@ double length_after_work(const SafetyState& state) {
     return state.initial_offset * std::sqrt(left);
 }
 
+/// Length that the offset keeps in this tick even if it has done all its work (N): it makes no larger jump than a spring of
+/// the device's stiffness and a cap that comes down.
+double least_length(const SafetyState& state, const SafetyInput& input, double size) {
+    if (!(input.stiffness > 0 && size > 0)) return 0;
+    const double outward = glm::dot(state.offset, input.tip - state.tip) / size;
+    return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
+}
+
 /// Largest share of the offset, 0 to 1, with which force + offset is within `most`; 0 if there is none.
 double part_within(double most, vec3 force, vec3 offset) {
     const double square = glm::dot(offset, offset);
@@ -306,7 +314,8 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     if (input.settles) settle(most, state, goal);
     const double step = fade_step(limits, input);
     const double size = glm::length(state.offset);
-    const double left = std::min(size, length_after_work(state)) - step;
+    const double worked = std::max(length_after_work(state), least_length(state, input, size));
+    const double left = std::min(size, worked) - step;
     state.remnant = shorter_by(state.remnant, step);
     if (!(left > step * (almost_there - 1))) {
         state.fade = static_cast<std::uint32_t>(Fade::over);

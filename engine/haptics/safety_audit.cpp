@@ -262,7 +262,9 @@ void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInp
     const double size = length_of_vector(offset_);
     const double spared = fade_budget_ > 0 ? std::fmax(0, 1 - fade_work_ / fade_budget_) : 0;
     const double step = fading_step(limits, input);
-    const double left = std::fmin(size, initial_length_ * std::sqrt(spared)) - step;
+    const double outward = size > 0 ? std::fmax(0, glm::dot(offset_, input.tip - tip_) / size) : 0;
+    const double least = input.stiffness > 0 ? size - cap_falls_by - input.stiffness * outward : 0;
+    const double left = std::fmin(size, std::fmax(least, initial_length_ * std::sqrt(spared))) - step;
     offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
     const double remnant = length_of_vector(remnant_);
     remnant_ *= remnant > step ? 1 - step / remnant : 0;
