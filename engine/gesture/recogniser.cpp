@@ -367,9 +367,11 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     const double by_force = twins_[r.gesture].empty() ? 1 : by_twins(shape.force, farthest, space, r);
     const float other = r.runner_up == Recognition::none ? farthest_possible : r.runner_up_distance;
     r.evidence = evidence_of(r.distance, other, calibration_.usual[r.gesture]);
-    r.probability = by_force * calibration_.probability(r.evidence);
+    const double even = calibration_.probability(r.evidence);
+    r.even_probability = by_force * even;
+    r.probability = by_force * probability_on_purpose(r.evidence, even);
     r.accepted =
-        r.distance <= calibration_.threshold[r.gesture] && r.probability >= settings_.least_probability;
+        r.distance <= calibration_.threshold[r.gesture] && r.even_probability >= settings_.least_probability;
     r.mean_force = static_cast<double>(shape.force);
     r.force = force_class(r.gesture, r.mean_force);
     r.start = static_cast<double>(shape.start_t);

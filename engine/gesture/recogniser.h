@@ -12,7 +12,8 @@
 // the template. A gesture with a tolerance of rotation is turned by the angle with the largest dot product. A gesture
 // that is not sensitive to direction has its templates drawn backwards as well.
 //
-// Force. Gestures of one shape whose strokes differ in mean force are twins. Between them the mean force of the stroke
+// Force. Gestures of one shape whose strokes differ in mean force are twins. The more their forces differ and the farther
+// all other gestures are, the less alike their strokes need be. Between them the mean force of the stroke
 // decides, together with what little the shapes tell.
 //
 // Confidence: see calibration.h. Everything is fixed at construction. `recognise` allocates nothing, and equal input
@@ -39,8 +40,10 @@ struct Recognition {
     float distance{};                ///< elastic distance of the nearest gesture
     float runner_up_distance{};
     Evidence evidence{};   ///< for a calibration with labelled strokes
-    double probability{};  ///< probability that the stroke was meant as `gesture`, 0 to 1
-    bool accepted{};       ///< false: nothing was meant
+    double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
+    /// The same if every second stroke meant nothing. It decides whether a stroke is accepted.
+    double even_probability{};
+    bool accepted{};  ///< false: nothing was meant
     ForceClass force = ForceClass::normal;
     double mean_force{};  ///< mean force along the path (unit of the device)
     double start{};       ///< time of the first point that counts, after the stroke's first point (s)
@@ -51,7 +54,7 @@ struct RecogniserSettings {
     Channels channels{};
     /// True to compare every template elastically. Slower, for tests of the choice by dot product.
     bool exhaustive = false;
-    double least_probability = 0.5;  ///< probability from which on a stroke is accepted
+    double least_probability = 0.5;  ///< `even_probability` from which on a stroke is accepted
     std::uint64_t seed = 1;          ///< seed of the synthetic strokes that set the thresholds
     /// False to skip the synthetic strokes, for a caller that calibrates with real ones. Then all thresholds are open, and
     /// the usual distance of a gesture is that of its recorded strokes from one another.
@@ -109,7 +112,7 @@ public:
     /// nothing to it is taken.
     Recognition recognise_without(Points stroke, std::uint32_t left_out, RecogniserSpace& space) const;
 
-    /// Probability of two distances as this recogniser is calibrated.
+    /// Probability of two distances as this recogniser is calibrated, if every second stroke means nothing.
     double probability_of(std::uint32_t gesture, float distance, bool has_runner_up,
                           float runner_up_distance) const;
     ForceClass force_class(std::uint32_t gesture, double mean_force) const;

@@ -20,6 +20,8 @@ constexpr std::size_t most_compared = 16;
 /// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
 /// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
 constexpr double twin_distance = 0.07, most_twin_distance = 0.15;
+/// The same where every third gesture is so many times as far: then the two are one shape, drawn with little care.
+constexpr double clear_twin_distance = 0.12, most_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
@@ -36,6 +38,14 @@ float quantile(std::vector<float> values, double share) {
     std::sort(values.begin(), values.end());
     const auto last = static_cast<double>(values.size() - 1);
     return values[static_cast<std::size_t>(std::floor(share * last + 0.5))];
+}
+
+/// Whether a stroke at this distance from a gesture has its shape, given the logarithm of the ratio of their forces and the
+/// distance from the nearest third gesture.
+bool is_of_one_shape(double distance, double doublings, double third) {
+    if (distance <= std::min(twin_distance * doublings, most_twin_distance)) return true;
+    return distance * clear_of_others <= third &&
+           distance <= std::min(clear_twin_distance * doublings, most_clear_twin_distance);
 }
 
 }  // namespace
@@ -196,7 +206,13 @@ void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& 
                 const double a = template_force_[g], b = template_force_[other];
                 if (near.count == 0 || !(std::min(a, b) > 0)) continue;
                 const double doublings = std::abs(det::log(a / b)) / det::log(2);
-                if (static_cast<double>(near.first) > std::min(twin_distance * doublings, most_twin_distance))
+                float third = 0;  // 0: there is none
+                for (std::uint32_t c = 0; c < gestures.size(); ++c) {
+                    const auto& one = space.nearest_[c];
+                    if (c == other || one.count == 0) continue;
+                    third = third > 0 ? std::min(third, one.first) : one.first;
+                }
+                if (!is_of_one_shape(static_cast<double>(near.first), doublings, static_cast<double>(third)))
                     continue;
                 add(g, other);
                 add(other, g);

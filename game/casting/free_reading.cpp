@@ -98,7 +98,7 @@ void read_window(const CastingRules& rules, const gesture::Recogniser& recognise
     const double usual = static_cast<double>(recogniser.usual_seconds(found.gesture));
     const double duration = usual > 0 ? det::log(lasts / usual) : 0;
     FreeWindow window{
-        .probability = found.probability,
+        .probability = found.even_probability,
         .needed = pace < rules.free_quiet_pace ? rules.free_quiet_probability : rules.free_least_probability,
         .force = found.mean_force,
         .gesture = found.gesture};

@@ -96,7 +96,7 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
     const vec3 middle = middle_of(stroke);
     const double whole = std::round(std::abs(turns));
     const double each = 2 * pi * std::abs(turns) / whole;
-    gesture::Recognition worst{.probability = 1, .accepted = true};
+    gesture::Recognition worst{.even_probability = 1, .accepted = true};
     double angle = 0;
     std::size_t first = 0, done = 0;
     for (std::size_t i = 1; i < stroke.size(); ++i) {
@@ -107,7 +107,7 @@ gesture::Recognition read_turns(const gesture::Recogniser& recogniser, Points st
         if (!last && !turn_is_done) continue;
         const auto one = recogniser.recognise(stroke.subspan(first, i - first + 1), space);
         if (!one.accepted || (done > 0 && one.gesture != worst.gesture)) return {};
-        if (one.probability <= worst.probability) worst = one;
+        if (one.even_probability <= worst.even_probability) worst = one;
         ++done;
         first = i;
     }
@@ -162,7 +162,8 @@ gesture::Recognition recognise_drawn(const gesture::Recogniser& recogniser, Poin
     const double turns = turns_of(stroke);
     if (std::abs(turns) >= several_turns) {
         const auto turn = read_turns(recogniser, stroke, turns, space);
-        if (turn.accepted && (!found.accepted || turn.probability > found.probability)) found = turn;
+        const bool surer = !found.accepted || turn.even_probability > found.even_probability;
+        if (turn.accepted && surer) found = turn;
     }
     return found;
 }
@@ -171,7 +172,8 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
-    reading.stroke.probability = found.probability;
+    // A stroke that was not read may well have meant nothing.
+    reading.stroke.probability = found.accepted ? found.probability : found.even_probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;
     if (gestures.gestures()[found.gesture].options.closed) reading.stroke.turns = turns_of(stroke);

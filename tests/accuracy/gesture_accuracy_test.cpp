@@ -89,6 +89,23 @@ TEST_F(GesturePublicData, ProbabilitiesHoldAndUnknownGesturesAreNothing) {
     EXPECT_LE(result->open_set->false_accepts, 0.03);
 }
 
+/// Probabilities from one template of each gesture alone, which nobody's strokes were fitted to.
+TEST_F(GesturePublicData, ProbabilitiesHoldWithoutStrokesOfUsers) {
+    const auto error = [](const StrokeSet& set, Protocol protocol, std::size_t templates) {
+        const auto result = evaluate(set.strokes, {.protocol = protocol,
+                                                   .templates = templates,
+                                                   .repeats = 1,
+                                                   .channels = {set.has_depth, set.has_force},
+                                                   .own_calibration = true});
+        return result ? result->calibration_error : 1;
+    };
+    const auto letters = strokes("character-trajectories.csv.gz"), mouse = strokes("machete-mouse.csv.gz");
+    for (const std::size_t templates : {1U, 3U}) {
+        EXPECT_LE(error(letters, Protocol::random, templates), 0.05) << templates << " templates of letters";
+        EXPECT_LE(error(mouse, Protocol::leave_user_out, templates), 0.05) << templates << " templates";
+    }
+}
+
 TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto set = strokes("machete-mouse.csv.gz");
     const auto sessions = app::load_sessions(data / "machete-mouse-sessions.csv.gz");

@@ -81,6 +81,64 @@ TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
     }
 }
 
+/// One stroke each of a gentle and a harsh figure by a careless user, among the other shipped gestures. Strokes of the user
+/// are told apart by a force of a half and of twice the usual, with a scatter of 15 %.
+TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
+    const auto shipped = shipped_gestures();
+    RecogniserSpace space;
+    int right = 0, drawn = 0;
+    for (std::uint64_t seed = 0; seed < 24; ++seed) {
+        Random random = random_stream(seed, 1);
+        auto style = random_style(random);
+        style.mirrored_circle = false;
+        const auto figure = static_cast<Figure>(seed % figures);
+        const auto draw = [&](bool harsh) {
+            auto stroke = draw_figure(figure, style, Effort::normal, random);
+            const double by = (harsh ? 2 : 0.5) * det::exp(0.15 * normal(random));
+            for (auto& p : stroke) p.force *= by;
+            return stroke;
+        };
+        auto gestures = shipped;
+        auto& gentle = gestures[seed % figures];
+        gentle.options.gentle_below = gentle.options.harsh_above = 0;
+        gentle.strokes = {draw(false)};
+        gestures.push_back({"harsh", gentle.options, {draw(true)}});
+        const auto recogniser = Recogniser::make(gestures, {.calibrate = false});
+        ASSERT_TRUE(recogniser);
+        for (int i = 0; i < 20; ++i, ++drawn) {
+            const bool harsh = i % 2 == 1;
+            const auto r = recogniser->recognise(draw(harsh), space);
+            right += r.gesture == (harsh ? figures : seed % figures);
+        }
+    }
+    EXPECT_GE(right, 0.98 * drawn);
+}
+
+/// Probabilities of a recogniser with one stroke of each figure by some user, for strokes of another user.
+TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
+    const auto shipped = shipped_gestures();
+    RecogniserSpace space;
+    double shown = 0, even = 0, right = 0, drawn = 0;
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        Random random = random_stream(seed, 7);
+        const auto user = random_style(random), other = random_style(random);
+        auto gestures = shipped;
+        for (std::size_t f = 0; f < figures; ++f)
+            gestures[f].strokes = {draw_figure(static_cast<Figure>(f), user, Effort::normal, random)};
+        const auto recogniser = Recogniser::make(gestures);
+        ASSERT_TRUE(recogniser);
+        for (std::size_t i = 0; i < 10 * figures; ++i, ++drawn) {
+            const auto figure = static_cast<Figure>(i % figures);
+            const auto r = recogniser->recognise(draw_figure(figure, other, Effort::normal, random), space);
+            shown += r.probability;
+            even += r.even_probability;
+            right += r.gesture == i % figures ? 1 : 0;
+        }
+    }
+    EXPECT_NEAR(shown / drawn, right / drawn, 0.05);
+    EXPECT_LT(even / drawn, shown / drawn) << "as if every second stroke meant nothing";
+}
+
 TEST(GestureConfusion, TheShippedFilesAreThoseOfTheGenerator) {
     for (const auto& gesture : generated_templates(1)) {
         const auto file = read_text_file(shipped / (gesture.name + ".toml"), most_gesture_bytes);
