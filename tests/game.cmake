@@ -10,9 +10,9 @@ thaum_test(test_crystal
     LINK thaum_duel
     NOT_SANITIZED CrystalShape.KeysOfAThousand* Crystal.CarvingUnderTheHand*)
 thaum_test(test_free_casting
-    SOURCES unit/free_casting_test.cpp
+    SOURCES unit/free_casting_test.cpp unit/free_idling_test.cpp
     LINK thaum_duel thaum_strokes
-    NOT_SANITIZED FreeCasting.TenMinutes* FreeCasting.FindsTheStrokes*
+    NOT_SANITIZED FreeIdling.* FreeCasting.TenMinutes* FreeCasting.FindsTheStrokes*
     LONG FreeCasting.TenMinutesOfBots*)
 thaum_test(test_game_threads
     SOURCES unit/game_threads_test.cpp
