@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
+#include "gesture/twins.h"
 #include "gesture/variations.h"
 #include "gesture/vectors.h"
 
@@ -21,7 +22,15 @@ constexpr float length_weight = 0.06F, most_for_length = 0.12F;
 /// Squared distances of points, where the dot product chooses, are about four times the elastic distance.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
-constexpr std::array synthetic_shares{0.25, 0.5, 0.75};
+constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
+/// Most of a recorded stroke's length that counts as drawn. A longer stroke tells no more than a whole one.
+constexpr float most_share = 1;
+/// The ratio of two distances counts by this power.
+constexpr double margin_power = 4;
+/// Least share of its twin's length that a whole stroke has.
+constexpr double twin_share = 0.7;
+/// Most logarithm of the ratio of two gestures' distances that counts against the farther one.
+constexpr double most_margin_against = 2;
 
 float log_length_of(const Shape& shape) {
     return static_cast<float>(det::log(static_cast<double>(shape.length)));
@@ -30,6 +39,19 @@ float log_length_of(const Shape& shape) {
 /// Distance for a difference of logarithms of lengths.
 float cost_of_length(float difference) {
     return std::min(length_weight * difference * difference, most_for_length);
+}
+
+/// Most probability of a gesture by its margin alone. Of two gestures that are as near, each has half.
+double share_by_margin(const Evidence& evidence) {
+    return 1 / (1 + det::exp(-margin_power * evidence.margin));
+}
+
+/// Whether a whole recorded stroke with that mean force and what is nearest to it of another gesture differ in force alone.
+bool is_twin(const PrefixSpace::Nearest& near, float force) {
+    static const auto least_log_share = static_cast<float>(det::log(twin_share));
+    return near.log_share >= least_log_share &&
+           differ_in_force(static_cast<double>(near.distance), static_cast<double>(force),
+                           static_cast<double>(near.force));
 }
 
 std::vector<StrokePoint> drawn_backwards(Points stroke) {
@@ -84,6 +106,7 @@ bool PrefixReader::add_stroke(Points stroke, const GestureOptions& options, Pref
         for (std::size_t i = 0; i < shape_points * b.channels; ++i)
             b.square[k] += values[k][i] * values[k][i];
         b.log_length[k] = log_length_of(shapes[k]);
+        b.force[k] = shapes[k].force;
     }
     set_lanes(b.values, b.channels, values);
     (solid ? needs_solid_ : needs_flat_) = true;
@@ -156,27 +179,68 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
         const auto& from = beginnings_[c.place];
         auto& nearest = space.nearest[from.gesture];
         const float distance = distances[k] + cost_of_length(length - from.log_length[c.lane]);
-        if (distance < nearest.distance) nearest = {distance, length - from.log_length[lanes - 1]};
+        if (distance < nearest.distance)
+            nearest = {distance, length - from.log_length[lanes - 1], from.force[c.lane]};
     }
 }
 
-LikelyGesture PrefixReader::likeliest(std::span<const PrefixSpace::Nearest> nearest) const {
-    LikelyGesture likely;
-    float first = no_match, second = no_match;
-    for (std::uint32_t g = 0; g < nearest.size(); ++g) {
-        if (nearest[g].distance < first) {
-            second = first;
-            first = nearest[g].distance;
-            likely.gesture = g;
-        } else {
-            second = std::min(second, nearest[g].distance);
-        }
+bool PrefixReader::are_twins(std::uint32_t a, std::uint32_t b) const {
+    return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
+}
+
+/// Probability of a gesture among its twins by the mean force so far, 0 to 1.
+double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& space) const {
+    constexpr float tiny = 1e-30F;  // a beginning without a force is as far from every force
+    const auto oddness = [&](std::uint32_t g) {
+        const float usual = std::max(space.nearest[g].force, tiny);
+        return force_oddness(static_cast<double>(space.force), static_cast<double>(usual));
+    };
+    const double odd = oddness(gesture);
+    double sum = 1;
+    for (const auto twin : twins_[gesture]) {
+        if (space.nearest[twin].distance < no_match) sum += det::exp(std::min(odd - oddness(twin), 40.0));
     }
-    if (likely.gesture == LikelyGesture::none) return likely;
-    likely.evidence = evidence_of(std::max(first, least_counted), second, 1);
+    return 1 / sum;
+}
+
+/// Evidence and probability of a gesture, which need not be the nearest, after a stroke was compared.
+LikelyGesture PrefixReader::likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const {
     static const auto least_log_share = static_cast<float>(det::log(prefix_shares[0]));
-    const bool early = nearest[likely.gesture].log_share < least_log_share;
-    likely.probability = early ? 0 : calibration_.probability(likely.evidence);
+    const auto& own = space.nearest[gesture];
+    float other = no_match;
+    for (std::uint32_t g = 0; g < space.nearest.size(); ++g) {
+        if (g != gesture && !are_twins(gesture, g)) other = std::min(other, space.nearest[g].distance);
+    }
+    const float distance = std::max(own.distance, least_counted);
+    const double share = det::exp(static_cast<double>(own.log_share));
+    LikelyGesture likely{.gesture = gesture};
+    likely.evidence = evidence_of(distance, other, std::min(static_cast<float>(share), most_share));
+    if (other < distance) {
+        const double nearer = det::log(static_cast<double>(std::max(other, least_counted) / distance));
+        likely.evidence.margin = std::max(nearer, -most_margin_against);
+    }
+    if (own.log_share < least_log_share || !(own.distance < no_match)) return likely;
+    likely.probability =
+        std::min(calibration_.probability(likely.evidence), share_by_margin(likely.evidence));
+    if (!twins_[gesture].empty()) likely.probability *= share_by_force(gesture, space);
+    return likely;
+}
+
+LikelyGesture PrefixReader::likeliest(const PrefixSpace& space) const {
+    float least = no_match;
+    std::uint32_t nearest = LikelyGesture::none;
+    for (std::uint32_t g = 0; g < space.nearest.size(); ++g) {
+        if (space.nearest[g].distance >= least) continue;
+        least = space.nearest[g].distance;
+        nearest = g;
+    }
+    if (nearest == LikelyGesture::none) return {};
+    auto likely = likelihood_of(nearest, space);
+    for (const auto twin : twins_[nearest]) {
+        if (!(space.nearest[twin].distance < no_match)) continue;
+        if (share_by_force(twin, space) > share_by_force(likely.gesture, space))
+            likely = likelihood_of(twin, space);
+    }
     return likely;
 }
 
@@ -186,10 +250,39 @@ LikelyGesture PrefixReader::read(Points stroke, PrefixSpace& space) const {
     for (const bool solid : {true, false}) {
         if (!(solid ? needs_solid_ : needs_flat_)) continue;
         if (!make_shape(stroke, {solid, channels_.force}, space.points, space.shape)) continue;
+        space.force = space.shape.force;
         const std::size_t end = choose(space.shape, space);
         for (std::size_t first = 0; first < end; first += lanes) verify(space.shape, first, end, space);
     }
-    return likeliest(space.nearest);
+    return likeliest(space);
+}
+
+std::uint32_t PrefixReader::tell(Points stroke, std::uint32_t told, PrefixSpace& space) const {
+    const auto likely = read(stroke, space);
+    if (likely.probability >= likely_enough) return likely.gesture;
+    if (told >= gestures() || likely.gesture == LikelyGesture::none) return LikelyGesture::none;
+    return likelihood_of(told, space).probability >= likely_still ? told : LikelyGesture::none;
+}
+
+/// Finds gestures of one shape that differ in force: the recorded strokes of one are near to the other.
+void PrefixReader::find_twins(std::span<const Gesture> gestures, PrefixSpace& space) {
+    std::vector<std::vector<std::uint32_t>> twins(gestures.size());
+    twins_.assign(gestures.size(), {});
+    for (std::uint32_t g = 0; g < gestures.size(); ++g) {
+        for (const auto& stroke : gestures[g].strokes) {
+            read(stroke, space);
+            for (std::uint32_t other = 0; other < gestures.size(); ++other) {
+                if (other == g || !is_twin(space.nearest[other], space.force)) continue;
+                twins[g].push_back(other);
+                twins[other].push_back(g);
+            }
+        }
+    }
+    for (auto& list : twins) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    twins_ = std::move(twins);
 }
 
 void PrefixReader::calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space) {
@@ -198,8 +291,9 @@ void PrefixReader::calibrate(std::span<const Gesture> gestures, std::uint64_t se
     const auto keep = [&](Points stroke, std::uint32_t meant) {
         for (const double share : synthetic_shares) {
             const auto likely = read(beginning_of(stroke, share), space);
-            if (likely.gesture != LikelyGesture::none)
-                samples.push_back({likely.evidence, likely.gesture == meant, 1});
+            if (likely.gesture == LikelyGesture::none) continue;
+            const bool is_meant = likely.gesture == meant || are_twins(likely.gesture, meant);
+            samples.push_back({likely.evidence, is_meant, 1});
         }
     };
     for (std::uint32_t g = 0; g < gestures.size(); ++g) {
@@ -222,6 +316,7 @@ Expected<PrefixReader> PrefixReader::make(std::span<const Gesture> gestures, con
     for (const auto& gesture : gestures) {
         if (auto added = reader.add(gesture, space); !added) return added.error();
     }
+    reader.find_twins(gestures, space);
     if (settings.calibrate) reader.calibrate(gestures, settings.seed, space);
     return reader;
 }

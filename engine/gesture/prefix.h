@@ -9,8 +9,15 @@
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is not
 // sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
 //
-// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. Everything is fixed at construction, and equal
-// input gives equal bits. At most sixteen beginnings are compared elastically, however many there are.
+// Force. Between gestures of one shape that differ in force, the mean force so far decides, compared with that of equally
+// long beginnings. While it lies between theirs, none of them is likely.
+//
+// Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. How much of the gesture has been drawn
+// is evidence too: late in a stroke its distances are larger, and still right. Everything is fixed at construction, and
+// equal input gives equal bits. At most sixteen beginnings are compared elastically, however many there are.
+//
+// Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely enough, so that
+// a colour does not come and go.
 #pragma once
 #include <array>
 #include <span>
@@ -30,14 +37,13 @@ inline constexpr std::array<double, lanes> prefix_shares{0.2, 0.3, 0.4, 0.5, 0.6
 /// The first points of a stroke, up to a share of its length (0 to 1). At least one, if there is one.
 Points beginning_of(Points stroke, double share);
 
-/// Probability from which on a likely gesture is shown to the player.
-inline constexpr double likely_enough = 0.8;
-
+/// Probability from which on a likely gesture is told to the player, and below which one that was told is told no more.
+inline constexpr double likely_enough = 0.8, likely_still = 0.4;
 struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::uint32_t gesture = none;  ///< the likeliest; none for a stroke without a shape
-    Evidence evidence{};
+    Evidence evidence{};           ///< in place of a usual distance it has the share that has been drawn
     /// Probability that the stroke will be `gesture`, 0 to 1. 0 if it is shorter than the first beginning: too early to say.
     double probability{};
 };
@@ -65,8 +71,10 @@ struct PrefixSpace {
         float distance{};
         float
             log_share{};  ///< natural logarithm of the share of the recorded stroke's length that has been drawn
+        float force{};  ///< mean force of that beginning (unit of the strokes)
     };
     std::vector<Nearest> nearest{};  ///< nearest beginning of each gesture
+    float force{};                   ///< mean force of the stroke so far (unit of the strokes)
 };
 
 class PrefixReader {
@@ -79,6 +87,9 @@ public:
     const std::string& name(std::uint32_t gesture) const { return names_[gesture]; }
     /// Allocates nothing after the first call with the same space.
     LikelyGesture read(Points stroke, PrefixSpace& space) const;
+    /// The gesture to tell the player of the stroke so far, or LikelyGesture::none. `told` is the answer for a shorter part of
+    /// the same stroke, or none. Allocates as `read` does.
+    std::uint32_t tell(Points stroke, std::uint32_t told, PrefixSpace& space) const;
 
 private:
     /// One recorded stroke from one start and in one direction, cut at eight shares.
@@ -88,6 +99,7 @@ private:
         EightShapes values{};
         std::array<float, lanes> square{};      ///< dot product of each beginning with itself
         std::array<float, lanes> log_length{};  ///< natural logarithm of the length (unit of the strokes)
+        std::array<float, lanes> force{};       ///< mean force (unit of the strokes)
     };
 
     Expected<void> add(const Gesture& gesture, PrefixSpace& space);
@@ -95,11 +107,16 @@ private:
     void calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space);
     std::size_t choose(const Shape& shape, PrefixSpace& space) const;
     void verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const;
-    LikelyGesture likeliest(std::span<const PrefixSpace::Nearest> nearest) const;
+    void find_twins(std::span<const Gesture> gestures, PrefixSpace& space);
+    bool are_twins(std::uint32_t a, std::uint32_t b) const;
+    double share_by_force(std::uint32_t gesture, const PrefixSpace& space) const;
+    LikelyGesture likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const;
+    LikelyGesture likeliest(const PrefixSpace& space) const;
 
     Channels channels_{};
     std::vector<std::string> names_;
     std::vector<Beginnings> beginnings_;
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< gestures that only force tells from each gesture
     Calibration calibration_{};
     bool needs_solid_ = false, needs_flat_ = false;
 };

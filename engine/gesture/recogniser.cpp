@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gesture/twins.h"
 #include "gesture/vectors.h"
 
 namespace thaum::gesture {
@@ -11,9 +12,8 @@ constexpr float lowest_score = -1e30F;
 constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
-// Twins are told apart by odds. A force that is e^force_scatter times as far from one as from the other counts; the ratio of
-// the distances counts by this power.
-constexpr double force_scatter = 0.25, twin_distance_power = 4;
+// Twins are told apart by odds, in which the ratio of the distances counts by this power.
+constexpr double twin_distance_power = 4;
 
 /// Sums of the eight lanes of four vectors, neighbours first.
 Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
@@ -297,12 +297,8 @@ bool Recogniser::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-/// How far a mean force is from that of a gesture's templates: half the square of their logarithms' difference.
 double Recogniser::strangeness(std::uint32_t gesture, double mean_force) const {
-    constexpr double least_force = 1e-3;  // share of the templates'
-    const double ratio = std::max(mean_force / template_force_[gesture], least_force);
-    const double off = det::log(ratio) / force_scatter;
-    return off * off / 2;
+    return force_oddness(mean_force, template_force_[gesture]);
 }
 
 std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force) const {

@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "gesture/recogniser.h"
+#include "gesture/twins.h"
 #include "gesture/variations.h"
 
 namespace thaum::gesture {
@@ -17,11 +18,6 @@ constexpr float open_threshold = 1e9F;
 constexpr float assumed_usual = 0.1F, least_usual = 1e-3F;
 /// Recorded strokes of a gesture that are compared with one another. More tell little more.
 constexpr std::size_t most_compared = 16;
-/// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
-/// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
-constexpr double twin_distance = 0.07, most_twin_distance = 0.15;
-/// The same where every third gesture is so many times as far: then the two are one shape, drawn with little care.
-constexpr double clear_twin_distance = 0.12, most_clear_twin_distance = 0.25, clear_of_others = 1.6;
 
 std::vector<StrokePoint> backwards(Points stroke) {
     std::vector<StrokePoint> result(stroke.rbegin(), stroke.rend());
@@ -40,12 +36,15 @@ float quantile(std::vector<float> values, double share) {
     return values[static_cast<std::size_t>(std::floor(share * last + 0.5))];
 }
 
-/// Whether a stroke at this distance from a gesture has its shape, given the logarithm of the ratio of their forces and the
-/// distance from the nearest third gesture.
-bool is_of_one_shape(double distance, double doublings, double third) {
-    if (distance <= std::min(twin_distance * doublings, most_twin_distance)) return true;
-    return distance * clear_of_others <= third &&
-           distance <= std::min(clear_twin_distance * doublings, most_clear_twin_distance);
+/// Distance of the nearest gesture besides `other` to the stroke compared last; 0: there is none.
+template <class Nearest>
+double nearest_third(std::span<const Nearest> nearest, std::uint32_t other) {
+    float third = 0;
+    for (std::uint32_t g = 0; g < nearest.size(); ++g) {
+        if (g == other || nearest[g].count == 0) continue;
+        third = third > 0 ? std::min(third, nearest[g].first) : nearest[g].first;
+    }
+    return static_cast<double>(third);
 }
 
 }  // namespace
@@ -201,18 +200,12 @@ void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& 
     for (std::uint32_t g = 0; g < gestures.size(); ++g) {
         for (const auto& stroke : gestures[g].strokes) {
             recognise_within(stroke, {.left_out = g}, space);
+            const std::span compared(std::as_const(space.nearest_).data(), gestures.size());
             for (std::uint32_t other = 0; other < gestures.size(); ++other) {
-                const auto& near = space.nearest_[other];
-                const double a = template_force_[g], b = template_force_[other];
-                if (near.count == 0 || !(std::min(a, b) > 0)) continue;
-                const double doublings = std::abs(det::log(a / b)) / det::log(2);
-                float third = 0;  // 0: there is none
-                for (std::uint32_t c = 0; c < gestures.size(); ++c) {
-                    const auto& one = space.nearest_[c];
-                    if (c == other || one.count == 0) continue;
-                    third = third > 0 ? std::min(third, one.first) : one.first;
-                }
-                if (!is_of_one_shape(static_cast<double>(near.first), doublings, static_cast<double>(third)))
+                const auto& near = compared[other];
+                if (near.count == 0 ||
+                    !differ_in_force(static_cast<double>(near.first), template_force_[g],
+                                     template_force_[other], nearest_third(compared, other)))
                     continue;
                 add(g, other);
                 add(other, g);

@@ -63,6 +63,87 @@ TEST(GesturePrefix, AWholeStrokeIsItself) {
     EXPECT_GE(whole.told, 0.85);
 }
 
+/// How an answer runs along the strokes of unknown users, read at every fiftieth of their length.
+struct AnswerCourse {
+    double told{};     ///< share of the readings after a quarter of the stroke with an answer
+    double wrong{};    ///< share of these readings with a wrong answer
+    double changes{};  ///< answers that went away or were replaced, per stroke
+    double at_end{};   ///< share of whole strokes with an answer
+};
+
+AnswerCourse course_of(const PrefixReader& reader, std::span<const Stroke> strokes) {
+    PrefixSpace space;
+    AnswerCourse course;
+    double readings = 0;
+    for (const auto& stroke : strokes) {
+        std::uint32_t told = LikelyGesture::none;
+        for (int k = 1; k <= 50; ++k) {
+            const auto before = told;
+            told = reader.tell(beginning_of(stroke.points, k / 50.0), told, space);
+            const bool any = told != LikelyGesture::none;
+            if (before != LikelyGesture::none && told != before) ++course.changes;
+            if (k == 50) course.at_end += any;
+            if (4 * k <= 50) continue;
+            ++readings;
+            course.told += any;
+            course.wrong += any && reader.name(told) != stroke.gesture;
+        }
+    }
+    for (double* share : {&course.changes, &course.at_end}) *share /= static_cast<double>(strokes.size());
+    for (double* share : {&course.told, &course.wrong}) *share /= readings;
+    return course;
+}
+
+TEST(GesturePrefix, WhatIsToldStays) {
+    const auto reader = reader_of(generated_templates(1));
+    const auto course = course_of(reader, generated_strokes({.users = 12, .samples = 1, .seed = 5}));
+    EXPECT_GE(course.told, 0.88);
+    EXPECT_LE(course.wrong, 0.01) << "no false colour";
+    EXPECT_LE(course.changes, 0.15) << "no flicker";
+    EXPECT_GE(course.at_end, 0.98);
+}
+
+TEST(GesturePrefix, WhatIsToldGoesWhenTheStrokeLeavesIt) {
+    const auto reader = reader_of(three_gestures());
+    PrefixSpace space;
+    const auto told = reader.tell(beginning_of(ess(), 0.7), LikelyGesture::none, space);
+    ASSERT_NE(told, LikelyGesture::none);
+    auto astray = ess();
+    const auto at = astray.back().at;
+    for (int i = 1; i <= 200; ++i) {
+        const double u = 0.1 * i;
+        astray.push_back({1 + 0.01 * i, at + 0.3 * u * vec3(std::cos(3 * u), std::sin(3 * u), 0), 0});
+    }
+    EXPECT_NE(reader.tell(astray, told, space), told);
+    EXPECT_EQ(reader.tell({}, told, space), LikelyGesture::none);
+    EXPECT_EQ(reader.tell({}, 77, space), LikelyGesture::none) << "a gesture that is not there";
+}
+
+/// A stroke with a force that rises to its middle and falls again, as against a viscous field.
+Course swelling(Course stroke, double force) {
+    for (auto& p : stroke) p.force = force * (0.3 + std::sin(pi * p.t));
+    return stroke;
+}
+
+TEST(GesturePrefix, ForceTellsTwinsApartOrNothingDoes) {
+    const auto reader =
+        reader_of({gesture_of("soft", {swelling(ess(), 0.5)}), gesture_of("hard", {swelling(ess(), 2.5)}),
+                   gesture_of("circle", {swelling(circle(), 1)})});
+    PrefixSpace space;
+    for (const double share : {0.5, 0.75, 1.0}) {
+        const auto told = [&](double force) {
+            const auto stroke = swelling(ess(), force);
+            return reader.tell(beginning_of(stroke, share), LikelyGesture::none, space);
+        };
+        EXPECT_EQ(told(0.4), 0U) << share;
+        EXPECT_EQ(told(0.6), 0U) << share;
+        EXPECT_EQ(told(2), 1U) << share;
+        EXPECT_EQ(told(3), 1U) << share;
+        EXPECT_EQ(told(1.118), LikelyGesture::none) << "as far from both, at " << share;
+        EXPECT_EQ(told(0), LikelyGesture::none) << "a device without a force, at " << share;
+    }
+}
+
 /// A line may become each of two hooks, which turn only at the end.
 TEST(GesturePrefix, WhatMayBecomeEitherIsNotTold) {
     const auto hook = [](double side) {
