@@ -1,5 +1,6 @@
 #include "game/live/end_watch.h"
 
+#include "core/tell_user.h"
 #include "input/arm_silence.h"
 
 namespace thaum::app {
@@ -31,5 +32,9 @@ EndWatch::~EndWatch() {
 }
 
 const std::atomic<bool>& EndWatch::asked() { return end_asked; }
+
+void tell_end_by_signal() {
+    if (end_asked) tell_user("ended by a signal");
+}
 
 }  // namespace thaum::app

@@ -23,4 +23,7 @@ private:
     std::array<struct sigaction, signals.size()> before_{};
 };
 
+/// Says that a signal has ended the command, if one has.
+void tell_end_by_signal();
+
 }  // namespace thaum::app

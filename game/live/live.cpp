@@ -228,7 +228,7 @@ int run_live(const LivePlan& plan) {
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);
-    if (EndWatch::asked()) tell_user("ended by a signal");
+    tell_end_by_signal();
     return done;
 }
 

@@ -16,6 +16,7 @@
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
+#include "game/live/end_watch.h"
 
 namespace thaum::app {
 
@@ -259,7 +260,9 @@ int run_headless(LabPlan plan) {
     game::LabFigures figures;
     const auto start = monotonic_ns();
     const auto steps = std::llround(*plan.seconds / game::lab_dt);
-    for (std::int64_t i = 0; i < steps; ++i) {
+    const EndWatch watch;
+    std::int64_t i = 0;
+    for (; i < steps && !EndWatch::asked(); ++i) {
         figures = game::step_lab(plan.lab, game::scripted_input(plan.script, plan.lab), jobs);
         trace->add([&](std::string& rows) { game::append_lab_row(plan.lab, figures, plan.times, rows); });
         if (auto put = shots->follow(plan.lab, figures); !put) return refuse(put.error());
@@ -269,7 +272,8 @@ int run_headless(LabPlan plan) {
     if (plan.out.save) {
         if (auto saved = game::save_lab(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
-    tell_end(plan.lab, figures, steps, took);
+    tell_end(plan.lab, figures, i, took);
+    tell_end_by_signal();
     return done;
 }
 

@@ -17,6 +17,7 @@
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
+#include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "render/pace.h"
 
@@ -237,7 +238,7 @@ struct LabClock {
 };
 
 bool over(const LabSession& session, const render::Window& window, std::int64_t end) {
-    return session.leaves || window.should_close() || session.plan.lab.steps >= end;
+    return session.leaves || window.should_close() || EndWatch::asked() || session.plan.lab.steps >= end;
 }
 
 Expected<void> run(LabSession& session, double frames_per_second, render::Window& window,
@@ -289,6 +290,7 @@ int run_lab_window(LabPlan plan) {
     auto window = render::Window::create(
         {.title = "Thaum: the brew", .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
+    const EndWatch watch;
     auto trace = LabTrace::open(plan.out.trace, game::lab_trace_header(plan.times));
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.lab.steps + plan.out.every); !made)
@@ -304,6 +306,7 @@ int run_lab_window(LabPlan plan) {
     });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
+    tell_end_by_signal();
     return done;
 }
 

@@ -19,6 +19,7 @@
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
+#include "game/live/end_watch.h"
 
 namespace thaum::app {
 namespace {
@@ -429,7 +430,8 @@ int run_headless(VolumeLabPlan plan) {
     std::size_t changed = 0;
     const auto start = monotonic_ns();
     const auto steps = ticks(*plan.seconds);
-    for (Tick i = 0; i < steps; ++i) {
+    const EndWatch watch;
+    for (Tick i = 0; i < steps && !EndWatch::asked(); ++i) {
         const auto input = planned_input(plan);
         const auto figures = game::step_volume_lab(plan.lab, input);
         most_n = std::max(most_n, glm::length(figures.force));
@@ -443,6 +445,7 @@ int run_headless(VolumeLabPlan plan) {
         if (auto saved = game::save_volume(plan.lab, *plan.out.save); !saved) return refuse(saved.error());
     }
     tell_end(plan.lab, changed, most_n, took);
+    tell_end_by_signal();
     return done;
 }
 

@@ -19,6 +19,7 @@
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
+#include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "render/pace.h"
 
@@ -303,7 +304,7 @@ Expected<void> run(Session& session, double frames_per_second, render::Window& w
     render::Pacer pacer(frames_per_second);
     auto last = monotonic_ns();
     double owed = 0;
-    while (!session.leaves) {
+    while (!session.leaves && !EndWatch::asked()) {
         if (!stays_open(session, window)) break;
         if (session.plan.seconds && session.plan.lab.seconds() >= *session.plan.seconds) break;
         window.poll(events);
@@ -348,6 +349,7 @@ int run_volume_window(VolumeLabPlan plan) {
     auto window = render::Window::create(
         {.title = "Thaum: " + plan.first.volume, .size = plan.out.size, .fullscreen = settings.fullscreen});
     if (!window) return refuse(window.error());
+    const EndWatch watch;
     auto trace = LabTrace::open(plan.out.trace, game::volume_trace_header());
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan.out, plan.out.every); !made) return refuse(made.error());
@@ -362,6 +364,7 @@ int run_volume_window(VolumeLabPlan plan) {
     });
     if (!went) return refuse(went.error());
     if (auto ended = end(session); !ended) return refuse(ended.error());
+    tell_end_by_signal();
     return done;
 }
 
