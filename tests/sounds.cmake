@@ -5,5 +5,5 @@ thaum_test(test_sounds
     NOT_SANITIZED GameSounds.EachIsTold*)
 # What commands share.
 thaum_test(test_commands
-    SOURCES unit/content_test.cpp unit/drawing_hand_test.cpp unit/offscreen_duel_test.cpp unit/shots_test.cpp unit/sound_picture_test.cpp
+    SOURCES unit/content_test.cpp unit/drawing_hand_test.cpp unit/offscreen_duel_test.cpp unit/shots_test.cpp unit/sound_picture_test.cpp unit/stroke_desk_test.cpp
     LINK thaum_tools fake_arm)

@@ -11,6 +11,7 @@
 #include "game/hud/stroke_picture.h"
 #include "game/live/end_watch.h"
 #include "game/settings/settings.h"
+#include "gesture/gesture.h"
 #include "render/renderer.h"
 
 namespace thaum::app {
@@ -18,6 +19,19 @@ namespace {
 
 constexpr double patience_s = 0.002;  // longest wait for an event, so that motion gets its time
 constexpr double shown_m = 0.2;       // height of the window at the hand
+
+/// Way of a stroke without the tremor of a hand at rest (m).
+double way_of(gesture::Points stroke) {
+    constexpr double step = 5e-4;  // way that is no tremor (m)
+    double way = 0;
+    for (std::size_t i = 1, from = 0; i < stroke.size(); ++i) {
+        const double gone = glm::distance(stroke[from].at, stroke[i].at);
+        if (gone < step) continue;
+        way += gone;
+        from = i;
+    }
+    return way;
+}
 
 bool ends(const StrokeDesk& desk, const render::Window& window) {
     return desk.complete() || desk.left() || window.should_close() || EndWatch::asked();
@@ -56,6 +70,8 @@ void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
         game::add_stroke(out, open, {open.front().at, middle, scale}, {.width = 6 * unit, .by_force = true});
     game::add_text(out, desk.title(), {0.5F * width, 0.05F * height}, 30 * unit, game::paints.white,
                    render::Align::centre);
+    game::add_text(out, desk.note(), {0.5F * width, 0.11F * height}, 22 * unit, game::paints.amber,
+                   render::Align::centre);
     game::add_text(out, desk.advice(), {0.5F * width, 0.93F * height}, 20 * unit, game::paints.soft,
                    render::Align::centre);
 }
@@ -71,6 +87,7 @@ Expected<void> run(StrokeDesk& desk, DrawingHand& hand, double frames_per_second
     while (!ends(desk, window)) {
         window.poll(events, patience_s);
         hand.advance(monotonic_ns(), desk.recorder());
+        desk.take_ended();
         if (auto fault = hand.fault(); !fault.empty()) return fail(std::move(fault));
         const auto size = window.size();
         if (monotonic_ns() < next_ns || window.minimised() || size.width <= 0 || size.height <= 0) continue;
@@ -86,12 +103,8 @@ Expected<void> run(StrokeDesk& desk, DrawingHand& hand, double frames_per_second
 }
 
 Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const Settings& settings,
-                                               const std::filesystem::path& assets) {
-    if (device == "mouse") {
-        const auto data = game::load_match_data(assets, {});
-        if (!data) return data.error();
-        return std::make_unique<DrawingMouse>(data->device, monotonic_ns());
-    }
+                                               const game::MatchData& data) {
+    if (device == "mouse") return std::make_unique<DrawingMouse>(data.device, monotonic_ns());
     const auto percent = force_choices[settings.players[0].force].percent;
     auto arm = DrawingArm::open(device, percent ? *percent / 100.0 : haptics::gentle_share);
     if (!arm) return arm.error();
@@ -99,6 +112,27 @@ Expected<std::unique_ptr<DrawingHand>> hand_of(const std::string& device, const 
 }
 
 }  // namespace
+
+std::string fault_of(gesture::Points stroke, const LeastStroke& least) {
+    constexpr double least_move = 0.0015;  // way above which a hand does more than press the button (m)
+    const double way = way_of(stroke), lasts = stroke.empty() ? 0 : stroke.back().t - stroke.front().t;
+    if (way < least_move) return "a press without a stroke does not count: hold the button while you draw";
+    if (way < least.way)
+        return text("a stroke of ", fixed(1000 * way, 0), " mm is too small to be read: draw it larger");
+    if (lasts < least.seconds)
+        return text("a stroke of ", fixed(lasts, 2), " s is too short to be read: draw it more slowly");
+    if (stroke.size() > gesture::most_template_points)
+        return text("a stroke of ", fixed(lasts, 0), " s is too long: draw it faster");
+    return {};
+}
+
+void StrokeDesk::take_ended() {
+    if (recorder_.strokes().size() > taken_) {
+        note_ = fault_of(recorder_.strokes().back(), least_);
+        if (!note_.empty()) recorder_.drop_last();
+    }
+    taken_ = recorder_.strokes().size();
+}
 
 void StrokeDesk::key(std::string_view name) {
     if (name == "Esc") left_ = true;
@@ -121,11 +155,15 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
         return fail("drawing strokes needs a display; --log and --strokes take recorded ones without it");
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
-    auto hand = hand_of(wish.device, settings, assets);
+    const auto data = game::load_match_data(assets, {});
+    if (!data) return data.error();
+    auto hand = hand_of(wish.device, settings, *data);
     if (!hand) return hand.error();
     auto window = render::Window::create({.title = "Thaum: record a gesture"});
     if (!window) return window.error();
-    StrokeDesk desk(wish);
+    StrokeDesk desk(wish, data->casting
+                              ? LeastStroke{data->casting->smallest, seconds(data->casting->shortest)}
+                              : LeastStroke{});
     const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
         return run(desk, **hand, settings.frames_per_second, *window, renderer);
     });

@@ -13,23 +13,39 @@ struct StrokeWish {
     std::string device;     ///< "mouse", or an arm as `--feel` names it
 };
 
+/// Least strokes that a match reads.
+struct LeastStroke {
+    double way = 0.015;    ///< arc length (m)
+    double seconds = 0.1;  ///< time from its first to its last point
+};
+
+/// Why a stroke cannot be a template, and what to do; empty: it can.
+std::string fault_of(gesture::Points stroke, const LeastStroke& least);
+
 /// Strokes so far, and what the window says of them.
 class StrokeDesk {
 public:
-    explicit StrokeDesk(StrokeWish wish) : wish_(std::move(wish)) {}
+    explicit StrokeDesk(StrokeWish wish, LeastStroke least = {}) : wish_(std::move(wish)), least_(least) {}
 
     gesture::StrokeRecorder& recorder() { return recorder_; }
     const gesture::StrokeRecorder& recorder() const { return recorder_; }
+    /// Takes the strokes that have ended. One that cannot be a template is dropped, and `note` says why.
+    void take_ended();
     void key(std::string_view name);
     bool complete() const { return recorder_.strokes().size() >= wish_.count; }
     bool left() const { return left_; }
     /// Line above the strokes: "circle: stroke 2 of 3".
     std::string title() const;
     std::string advice() const;
+    /// Why the last stroke does not count; empty: it counts.
+    const std::string& note() const { return note_; }
 
 private:
     StrokeWish wish_;
-    gesture::StrokeRecorder recorder_;
+    LeastStroke least_;
+    std::string note_;
+    std::size_t taken_ = 0;                ///< strokes that count
+    gesture::StrokeRecorder recorder_{0};  ///< short strokes are refused with words
     bool left_ = false;
 };
 
