@@ -6,6 +6,7 @@
 #include "game/data/spell.h"
 #include "game/hud/arena_parts.h"
 #include "game/hud/figures.h"
+#include "game/hud/stroke_picture.h"
 
 namespace thaum::game {
 
@@ -19,7 +20,7 @@ namespace {
 /// Size of a stroke in the world, as a multiple of the hand's way. A circle of 8 cm is 40 cm wide.
 constexpr double stroke_scale = 5;
 /// Most pieces of a stroke in the world.
-constexpr std::uint32_t most_pieces = 40;
+constexpr std::size_t most_pieces = 40;
 
 /// Light of a stroke (linear): the team's while it is drawn, then green if it was read, or grey.
 fvec3 light_of(const StrokePicture& stroke, std::uint32_t team) {
@@ -38,15 +39,13 @@ bool is_gone(const StrokePicture& stroke, std::uint32_t piece) {
 template <class Place>
 void add_pieces(const ArenaScene& arena_scene, const StrokePicture& stroke, std::uint32_t team, double thick,
                 Place place, std::vector<Instance>& out) {
-    const auto pieces = std::min(most_pieces, stroke.count - 1);
-    const auto number_of = [&](std::uint32_t piece) { return piece * (stroke.count - 1) / pieces; };
     const auto light = light_of(stroke, team);
-    for (std::uint32_t i = 0; i < pieces; ++i) {
-        if (is_gone(stroke, i)) continue;
-        const auto next = number_of(i + 1);
-        const double wide = thick * (1 + 0.5 * std::min(2.0, static_cast<double>(stroke.points[next].force)));
-        add_beam(arena_scene, place(number_of(i)), place(next), wide, light, out);
-    }
+    std::uint32_t piece = 0;
+    each_piece(stroke.count, most_pieces, place, [&](std::size_t from, std::size_t to) {
+        if (is_gone(stroke, piece++)) return;
+        const double wide = thick * (1 + 0.5 * std::min(2.0, static_cast<double>(stroke.points[to].force)));
+        add_beam(arena_scene, place(from), place(to), wide, light, out);
+    });
 }
 
 }  // namespace
@@ -56,13 +55,13 @@ void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const Pl
     const auto& stroke = p.casting.stroke;
     if (p.dead || stroke.count < 2) return;
     if (stroke.on_brew) {
-        const auto on_surface = [&](std::uint32_t i) { return vec3(stroke.places[i]); };
+        const auto on_surface = [&](std::size_t i) { return vec3(stroke.places[i]); };
         return add_pieces(arena_scene, stroke, number, 0.008, on_surface, out);
     }
     if (own) return;  // the player sees the stroke flat (casting_overlay.h)
     const vec3 tip = p.eye + look_rotation(p.yaw, p.pitch) * (wand_tip + vec3(0, 0, -0.1));
     const auto& begin = stroke.points[0];
-    const auto in_air = [&](std::uint32_t i) {
+    const auto in_air = [&](std::size_t i) {
         const auto& point = stroke.points[i];
         const vec3 way(point.x - begin.x, point.y - begin.y, point.z - begin.z);
         return tip + look_rotation(p.yaw, p.pitch) * (stroke_scale * way);

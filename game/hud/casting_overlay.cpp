@@ -7,6 +7,7 @@
 #include "game/hud/figures.h"
 #include "game/hud/likely_spell.h"
 #include "game/hud/overlay.h"
+#include "game/hud/stroke_picture.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 
@@ -30,6 +31,7 @@ const fvec4 grey_paint = colour(0xA8A4B0, 1.0F);
 /// Share of the view's shorter edge that a stroke of usual size fills, and the share that no stroke leaves.
 constexpr float usual_share = 0.34F, most_share = 0.66F;
 constexpr float usual_size = 0.08F;  // m
+constexpr std::size_t most_stroke_pieces = 160;
 
 /// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as the
 /// view needs.
@@ -133,17 +135,18 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     // A large text makes lines wider, but not so wide that they fill a small view.
     const float u = std::min(l.unit, static_cast<float>(std::min(l.view.width, l.view.height)) / 280);
     const auto* likely = likely_spell(casting, shown);
+    const auto at = [&](std::size_t i) { return page.at(stroke.points[i]); };
     const auto add = [&](float widen, float alpha) {
-        for (std::uint32_t i = 1; i < stroke.count; ++i) {
-            if (is_broken(stroke, i, age)) continue;
-            const float share = share_of(casting, stroke.points[i].force);
+        std::uint32_t piece = 0;
+        each_piece(stroke.count, most_stroke_pieces, at, [&](std::size_t from, std::size_t to) {
+            if (is_broken(stroke, ++piece, age)) return;
+            const float share = share_of(casting, stroke.points[to].force);
             auto paint = widen > 0 && likely != nullptr ? colour(likely->colour, 1)
                                                         : paint_of(stroke, player, widen > 0 ? 0 : share);
             paint.a = alpha * left;
             const float width = widen + std::max(2.0F, (1.8F + 3.6F * share) * u);
-            out.items.emplace_back(
-                LineItem{page.at(stroke.points[i - 1]), page.at(stroke.points[i]), width, paint});
-        }
+            out.items.emplace_back(LineItem{at(from), at(to), width, paint});
+        });
     };
     add(7 * u, likely != nullptr ? 0.6F : 0.25F);
     add(0, 0.95F);

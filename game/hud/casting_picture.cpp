@@ -14,13 +14,10 @@
 namespace thaum::game {
 namespace {
 
-/// Chooses points evenly, with the newest one.
-void choose_points(const DrawnStroke& stroke, StrokePicture& out) {
-    out.count = std::min<std::uint32_t>(stroke.count, StrokePicture::most_points);
-    for (std::uint32_t i = 0; i < out.count; ++i) {
-        const auto from = out.count == stroke.count ? i : i * (stroke.count - 1) / (out.count - 1);
-        out.points[i] = stroke.points[from];
-    }
+void take_points(const DrawnStroke& stroke, StrokePicture& out) {
+    out.count = stroke.count;
+    out.apart_s = stroke.every * gameplay_dt;
+    std::copy_n(stroke.points.begin(), stroke.count, out.points.begin());
     out.force_now = out.count > 0 ? static_cast<double>(out.points[out.count - 1].force) : 0;
     out.force_mean = mean_force_of(stroke);
 }
@@ -65,7 +62,7 @@ void take_stroke(const Simulation& match, ecs::Entity wizard, std::uint32_t play
     out.curve = match.world().has<Scrying>(wizard);
     if (drawn == nullptr || out.curve) return;
     out.on_brew = drawn->on_brew != 0;
-    choose_points(*drawn, out);
+    take_points(*drawn, out);
     take_chord(match, wizard, *drawn, out);
     find_places(match, wizard, out);
 }

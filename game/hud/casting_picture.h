@@ -28,18 +28,18 @@ inline constexpr double flash_apart_seconds = 0.4;
 
 /// The stroke that a wizard draws, or has just finished.
 struct StrokePicture {
-    static constexpr std::size_t most_points = 96;
+    static constexpr std::size_t most_points = most_drawn_points;
 
-    std::array<DrawnPoint, most_points>
-        points{};  ///< evenly chosen from the whole stroke, with its newest point
+    std::array<DrawnPoint, most_points> points{};
     std::uint32_t count{};
-    bool drawing{};        ///< Trace is held
-    bool on_brew{};        ///< the ladle draws
-    bool curve{};          ///< the hand draws a curve at the orb, which is no stroke of a spell
-    bool read{};           ///< the finished stroke was a gesture
-    double since_end_s{};  ///< time since the end of a finished stroke
-    double force_now{};    ///< force at the newest point (N)
-    double force_mean{};   ///< mean force along the stroke, which decides between gentle and harsh (N)
+    double apart_s = 0.008;  ///< time between two points
+    bool drawing{};          ///< Trace is held
+    bool on_brew{};          ///< the ladle draws
+    bool curve{};            ///< the hand draws a curve at the orb, which is no stroke of a spell
+    bool read{};             ///< the finished stroke was a gesture
+    double since_end_s{};    ///< time since the end of a finished stroke
+    double force_now{};      ///< force at the newest point (N)
+    double force_mean{};     ///< mean force along the stroke, which decides between gentle and harsh (N)
     bool chord{};  ///< a key chord has taken the stroke's place, and the forces are those of the chord
     /// The points on the brew (m, world); of a stroke of the ladle only.
     std::array<fvec3, most_points> places{};

@@ -7,16 +7,48 @@
 namespace thaum::game {
 namespace {
 
-/// Working memory, and the points of a stroke. They are chosen evenly in time, and only shares of time count.
+constexpr double check_s = 0.024;  // time of drawing from one answer to the next
+constexpr std::uint32_t none = gesture::LikelyGesture::none;
+
+bool is_same(const DrawnPoint& a, const DrawnPoint& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.force == b.force;
+}
+
+/// How far the answers along one stroke have come.
+struct Answers {
+    const GestureSet* gestures = nullptr;
+    double apart_s{};
+    std::uint32_t points{};  ///< number of points of the stroke at the last answer
+    DrawnPoint first{}, newest{};
+    std::uint32_t told = none;
+
+    /// Whether these answers are of that stroke as it was earlier.
+    bool are_of(const CastingPicture& casting) const {
+        const auto& stroke = casting.stroke;
+        return points > 0 && gestures == casting.gestures.get() && apart_s == stroke.apart_s &&
+               points <= stroke.count && is_same(stroke.points[0], first) &&
+               is_same(stroke.points[points - 1], newest);
+    }
+};
+
+/// Working memory. What it keeps of earlier pictures saves work, and changes no answer.
 struct LikelySpace {
     gesture::PrefixSpace prefix{};
     std::array<gesture::StrokePoint, StrokePicture::most_points> points{};
+    std::array<Answers, 2> answers{};  ///< of the strokes of both players, the last used one first
+
+    Answers& answers_of(const CastingPicture& casting) {
+        if (!answers[0].are_of(casting)) std::swap(answers[0], answers[1]);
+        if (!answers[0].are_of(casting))
+            answers[0] = {.gestures = casting.gestures.get(), .apart_s = casting.stroke.apart_s};
+        return answers[0];
+    }
 };
 
 gesture::Points points_of(const StrokePicture& stroke, LikelySpace& space) {
     for (std::uint32_t i = 0; i < stroke.count; ++i) {
         const auto& p = stroke.points[i];
-        space.points[i] = {static_cast<double>(i), vec3(p.x, p.y, p.z), p.force};
+        space.points[i] = {i * stroke.apart_s, vec3(p.x, p.y, p.z), p.force};
     }
     return gesture::Points(space.points).first(stroke.count);
 }
@@ -28,6 +60,24 @@ bool is_long_enough(gesture::Points stroke, double least) {
     return length >= least;
 }
 
+/// The gesture that is told now: the answers follow the stroke from its start, so that it depends on the stroke alone.
+std::uint32_t told_gesture(const CastingPicture& casting, LikelySpace& space) {
+    const auto& stroke = casting.stroke;
+    auto& answers = space.answers_of(casting);
+    const auto whole = points_of(stroke, space);
+    const auto every = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(check_s / stroke.apart_s + 0.5));
+    for (auto n = answers.points + every; n <= stroke.count; n += every) {
+        const auto so_far = whole.first(n);
+        answers.told = is_long_enough(so_far, casting.rules->smallest)
+                           ? casting.gestures->prefixes().tell(so_far, answers.told, space.prefix)
+                           : none;
+        answers.points = n;
+        answers.first = stroke.points[0];
+        answers.newest = stroke.points[n - 1];
+    }
+    return answers.told;
+}
+
 }  // namespace
 
 const SpellPresentation* likely_spell(const CastingPicture& casting, const Presentation& shown) {
@@ -35,11 +85,9 @@ const SpellPresentation* likely_spell(const CastingPicture& casting, const Prese
     if (!stroke.drawing || stroke.on_brew || stroke.curve || stroke.chord || !casting.gestures)
         return nullptr;
     thread_local const auto space = std::make_unique<LikelySpace>();
-    const auto points = points_of(stroke, *space);
-    if (!is_long_enough(points, casting.rules->smallest)) return nullptr;
-    const auto likely = casting.gestures->prefixes().read(points, space->prefix);
-    if (likely.probability < gesture::likely_enough) return nullptr;
-    const auto name = casting.gestures->name(likely.gesture);
+    const auto told = told_gesture(casting, *space);
+    if (told == none) return nullptr;
+    const auto name = casting.gestures->name(told);
     const auto found = std::find_if(shown.spells.begin(), shown.spells.end(),
                                     [&](const auto& s) { return s.gesture == name; });
     return found == shown.spells.end() ? nullptr : &*found;

@@ -6,8 +6,9 @@
 
 namespace thaum::game {
 
-/// The likely spell of the stroke that is being drawn; null as long as it is not clear, or if no spell is meant. Uses
-/// memory of the calling thread, and allocates only at the thread's first stroke.
+/// The likely spell of the stroke that is being drawn; null as long as it is not clear, or if no spell is meant. It depends
+/// on the stroke alone, not on when it was asked for before. Uses memory of the calling thread, and allocates only at the
+/// thread's first stroke.
 const SpellPresentation* likely_spell(const CastingPicture& casting, const Presentation& shown);
 
 }  // namespace thaum::game

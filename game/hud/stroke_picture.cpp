@@ -42,14 +42,13 @@ StrokeFit fit_stroke(gesture::Points stroke, const Panel& box, double least_size
 }
 
 void add_stroke(render::Overlay& out, gesture::Points stroke, const StrokeFit& fit, const StrokeLook& look) {
-    const std::size_t stride = stroke.size() / most_stroke_lines + 1;
-    for (std::size_t i = 0; i + 1 < stroke.size(); i += stride) {
-        const auto& next = stroke[std::min(i + stride, stroke.size() - 1)];
-        const fvec4 colour =
-            look.by_force ? fvec4(force_colour(next.force / (2 * gesture::harsh_force)), 1) : look.colour;
+    const auto at = [&](std::size_t i) { return stroke[i].at; };
+    each_piece(stroke.size(), most_stroke_lines, at, [&](std::size_t from, std::size_t to) {
+        const double share = stroke[to].force / (2 * gesture::harsh_force);
+        const fvec4 colour = look.by_force ? fvec4(force_colour(share), 1) : look.colour;
         out.items.push_back(
-            render::LineItem{on_screen(fit, stroke[i].at), on_screen(fit, next.at), look.width, colour});
-    }
+            render::LineItem{on_screen(fit, at(from)), on_screen(fit, at(to)), look.width, colour});
+    });
 }
 
 void add_ghost(render::Overlay& out, gesture::Points stroke, const Panel& box, fvec4 colour, float width) {

@@ -3,7 +3,9 @@
 
 #include "core/text.h"
 #include "game/hud/likely_spell.h"
+#include "game/hud/stroke_picture.h"
 #include "game/hud/stroke_words.h"
+#include "gesture/generated_users.h"
 #include "gesture/prefix.h"
 #include "unit/hud_rig.h"
 
@@ -357,19 +359,74 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     }
 }
 
+/// Longest line of a drawn circle whose hand rests in the middle for some points (px).
+float longest_line(std::uint32_t rest) {
+    auto picture = new_casting_picture();
+    auto& casting = picture.wizards[0].casting;
+    casting.gestures.reset();
+    auto& stroke = casting.stroke;
+    stroke.drawing = true;
+    stroke.count = 100 + rest;
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+        const std::uint32_t moved = i < 50 ? i : std::max(50U, i - std::min(i, rest));
+        const float angle = 0.0628F * static_cast<float>(moved);
+        stroke.points[i] = {0.04F * std::sin(angle), 0.04F * std::cos(angle), 0, 1};
+    }
+    render::Overlay out;
+    lines_of_stroke(casting, *lay_out({}, {1280, 720}, 5).views[0], out);
+    float longest = 0;
+    for (const auto& item : out.items) {
+        if (const auto* line = std::get_if<render::LineItem>(&item))
+            longest = std::max(longest, glm::distance(line->from, line->to));
+    }
+    return longest;
+}
+
+TEST(StrokeTrail, IsDrawnAsItWasHoweverLongAHandRests) {
+    EXPECT_LT(longest_line(412), 1.3F * longest_line(0));
+}
+
+TEST(StrokePicture, HasPiecesOfEqualLengthOfALongStroke) {
+    std::vector<float> longest;
+    for (const std::size_t rest : {0U, 5000U}) {  // of 3,000 points that go evenly along a line
+        const auto at = [&](std::size_t i) {
+            return fvec2(static_cast<float>(i < 1500 ? i : i < 1500 + rest ? 1500 : i - rest), 0);
+        };
+        longest.push_back(0);
+        std::size_t pieces = 0, next = 0;
+        each_piece(3000 + rest, 100, at, [&](std::size_t from, std::size_t to) {
+            EXPECT_EQ(from, next);
+            next = to;
+            ++pieces;
+            longest.back() = std::max(longest.back(), glm::distance(at(from), at(to)));
+        });
+        EXPECT_EQ(next, 2999 + rest) << "the newest point is there";
+        EXPECT_LE(pieces, 101U);
+    }
+    EXPECT_EQ(longest[0], longest[1]);
+}
+
+/// Draws points as a match keeps them: one in each gameplay tick, in a long stroke one in every second, and so on.
+void draw_points(StrokePicture& stroke, gesture::Points points) {
+    stroke.drawing = true;
+    stroke.count = 0;
+    stroke.apart_s = gameplay_dt;
+    const double lasts = points.back().t - points[0].t;
+    while (lasts >= stroke.apart_s * (StrokePicture::most_points - 1)) stroke.apart_s *= 2;
+    std::size_t i = 0;
+    for (double t = points[0].t; t <= points.back().t; t += stroke.apart_s) {
+        while (i + 1 < points.size() && points[i].t < t) ++i;
+        const auto& p = points[i];
+        stroke.points.at(stroke.count++) = {static_cast<float>(p.at.x), static_cast<float>(p.at.y),
+                                            static_cast<float>(p.at.z), static_cast<float>(p.force)};
+    }
+}
+
 /// Puts the first share of a recorded stroke of a gesture into the picture, as if the player were drawing it.
 void draw_part(CastingPicture& casting, std::string_view gesture, double share) {
     const auto& points = casting.gestures->gestures()[gesture_number(casting, gesture)].strokes[0];
     const auto part = gesture::beginning_of(points, share);
-    auto& stroke = casting.stroke;
-    stroke.drawing = true;
-    stroke.count =
-        std::min<std::uint32_t>(static_cast<std::uint32_t>(part.size()), StrokePicture::most_points);
-    for (std::uint32_t i = 0; i < stroke.count; ++i) {
-        const auto& p = part[i * (part.size() - 1) / (stroke.count - 1)];
-        stroke.points[i] = {static_cast<float>(p.at.x), static_cast<float>(p.at.y),
-                            static_cast<float>(p.at.z), static_cast<float>(p.force)};
-    }
+    draw_points(casting.stroke, part);
 }
 
 TEST(LikelySpell, IsToldFromHalfOfItsStroke) {
@@ -378,6 +435,57 @@ TEST(LikelySpell, IsToldFromHalfOfItsStroke) {
     for (const auto& spell : picture.shown->spells) {
         draw_part(casting, spell.gesture, 0.5);
         EXPECT_EQ(likely_spell(casting, *picture.shown), &spell) << spell.name;
+    }
+}
+
+TEST(LikelySpell, StaysOnceItIsTold) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    double told = 0, changes = 0, all = 0;
+    const auto strokes = gesture::generated_strokes({.users = 6, .samples = 1, .seed = 5});
+    for (const auto& stroke : strokes) {
+        const SpellPresentation* before = nullptr;
+        for (double share = 0.3; share <= 1; share += 0.025) {
+            draw_points(casting.stroke, gesture::beginning_of(stroke.points, share));
+            const auto* now = likely_spell(casting, *picture.shown);
+            changes += before != nullptr && now != before;
+            told += now != nullptr;
+            all += 1;
+            before = now;
+        }
+    }
+    EXPECT_GE(told / all, 0.83);
+    EXPECT_LE(changes / static_cast<double>(strokes.size()), 0.15);
+}
+
+TEST(LikelySpell, DependsOnTheStrokeAlone) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting, other = casting;
+    for (const auto& stroke : gesture::generated_strokes({.users = 2, .samples = 1, .seed = 9})) {
+        const SpellPresentation* followed = nullptr;
+        for (double share = 0.02; share <= 0.7; share += 0.02) {
+            draw_points(casting.stroke, gesture::beginning_of(stroke.points, share));
+            followed = likely_spell(casting, *picture.shown);
+            draw_part(other, "star", share);
+            likely_spell(other, *picture.shown);
+        }
+        for (const auto* gesture : {"circle", "v"}) {  // the memory forgets the stroke
+            draw_part(other, gesture, 0.5);
+            likely_spell(other, *picture.shown);
+        }
+        EXPECT_EQ(likely_spell(casting, *picture.shown), followed);
+    }
+}
+
+TEST(LikelySpell, IsToldThroughARest) {
+    const auto picture = new_casting_picture();
+    auto casting = picture.wizards[0].casting;
+    for (const auto& spell : picture.shown->spells) {
+        draw_part(casting, spell.gesture, 0.5);
+        auto& stroke = casting.stroke;
+        for (int i = 0; i < 125; ++i, ++stroke.count)
+            stroke.points.at(stroke.count) = stroke.points[stroke.count - 1];
+        EXPECT_EQ(likely_spell(casting, *picture.shown), &spell) << spell.name << " after a second of rest";
     }
 }
 
