@@ -36,6 +36,9 @@ public:
     /// Number in a cell of the row. What is no finite number is a fault; in no_column there is 0.
     double number(std::size_t column);
 
+    /// Line in which the row begins, from 1.
+    std::size_t line() const { return line_; }
+
     /// Notes a fault at the present row.
     void report(std::string_view what);
     bool good() const { return !fault_.has_value(); }

@@ -39,7 +39,7 @@ struct Recognition {
     std::uint32_t runner_up = none;  ///< nearest gesture of another shape; none if no other was compared
     float distance{};                ///< elastic distance of the nearest gesture
     float runner_up_distance{};
-    Evidence evidence{};   ///< for a calibration with labelled strokes
+    Evidence evidence{};   ///< evidence for a calibration with labelled strokes
     double probability{};  ///< probability that the stroke, drawn on purpose, was meant as `gesture`, 0 to 1
     /// The same if every second stroke meant nothing. It decides whether a stroke is accepted.
     double even_probability{};
@@ -189,10 +189,10 @@ private:
 
     RecogniserSettings settings_;
     std::vector<std::string> names_;
-    std::vector<GestureOptions> options_;            ///< with the force bands filled in
+    std::vector<GestureOptions> options_;            ///< options of each gesture, their force bands filled in
     std::vector<std::uint32_t> strokes_of_;          ///< number of recorded strokes of each gesture
     std::vector<double> template_force_;             ///< mean force of the templates of each gesture
-    std::vector<std::vector<std::uint32_t>> twins_;  ///< of each gesture
+    std::vector<std::vector<std::uint32_t>> twins_;  ///< gestures that force alone tells from each gesture
     std::vector<Template> templates_;
     std::vector<float> values_;
     std::vector<FineShape> fine_;       ///< fine shape of each template

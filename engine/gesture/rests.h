@@ -17,12 +17,13 @@ namespace thaum::gesture {
 
 /// Longest time at one place that is a part of the stroke (s).
 inline constexpr double longest_halt = 0.2;
-/// Way from the middle of a rest within which the hand rests (share of the largest of the stroke's width, height, depth).
+/// Distance from the middle of a rest within which the hand rests, as a share of the largest of the stroke's width, height
+/// and depth.
 inline constexpr double rest_reach = 0.02;
 
 /// Points of a stroke from one rest to the next.
 struct MovingPart {
-    std::size_t first{}, last{};  ///< numbers of its points, both included
+    std::size_t first{}, last{};  ///< numbers of its first and last point
     double earlier{};             ///< time of the rests before it that is left out (s)
 };
 
@@ -42,12 +43,12 @@ struct MovingParts {
 /// Points that stay near one place.
 template <class Vec>
 struct Run {
-    std::size_t first{}, last{};
-    Vec middle{};
+    std::size_t first{}, last{};  ///< numbers of its points, both included
+    Vec middle{};                 ///< place near which they stay
 };
 
-/// Finds runs in a stroke. A stroke has `size()`, `place(i)`, a vector, `t(i)` (s), and `may_rest(i)`, false where surely no
-/// rest begins.
+/// Finds runs in a stroke. A stroke has `size()`, `place(i)`, which is a vector, `t(i)` (s), and `may_rest(i)`, which is false
+/// where surely no rest begins.
 template <class Stroke>
 class RunFinder {
 public:
@@ -98,7 +99,7 @@ public:
 
 private:
     Rest run_from(std::size_t first) const {
-        constexpr int points_of_middle = 16;  // whose mean is the middle of the run
+        constexpr int points_of_middle = 16;  // number of points whose mean is the middle of the run
         Rest run{first, first, stroke_.place(first)};
         for (int count = 1; run.last + 1 < stroke_.size();) {
             const std::size_t next = run.last + 1;
@@ -127,7 +128,7 @@ private:
     }
 
     const Stroke& stroke_;
-    Real square_;  ///< square of the way within which the hand rests
+    Real square_;  ///< square of the distance from the middle within which the hand rests
 };
 
 /// The moving parts of a stroke; one of all points if it has no rest, or nothing else.

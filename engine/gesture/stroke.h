@@ -27,6 +27,7 @@ struct Stroke {
     std::string gesture;
     std::string sample;  ///< tells strokes of one user and gesture apart
     std::vector<StrokePoint> points;
+    std::size_t line{};  ///< line of its first point in the file that it was read from, from 1; 0: none
 };
 
 /// Parts of a point that a recogniser may use.

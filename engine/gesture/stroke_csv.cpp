@@ -55,7 +55,7 @@ Expected<StrokeSet> read_strokes(std::string_view csv, std::string_view name) {
             table.cell(sample) != key[2]) {
             key = {name_in(table, user), name_in(table, gesture), name_in(table, sample)};
             at = places.try_emplace(key, set.strokes.size()).first->second;
-            if (at == set.strokes.size()) set.strokes.push_back({key[0], key[1], key[2], {}});
+            if (at == set.strokes.size()) set.strokes.push_back({key[0], key[1], key[2], {}, table.line()});
             if (set.strokes.size() > most_csv_strokes) table.report("too many strokes");
         }
         const auto p = point_of(table, columns);

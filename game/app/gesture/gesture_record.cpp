@@ -1,5 +1,7 @@
 // thaum gesture record: writes strokes that a hand draws now, of a recorded match, or of a file of strokes, as a gesture
 // file.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "core/file.h"
@@ -68,14 +70,32 @@ Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) 
     return recorder.strokes();
 }
 
-Expected<Courses> strokes_of_file(const std::string& path, const std::string& name) {
+/// Why a stroke of a file cannot be a template; empty: it can.
+std::string fault_in_file(gesture::Points stroke) {
+    constexpr double largest = 1e9;  // the largest number of a gesture's file
+    const auto large = [](const gesture::StrokePoint& p) {
+        return std::max({std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z), std::abs(p.force)}) > largest;
+    };
+    if (stroke.size() < 2) return "a stroke needs two points or more";
+    if (std::any_of(stroke.begin(), stroke.end(), large)) return "the stroke has a number beyond 1e9";
+    const auto same = [&](const gesture::StrokePoint& p) { return p.at == stroke[0].at; };
+    if (std::all_of(stroke.begin(), stroke.end(), same)) return "all points of the stroke are at one place";
+    return {};
+}
+
+/// The newest strokes of a gesture in a file, at most `count`.
+Expected<Courses> strokes_of_file(const std::string& path, const std::string& name, std::size_t count) {
     const auto set = load_strokes(path);
     if (!set) return set.error();
     Courses courses;
-    for (const auto& stroke : set->strokes) {
-        if (stroke.gesture == name) courses.push_back(stroke.points);
+    for (auto stroke = set->strokes.rbegin(); stroke != set->strokes.rend(); ++stroke) {
+        if (stroke->gesture != name || courses.size() == count) continue;
+        if (const auto fault = fault_in_file(stroke->points); !fault.empty())
+            return fail(text(path, ":", stroke->line, ": ", fault));
+        courses.push_back(stroke->points);
     }
     if (courses.empty()) return fail(text(path, ": no stroke of the gesture '", name, "'"));
+    std::reverse(courses.begin(), courses.end());
     return courses;
 }
 
@@ -99,7 +119,7 @@ Expected<gesture::Gesture> read_gesture_words(const Arguments& arguments) {
     gesture.options.planar = arguments.has("--planar");
     gesture.options.rotation = *turn * radians_per_degree;
     const auto courses = log    ? strokes_of_log(*log, static_cast<std::uint32_t>(*player - 1))
-                         : file ? strokes_of_file(*file, gesture.name)
+                         : file ? strokes_of_file(*file, gesture.name, *count)
                                 : draw_strokes({.name = gesture.name,
                                                 .count = *count,
                                                 .device = arguments.value("--device").value_or("mouse")});
@@ -146,7 +166,8 @@ int run_gesture_record(const std::vector<std::string>& words) {
     const auto file = text_of(*gesture, out);
     if (!file) return refuse(file.error());
     if (const auto written = write_text_file(out, *file); !written) return refuse(written.error());
-    std::printf("%zu strokes of '%s'\n", gesture->strokes.size(), gesture->name.c_str());
+    const auto count = gesture->strokes.size();
+    std::printf("%zu %s of '%s'\n", count, count == 1 ? "stroke" : "strokes", gesture->name.c_str());
     return done;
 }
 

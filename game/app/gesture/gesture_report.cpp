@@ -21,6 +21,27 @@ std::string cell(const std::string& words, std::size_t width) {
 
 std::string short_name(const std::string& name) { return printable(name, 60).substr(0, 8); }
 
+/// A number of things: "1 stroke", "3 strokes".
+std::string number_of(std::size_t count, std::string_view thing) {
+    return text(count, " ", thing, count == 1 ? "" : "s");
+}
+
+/// Of how many trials the accuracy is: strokes of gestures without templates are no part of it.
+std::string trials_text(const GestureReport& r) {
+    const auto& trials = r.evaluation.trials;
+    const auto known = static_cast<std::size_t>(
+        std::count_if(trials.begin(), trials.end(), [](const auto& trial) { return trial.known; }));
+    if (!r.evaluation.open_set) return number_of(known, "trial");
+    return text(number_of(known, "trial"), " of known gestures; ", trials.size() - known, " of unknown ones");
+}
+
+/// How often the early answer is told, and then right.
+std::string certainty_text(const gesture::Certainty& certainty) {
+    if (!(certainty.told > 0)) return "in none of the trials";
+    return text(share_text(certainty.told), " of the trials, of which ", share_text(certainty.right),
+                " are right");
+}
+
 std::string confusion_text(const Evaluation& e) {
     std::string out = "\nconfusion (row: drawn, column: recognised)\n" + cell("", 9);
     for (const auto& name : e.gestures) out += cell(short_name(name), 9);
@@ -133,14 +154,13 @@ std::string reliability_svg(const Evaluation& e) {
 std::string report_text(const GestureReport& r) {
     const auto& e = r.evaluation;
     std::string out =
-        text(r.file, ": ", r.strokes, " strokes, ", e.gestures.size(), " gestures, ", r.users,
-             r.users == 1 ? " user\n" : " users\n", "method ", r.method, ", protocol ", r.protocol, ", ",
-             r.templates, " templates a gesture, ", r.repeats, " repeats, channels ", r.channels, "\n\n");
-    out += text("accuracy            ", share_text(e.accuracy), " of ", e.trials.size(), " trials",
+        text(r.file, ": ", number_of(r.strokes, "stroke"), ", ", number_of(e.gestures.size(), "gesture"),
+             ", ", number_of(r.users, "user"), "\nmethod ", r.method, ", protocol ", r.protocol, ", ",
+             number_of(r.templates, "template"), " a gesture, ", number_of(r.repeats, "repeat"),
+             ", channels ", r.channels, "\n\n");
+    out += text("accuracy            ", share_text(e.accuracy), " of ", trials_text(r),
                 r.at < 1 ? text(", from the first ", share_text(r.at, 0), " of each stroke") : "", "\n");
-    if (r.certainty)
-        out += text("told early          ", share_text(r.certainty->told), " of the trials, of which ",
-                    share_text(r.certainty->right), " are right\n");
+    if (r.certainty) out += text("told early          ", certainty_text(*r.certainty), "\n");
     out += text("time                ", fixed(r.median_us, 2), " us a recognition (p99 ", fixed(r.p99_us, 2),
                 ")\n");
     out += text("calibration error   ", fixed(e.calibration_error, 4), " fitted to other groups\n");
@@ -170,7 +190,9 @@ std::string report_json(const GestureReport& r) {
               {"us_per_recognition", {{"median", r.median_us}, {"p99", r.p99_us}}},
               {"calibration_error", e.calibration_error}};
     if (r.at < 1) json.set("at", r.at);
-    if (r.certainty) json.set("told_early", {{"right", r.certainty->right}, {"told", r.certainty->told}});
+    if (r.certainty && r.certainty->told > 0)
+        json.set("told_early", {{"right", r.certainty->right}, {"told", r.certainty->told}});
+    if (r.certainty && !(r.certainty->told > 0)) json.set("told_early", {{"told", 0}});
     if (r.has_own_calibration) json.set("calibration_error_from_templates", r.own_calibration_error);
     if (e.open_set)
         json.set("open_set", {{"correct_accepts", e.open_set->correct_accepts},
@@ -189,7 +211,7 @@ std::string report_svg(const GestureReport& r) {
                 "<style>svg{background:#fff}.right{fill:#1f6f8b}.wrong{fill:#c8402f}",
                 ".frame{fill:none;stroke:#777}line{stroke:#777;stroke-dasharray:4}</style>\n") +
            words_at(margin, 20, "start",
-                    text(r.method, ", ", r.protocol, ", ", r.templates, " templates a gesture: ",
+                    text(r.method, ", ", r.protocol, ", ", number_of(r.templates, "template"), " a gesture: ",
                          share_text(r.evaluation.accuracy), " right, ", fixed(r.median_us, 2), " us")) +
            confusion_svg(r.evaluation) + reliability_svg(r.evaluation) + "</svg>\n";
 }
