@@ -66,4 +66,16 @@ tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" '
 [ "$tapped" = 1 ] || fail "five presses did not pour what five steps pour, or poured on"
 "$thaum" lab --fluid --headless --stir none --load "$folder/brew" --seconds 0.1 >"$folder/said" || fail "the state does not load"
 grep -q '32 cells across, thaum, bowl' "$folder/said" || fail "another solver or grid than was chosen"
+# A signal ends the lab as its window's close does.
+for room in --fluid "sphere --count 32"; do
+    rm -f "$folder"/trace.csv*
+    # shellcheck disable=SC2086
+    "$thaum" lab $room --size 640x360 --trace "$folder/trace.csv" --seconds 600 >"$folder/said" 2>&1 &
+    lab=$!
+    eventually "no window" drawn
+    kill -TERM "$lab"
+    wait "$lab" || fail "the exit code after a signal"
+    grep -q '^time_s,' "$folder/trace.csv" || fail "a signal loses the trace of lab $room"
+    grep -q 'ended by a signal' "$folder/said" || fail "no word of the signal"
+done
 echo "stirred, changed, saved and loaded by mouse and keys"
