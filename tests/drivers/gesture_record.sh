@@ -32,8 +32,14 @@ circle() {
 # record WORDS...: starts the program, with its window.
 record() { "$thaum" gesture record "$@" >"$folder/said" 2>&1 & program=$!; eventually "no window" drawn; before=$(picture 600x60+340+30); }
 
-# 1. Four strokes by mouse, of which one is taken back.
+# 1. Four strokes by mouse, of which one is taken back. A click before them is no stroke, and the window says so.
 record circle --closed --any-direction --rotation 180 --planar --out "$folder/circle.toml"
+note() { [ "$(import -window root -crop 900x30+190+98 -format %k info: 2>/dev/null)" -gt 10 ]; }
+! note || fail "a note before the first stroke"
+xdotool mousedown 1 sleep 0.3 mouseup 1
+eventually "no word of a click" note
+import -window root "${SHOTS:-$folder}/gesture_record_click.png"
+! changed || fail "a click was counted"
 circle 1
 counts
 circle 3

@@ -70,7 +70,7 @@ void fill(render::Frame& frame, const StrokeDesk& desk, render::Size size) {
         game::add_stroke(out, open, {open.front().at, middle, scale}, {.width = 6 * unit, .by_force = true});
     game::add_text(out, desk.title(), {0.5F * width, 0.05F * height}, 30 * unit, game::paints.white,
                    render::Align::centre);
-    game::add_text(out, desk.note(), {0.5F * width, 0.11F * height}, 22 * unit, game::paints.amber,
+    game::add_text(out, desk.note(), {0.5F * width, 0.14F * height}, 22 * unit, game::paints.amber,
                    render::Align::centre);
     game::add_text(out, desk.advice(), {0.5F * width, 0.93F * height}, 20 * unit, game::paints.soft,
                    render::Align::centre);
