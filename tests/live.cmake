@@ -1,5 +1,5 @@
 thaum_test(test_hud
-    SOURCES unit/brew_look_test.cpp unit/hud_anchor_test.cpp unit/hud_carried_test.cpp unit/hud_casting_test.cpp unit/hud_contrast_test.cpp unit/hud_layout_test.cpp unit/hud_moments_test.cpp unit/hud_pictures_test.cpp unit/hud_prompts_test.cpp unit/hud_rim_test.cpp unit/hud_station_card_test.cpp unit/hud_stations_test.cpp unit/ingredient_shapes_test.cpp
+    SOURCES unit/brew_look_test.cpp unit/hud_anchor_test.cpp unit/hud_carried_test.cpp unit/hud_casting_test.cpp unit/hud_contrast_test.cpp unit/hud_layout_test.cpp unit/hud_moments_test.cpp unit/hud_pictures_test.cpp unit/hud_prompts_test.cpp unit/hud_rim_test.cpp unit/hud_station_card_test.cpp unit/hud_stations_test.cpp unit/ingredient_shapes_test.cpp unit/likely_spell_test.cpp
         unit/hud_test.cpp unit/picture_test.cpp
     LINK thaum_hud
     NOT_SANITIZED IngredientShapes.DifferInOutline*)

@@ -33,8 +33,8 @@ constexpr float usual_share = 0.34F, most_share = 0.66F;
 constexpr float usual_size = 0.08F;  // m
 constexpr std::size_t most_stroke_pieces = 160;
 
-/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as the
-/// view needs.
+/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as its page
+/// in the view needs.
 struct Page {
     fvec2 centre{}, shift{};
     float scale{};  ///< px per m
@@ -53,10 +53,13 @@ Page page_of(const StrokePicture& stroke, const ViewLayout& l) {
     Page page{.centre = l.centre,
               .shift = fvec2(stroke.points[0].x, -stroke.points[0].y),
               .scale = usual_share * edge / usual_size};
-    const float size = std::max(high.x - low.x, high.y - low.y);
-    page.scale = std::min(page.scale, most_share * edge / std::max(size, 1e-6F));
-    const float half = most_share * edge / page.scale / 2;
-    page.shift = glm::clamp(page.shift, high - half, glm::max(low + half, high - half));
+    const float glow = 6 * l.unit, most = most_share * edge / 2;  // px
+    const fvec2 before = glm::min(l.centre - l.page.low - glow, fvec2(most)),
+                after = glm::min(l.page.high - l.centre - glow, fvec2(most)), room = before + after;
+    const fvec2 extent = glm::max(high - low, fvec2(1e-6F));
+    page.scale = std::min({page.scale, room.x / extent.x, room.y / extent.y});
+    const fvec2 least = high - after / page.scale;
+    page.shift = glm::clamp(page.shift, least, glm::max(low + before / page.scale, least));
     return page;
 }
 
@@ -100,27 +103,25 @@ void add_gesture_icon(Overlay& out, const gesture::Gesture& gesture, fvec2 middl
     out.items.emplace_back(ArcItem{at(0), 0, 1.4F * width, 0, whole_turn, paint});
 }
 
-/// Adds the gesture and the name of the likely spell beside the end of the stroke, on the side away from its middle, where
-/// the hand has not drawn.
-void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell, const Page& page,
-                const ViewLayout& l, float u) {
-    const auto& stroke = casting.stroke;
+/// Adds the gesture and the name of the likely spell on a plate in their panel.
+void add_likely(Overlay& out, const CastingPicture& casting, const SpellPresentation& spell,
+                const ViewLayout& l) {
     const auto number = casting.gestures->number(spell.gesture);
-    if (!number) return;
-    const fvec2 pen = page.at(stroke.points[stroke.count - 1]);
-    const float apart = 30 * u, half = 17 * u;
-    const fvec2 low(l.view.x, l.view.y), size(l.view.width, l.view.height);
-    fvec2 sum(0);
-    for (std::uint32_t i = 0; i < stroke.count; ++i) sum += page.at(stroke.points[i]);
-    const fvec2 out_of_it = pen - sum / static_cast<float>(stroke.count);
-    const fvec2 aside = pen + out_of_it * (apart / std::max(glm::length(out_of_it), 1.0F));
-    const fvec2 middle = glm::clamp(aside, low + fvec2(half), low + size - fvec2(half));
-    const auto paint = opaque(colour(spell.colour, 1));
-    out.items.emplace_back(
-        RectItem{middle - fvec2(half), middle + fvec2(half), colour(0x120E1A, 0.72F), 5 * u});
-    add_gesture_icon(out, casting.gestures->gestures()[*number], middle - fvec2(0, 4 * u), 17 * u, paint);
-    add_text_in(out, {middle + fvec2(-half, 6 * u), middle + fvec2(half, half)}, spell.shown, 9 * u, paint,
-                Align::centre);
+    const auto& box = l.likely;
+    const float high = box.high.y - box.low.y;
+    if (!number || !(high > 0)) return;
+    const float inset = 5 * l.unit, icon = high - inset;
+    const float room = box.high.x - box.low.x - icon - 3 * inset;
+    const auto words = fit(spell.shown, 13 * l.unit, {room, high});
+    const float wide = std::min(room, width_of(spell.shown, words.size));
+    const fvec2 middle = (box.low + box.high) / 2.0F, half(0.5F * (icon + wide + 3 * inset), high / 2);
+    out.items.emplace_back(RectItem{middle - half, middle + half, paints.plate, inset});
+    const float left = middle.x - half.x + inset;
+    add_gesture_icon(out, casting.gestures->gestures()[*number], {left + icon / 2, middle.y}, 0.8F * icon,
+                     opaque(colour(spell.colour, 1)));
+    const fvec2 corner(left + icon + inset, middle.y - words.height() / 2);
+    add_text_in(out, {corner, corner + fvec2(room, words.height() + 1)}, spell.shown, words.size,
+                paints.white, Align::left);
 }
 
 }  // namespace
@@ -135,6 +136,7 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     // A large text makes lines wider, but not so wide that they fill a small view.
     const float u = std::min(l.unit, static_cast<float>(std::min(l.view.width, l.view.height)) / 280);
     const auto* likely = likely_spell(casting, shown);
+    if (likely != nullptr) add_likely(out, casting, *likely, l);
     const auto at = [&](std::size_t i) { return page.at(stroke.points[i]); };
     const auto add = [&](float widen, float alpha) {
         std::uint32_t piece = 0;
@@ -150,7 +152,6 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     };
     add(7 * u, likely != nullptr ? 0.6F : 0.25F);
     add(0, 0.95F);
-    if (likely != nullptr) add_likely(out, casting, *likely, page, l, u);
     if (stroke.drawing)
         out.items.emplace_back(
             ArcItem{page.at(stroke.points[stroke.count - 1]), 0, 4.5F * u, 0, whole_turn, paints.white});

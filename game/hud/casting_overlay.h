@@ -10,8 +10,8 @@ void add_free_trail(render::Overlay& out, const CastingPicture& casting, std::ui
                     const ViewLayout& l);
 
 /// Adds the stroke of a hand that draws in the air, round the crosshair. It is the wider and the brighter the more
-/// force it has. As soon as its spell is clear, its glow takes the spell's colour, and the spell's gesture and name
-/// follow its end. A finished stroke fades: green if it was read, grey and broken if not.
+/// force it has. As soon as its spell is clear, its glow takes the spell's colour, and the spell's gesture and name stand
+/// above the ring. A finished stroke fades: green if it was read, grey and broken if not.
 void add_stroke(render::Overlay& out, const CastingPicture& casting, const Presentation& shown,
                 std::uint32_t player, const ViewLayout& l);
 

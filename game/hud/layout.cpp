@@ -21,6 +21,7 @@ constexpr float line = 20;                                  // height of a line 
 constexpr float under_notices = under_score + 2 * line + edge;  // below notices that are below the score
 constexpr float lesson_words = 14;                              // em of the words of a lesson
 constexpr float ring_least = 26, ring_most = 66;
+constexpr float likely_least = 14;  // height of the likely spell above the ring
 
 // A tall view has its messages above the corner panels, a flat one between them.
 constexpr float tall_least_high = 400, tall_least_wide = 236;
@@ -78,7 +79,8 @@ struct InUnits {
     float wide{}, high{};
     bool tall{};
 
-    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{}, aside{};
+    Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{}, aside{}, likely{},
+        page{};
     float ring{}, columns{};
 };
 
@@ -97,18 +99,24 @@ void place_corners(const Arrangement& how, std::size_t wands, InUnits& out) {
     out.columns = strip.columns;
 }
 
+/// Bottom of what stands in the middle at the top of a view.
+float bottom_of_head(const Arrangement& how) {
+    return how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
+}
+
 /// The ring, and the messages below it.
 void place_middle(const Arrangement& how, InUnits& out) {
     const float w = out.wide, h = out.high;
     const float floor = how.upper() ? score_half_high + 3 : 0;  // height that the score takes at the bottom
     const float corners = std::min(out.name.low.y, out.strip.low.y);
     const float bottom = (out.tall ? corners : h - floor) - edge / 2;
-    const float above = how.beside() ? under_notices : how.alone ? under_score : edge + 2 * line;
+    const float above = bottom_of_head(how);
     const float aside =
         out.tall ? w / 2 - edge : std::min(w / 2 - left_column, out.strip.low.x - edge - w / 2);
     const float least = (how.cards && out.tall ? 6 : 2) * line;  // height of the messages
-    out.ring = std::clamp(std::min({h / 2 - above - edge / 2, bottom - h / 2 - edge - least, aside}),
-                          ring_least, ring_most);
+    out.ring =
+        std::clamp(std::min({h / 2 - above - edge / 2 - likely_least, bottom - h / 2 - edge - least, aside}),
+                   ring_least, ring_most);
     const float top = h / 2 + out.ring + edge / 2;
     out.messages = out.tall ? Panel{{edge, std::max(top, bottom - messages_high)}, {w - edge, bottom}}
                             : Panel{{left_column, top}, {out.strip.low.x - edge, bottom}};
@@ -179,6 +187,18 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
+/// The likely spell above the ring, and the page of strokes round it, which ends above two lines of messages.
+void place_strokes(const Arrangement& how, InUnits& out) {
+    constexpr float most_high = 24, captions = 2 * 1.4F * 15;
+    const fvec2 middle(out.wide / 2, out.high / 2);
+    const float head = bottom_of_head(how), bottom = middle.y - out.ring - edge / 2;
+    const float half = out.ring + edge / 2, top = std::max(head, bottom - most_high);
+    if (bottom - top >= likely_least - 0.01F)
+        out.likely = {{middle.x - half, top}, {middle.x + half, bottom}};
+    out.page = {{edge, std::min(head, middle.y - out.ring)},
+                {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
+}
+
 /// Room right of the ring, left of the figure and of the strip.
 void place_aside(const Arrangement& how, InUnits& out) {
     constexpr float least_wide = 180, least_high = 48;
@@ -202,6 +222,7 @@ InUnits in_units(const Arrangement& how, fvec2 size, std::size_t wands, bool cur
     place_heard(how, out);
     place_figure(how, out);
     place_aside(how, out);
+    place_strokes(how, out);
     return out;
 }
 
@@ -228,7 +249,9 @@ ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float u
             .forces = box(units.forces),
             .figure = box(units.figure),
             .aside = box(units.aside),
-            .heard = box(units.heard)};
+            .heard = box(units.heard),
+            .likely = box(units.likely),
+            .page = box(units.page)};
 }
 
 /// Places the panels of the whole window.

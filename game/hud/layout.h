@@ -2,6 +2,7 @@
 // size of the text or the window. Whatever a panel shows must stay in its box.
 //
 //     feed      |  score  |                the feed is in the outer corner beside the score
+//                  likely                  the likely spell of a stroke
 //     forces        notices      lesson    forces: the curve of F3; lesson: in a window with one view
 //     heard     ring around the crosshair  heard: what is heard and felt in words
 //                       aside               the card at the cauldron, where it has more room than below the ring
@@ -33,6 +34,9 @@ struct ViewLayout {
     Panel figure;  ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
     Panel aside;   ///< right of the ring, for the card at the cauldron (rim_card.h); empty: there is no room
     Panel heard;   ///< empty if the curve of the forces leaves no room
+    Panel likely;  ///< above the ring, for the likely spell of a stroke; empty: there is no room
+    Panel
+        page;  ///< where strokes are drawn, round the crosshair: clear of the score and of one or two captions
 };
 
 /// All panels of a window.

@@ -2,22 +2,12 @@
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"
-#include "game/hud/likely_spell.h"
 #include "game/hud/stroke_picture.h"
 #include "game/hud/stroke_words.h"
-#include "gesture/generated_users.h"
-#include "gesture/prefix.h"
-#include "unit/hud_rig.h"
+#include "unit/casting_rig.h"
 
 namespace thaum::game::hud_tests {
 namespace {
-
-/// The picture of a new match, in which a test puts the reading.
-Picture new_casting_picture() { return picture_of(*new_match()); }
-
-std::uint32_t gesture_number(const CastingPicture& casting, std::string_view name) {
-    return *casting.gestures->number(name);
-}
 
 ReadingPicture reading_of(const CastingPicture& casting, StrokeOutcome outcome, std::string_view name,
                           double probability, double force) {
@@ -404,124 +394,6 @@ TEST(StrokePicture, HasPiecesOfEqualLengthOfALongStroke) {
         EXPECT_LE(pieces, 101U);
     }
     EXPECT_EQ(longest[0], longest[1]);
-}
-
-/// Draws points as a match keeps them: one in each gameplay tick, in a long stroke one in every second, and so on.
-void draw_points(StrokePicture& stroke, gesture::Points points) {
-    stroke.drawing = true;
-    stroke.count = 0;
-    stroke.apart_s = gameplay_dt;
-    const double lasts = points.back().t - points[0].t;
-    while (lasts >= stroke.apart_s * (StrokePicture::most_points - 1)) stroke.apart_s *= 2;
-    std::size_t i = 0;
-    for (double t = points[0].t; t <= points.back().t; t += stroke.apart_s) {
-        while (i + 1 < points.size() && points[i].t < t) ++i;
-        const auto& p = points[i];
-        stroke.points.at(stroke.count++) = {static_cast<float>(p.at.x), static_cast<float>(p.at.y),
-                                            static_cast<float>(p.at.z), static_cast<float>(p.force)};
-    }
-}
-
-/// Puts the first share of a recorded stroke of a gesture into the picture, as if the player were drawing it.
-void draw_part(CastingPicture& casting, std::string_view gesture, double share) {
-    const auto& points = casting.gestures->gestures()[gesture_number(casting, gesture)].strokes[0];
-    const auto part = gesture::beginning_of(points, share);
-    draw_points(casting.stroke, part);
-}
-
-TEST(LikelySpell, IsToldFromHalfOfItsStroke) {
-    const auto picture = new_casting_picture();
-    auto casting = picture.wizards[0].casting;
-    for (const auto& spell : picture.shown->spells) {
-        draw_part(casting, spell.gesture, 0.5);
-        EXPECT_EQ(likely_spell(casting, *picture.shown), &spell) << spell.name;
-    }
-}
-
-TEST(LikelySpell, StaysOnceItIsTold) {
-    const auto picture = new_casting_picture();
-    auto casting = picture.wizards[0].casting;
-    double told = 0, changes = 0, all = 0;
-    const auto strokes = gesture::generated_strokes({.users = 6, .samples = 1, .seed = 5});
-    for (const auto& stroke : strokes) {
-        const SpellPresentation* before = nullptr;
-        for (double share = 0.3; share <= 1; share += 0.025) {
-            draw_points(casting.stroke, gesture::beginning_of(stroke.points, share));
-            const auto* now = likely_spell(casting, *picture.shown);
-            changes += before != nullptr && now != before;
-            told += now != nullptr;
-            all += 1;
-            before = now;
-        }
-    }
-    EXPECT_GE(told / all, 0.83);
-    EXPECT_LE(changes / static_cast<double>(strokes.size()), 0.15);
-}
-
-TEST(LikelySpell, DependsOnTheStrokeAlone) {
-    const auto picture = new_casting_picture();
-    auto casting = picture.wizards[0].casting, other = casting;
-    for (const auto& stroke : gesture::generated_strokes({.users = 2, .samples = 1, .seed = 9})) {
-        const SpellPresentation* followed = nullptr;
-        for (double share = 0.02; share <= 0.7; share += 0.02) {
-            draw_points(casting.stroke, gesture::beginning_of(stroke.points, share));
-            followed = likely_spell(casting, *picture.shown);
-            draw_part(other, "star", share);
-            likely_spell(other, *picture.shown);
-        }
-        for (const auto* gesture : {"circle", "v"}) {  // the memory forgets the stroke
-            draw_part(other, gesture, 0.5);
-            likely_spell(other, *picture.shown);
-        }
-        EXPECT_EQ(likely_spell(casting, *picture.shown), followed);
-    }
-}
-
-TEST(LikelySpell, IsToldThroughARest) {
-    const auto picture = new_casting_picture();
-    auto casting = picture.wizards[0].casting;
-    for (const auto& spell : picture.shown->spells) {
-        draw_part(casting, spell.gesture, 0.5);
-        auto& stroke = casting.stroke;
-        for (int i = 0; i < 125; ++i, ++stroke.count)
-            stroke.points.at(stroke.count) = stroke.points[stroke.count - 1];
-        EXPECT_EQ(likely_spell(casting, *picture.shown), &spell) << spell.name << " after a second of rest";
-    }
-}
-
-TEST(LikelySpell, IsNotToldBeforeAfterOrInPlaceOfAStroke) {
-    const auto picture = new_casting_picture();
-    auto casting = picture.wizards[0].casting;
-    const auto told = [&] { return likely_spell(casting, *picture.shown) != nullptr; };
-    EXPECT_FALSE(told());
-    draw_part(casting, "star", 0.04);
-    EXPECT_FALSE(told()) << "hardly begun";
-    draw_part(casting, "star", 0.5);
-    EXPECT_TRUE(told());
-    for (bool StrokePicture::*other :
-         {&StrokePicture::on_brew, &StrokePicture::curve, &StrokePicture::chord}) {
-        casting.stroke.*other = true;
-        EXPECT_FALSE(told());
-        casting.stroke.*other = false;
-    }
-    casting.stroke.drawing = false;
-    EXPECT_FALSE(told()) << "the reading decides";
-}
-
-TEST(LikelySpell, ColoursTheStrokeAndShowsItsNameInTheView) {
-    auto picture = new_casting_picture();
-    auto& casting = picture.wizards[0].casting;
-    const auto layout = *lay_out({}, {640, 480}, 5).views[0];
-    draw_part(casting, "star", 0.5);
-    for (const float far : {1.0F, 30.0F}) {
-        for (auto& p : casting.stroke.points) p.x *= far;
-        render::Overlay out;
-        add_stroke(out, casting, *picture.shown, 0, layout);
-        const auto* spell = likely_spell(casting, *picture.shown);
-        EXPECT_EQ(has_text(out, "Recall"), spell != nullptr);
-        if (spell == nullptr) continue;
-        EXPECT_EQ(std::get<render::LineItem>(out.items[0]).colour, render::colour(spell->colour, 0.6F));
-    }
 }
 
 TEST(StrokeTrail, FadesAfterTheStrokeAndBreaksIfItWasNotRead) {

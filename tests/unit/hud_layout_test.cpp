@@ -92,6 +92,7 @@ std::vector<NamedBox> boxes_of(const HudLayout& layout) {
         add("heard", v.heard);
         if (!layout.lesson) add("figure", v.figure);
         if (v.aside.high.x > v.aside.low.x) add("aside", v.aside);
+        if (v.likely.high.x > v.likely.low.x) add("likely", v.likely);
         add("ring", {v.centre - fvec2(v.ring), v.centre + fvec2(v.ring)});
     }
     return boxes;
@@ -123,6 +124,15 @@ TEST(HudLayout, EveryPanelHasRoomInsideItsView) {
             EXPECT_LE(box.high.y, static_cast<float>(window.height)) << name << ": " << what;
             EXPECT_GT(box.high.x - box.low.x, 10) << name << ": " << what;
             EXPECT_GT(box.high.y - box.low.y, 8) << name << ": " << what;
+        }
+    });
+}
+
+TEST(HudLayout, ALikelySpellHasRoomAtUsualSizes) {
+    each_case([](const HudSettings& settings, render::Size window, const std::string& name) {
+        if (window.width < 1280 || settings.text_scale > 2) return;
+        for (const auto& view : lay_out(settings, window, 5).views) {
+            if (view) EXPECT_GE(view->likely.high.y - view->likely.low.y, 13.9F * view->unit) << name;
         }
     });
 }
