@@ -17,67 +17,123 @@ constexpr double far_apart = 2;
 /// Widest spacings in a block of samples with steps.
 constexpr double over_steps = 2;
 
-/// Calls use(sample) for each sample of a box until it returns false.
-template <class Use>
-void for_each_sample(const Grid& grid, const VoxelBox& box, Use use) {
-    for (int k = box.low[2]; k < box.high[2]; ++k) {
-        for (int j = box.low[1]; j < box.high[1]; ++j) {
-            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
-            for (int i = box.low[0]; i < box.high[0]; ++i)
-                if (!use(row[i * grid.stride[0]])) return;
-        }
-    }
-}
-
 /// Average of the finite samples of a box; not a number if there are none.
 float average(const Grid& grid, const VoxelBox& box) {
     double sum = 0;
     int finite = 0;
-    for_each_sample(grid, box, [&](float sample) {
-        sum += std::isfinite(sample) ? sample : 0;
-        finite += std::isfinite(sample) ? 1 : 0;
-        return true;
-    });
+    for (int k = box.low[2]; k < box.high[2]; ++k) {
+        for (int j = box.low[1]; j < box.high[1]; ++j) {
+            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
+            for (int i = box.low[0]; i < box.high[0]; ++i) {
+                const float sample = row[i * grid.stride[0]];
+                sum += std::isfinite(sample) ? sample : 0;
+                finite += std::isfinite(sample) ? 1 : 0;
+            }
+        }
+    }
     return finite > 0 ? static_cast<float>(sum / finite) : std::numeric_limits<float>::quiet_NaN();
+}
+
+/// Blocks along x whose samples are added up together.
+constexpr int together = 64;
+
+/// Samples of a box of blocks.
+VoxelBox samples_of(const BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
+    VoxelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = blocks.low[axis] * averages.block[axis];
+        box.high[axis] = std::min(blocks.high[axis] * averages.block[axis], grid.count[axis]);
+    }
+    return box;
+}
+
+/// Adds each sample of a row to the sum of its block, in the row's order.
+void add_row(const float* row, std::ptrdiff_t stride, int samples, int block, double* sums) {
+    for (int first = 0; first < samples; first += block, ++sums) {
+        const int end = std::min(first + block, samples);
+        for (int i = first; i < end; ++i) *sums += static_cast<double>(row[i * stride]);
+    }
+}
+
+/// Computes the averages of up to `together` blocks along x.
+void fill_run(BlockAverages& averages, const Grid& grid, const VoxelBox& run) {
+    std::array<double, together> sums{};
+    const VoxelBox all = samples_of(averages, grid, run);
+    for (int k = all.low[2]; k < all.high[2]; ++k) {
+        for (int j = all.low[1]; j < all.high[1]; ++j) {
+            const float* row =
+                grid.first + (k * grid.stride[2] + j * grid.stride[1] + all.low[0] * grid.stride[0]);
+            add_row(row, grid.stride[0], all.high[0] - all.low[0], averages.block[0], sums.data());
+        }
+    }
+    const int rows = (all.high[1] - all.low[1]) * (all.high[2] - all.low[2]);
+    const std::ptrdiff_t count = averages.count[0];
+    float* result =
+        averages.samples.data() + count * (run.low[1] + averages.count[1] * std::ptrdiff_t{run.low[2]});
+    for (int i = run.low[0]; i < run.high[0]; ++i) {
+        VoxelBox one = run;
+        one.low[0] = i;
+        one.high[0] = i + 1;
+        const VoxelBox box = samples_of(averages, grid, one);
+        const double sum = sums[static_cast<std::size_t>(i - run.low[0])];
+        // One sample that is not finite spreads through the sum.
+        result[i] = std::isfinite(sum) ? static_cast<float>(sum / (rows * (box.high[0] - box.low[0])))
+                                       : average(grid, box);
+    }
 }
 
 /// Computes the averages of these blocks.
 void fill(BlockAverages& averages, const Grid& grid, const VoxelBox& blocks) {
-    std::array<std::size_t, 3> count{};
-    std::ranges::transform(averages.count, count.begin(), [](int n) { return static_cast<std::size_t>(n); });
     for (int k = blocks.low[2]; k < blocks.high[2]; ++k) {
         for (int j = blocks.low[1]; j < blocks.high[1]; ++j) {
-            float* row = &averages.samples[count[0] * (static_cast<std::size_t>(j) +
-                                                       count[1] * static_cast<std::size_t>(k))];
-            for (int i = blocks.low[0]; i < blocks.high[0]; ++i) {
-                VoxelBox box;
-                const std::array at{i, j, k};
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    box.low[axis] = at[axis] * averages.block[axis];
-                    box.high[axis] = std::min(box.low[axis] + averages.block[axis], grid.count[axis]);
-                }
-                row[i] = average(grid, box);
-            }
+            for (int i = blocks.low[0]; i < blocks.high[0]; i += together)
+                fill_run(averages, grid, {{i, j, k}, {std::min(i + together, blocks.high[0]), j + 1, k + 1}});
         }
     }
 }
 
-/// Whether the samples have few values only, as those of a mask and of numbered parts.
-bool has_steps(const Grid& grid) {
+/// Whether the next samples, which follow each other in memory, are all equal to one. Most of a mask is.
+constexpr int in_a_row = 16;
+bool all_equal(const float* samples, float value) {
+    bool equal = true;
+    for (int i = 0; i < in_a_row; ++i) equal &= samples[i] == value;
+    return equal;
+}
+
+/// Distinct finite values, as long as there are few.
+struct FewValues {
     std::array<float, few_values> known{};
     std::size_t count = 0;
     float last = std::numeric_limits<float>::quiet_NaN();
-    bool few = true;
-    for_each_sample(grid, {{}, grid.count}, [&](float sample) {
+
+    /// Returns whether there are still few.
+    bool add(float sample) {
         if (sample == last || !std::isfinite(sample)) return true;
         last = sample;
         const auto end = known.begin() + static_cast<std::ptrdiff_t>(count);
         if (std::find(known.begin(), end, sample) != end) return true;
-        few = count < known.size();
-        if (few) known[count++] = sample;
-        return few;
-    });
-    return few;
+        if (count == known.size()) return false;
+        known[count++] = sample;
+        return true;
+    }
+};
+
+/// Whether the samples have few values only, as those of a mask and of numbered parts.
+bool has_steps(const Grid& grid) {
+    FewValues values;
+    for (int k = 0; k < grid.count[2]; ++k) {
+        for (int j = 0; j < grid.count[1]; ++j) {
+            const float* row = grid.first + (k * grid.stride[2] + j * grid.stride[1]);
+            for (int i = 0; i < grid.count[0]; ++i) {
+                const bool more = grid.stride[0] == 1 && grid.count[0] - i >= in_a_row;
+                if (more && all_equal(row + i, values.last))
+                    i += in_a_row - 1;
+                else if (!values.add(row[i * grid.stride[0]]))
+                    return false;
+            }
+        }
+    }
+    return true;
 }
 
 std::array<int, 3> block_of(const Grid& grid) {

@@ -17,8 +17,8 @@ namespace thaum::field {
 struct BlockAverages {
     std::array<int, 3> block{1, 1, 1};  ///< samples of a block along each axis
     std::array<int, 3> count{};         ///< number of blocks along each axis
-    std::vector<float>
-        samples{};           ///< averages of the finite samples, x fastest; empty: each block is a sample
+    /// Averages of the finite samples of each block, x fastest. Empty: each block is a sample.
+    std::vector<float> samples{};
     std::uint32_t newest{};  ///< value of Bricks::newest that the averages know
 
     /// The averages of the blocks of a grid, in its frame; no samples if they are not needed. Valid until they are made
