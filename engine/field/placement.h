@@ -9,6 +9,9 @@
 //
 // Functions are plain and do not allocate. Lengths are in m.
 #pragma once
+#include <algorithm>
+#include <cmath>
+
 #include "field/field.h"
 
 namespace thaum::field {
@@ -45,6 +48,14 @@ inline Vector to_parent(const Placement& p, const Vector& own) {
     return result;
 }
 
+/// Range of samples as pictures show them: one that is not a number as the lowest, others limited to the range. The
+/// default leaves all as they are.
+struct ShownRange {
+    float low = -HUGE_VALF, high = HUGE_VALF;
+
+    float operator()(float sample) const { return sample > low ? std::min(sample, high) : low; }
+};
+
 /// Box that the samples behind a field span. Pictures show nothing of a volume outside of it, and its cut face where
 /// the body reaches it.
 struct SampleBox {
@@ -53,6 +64,7 @@ struct SampleBox {
     Grid drawn{};
     /// Averages of blocks of samples, in which a direction is less rough (field/block_averages.h). May have none.
     Grid averages{};
+    ShownRange shown{};     ///< applies to samples that are not finite
     vec3 middle{}, half{};  ///< middle of the box and half of its extent (m, frame of the samples)
     vec3 spacing{1};        ///< distance between samples along each axis (m, frame of the samples)
     Placement placement{};  ///< from the frame of the samples to the reader's

@@ -17,6 +17,8 @@ constexpr int most_looks = 16;
 constexpr double same_direction = 0.5;
 /// Largest distance from the drawn surface at which a plane is put, as a share of the tip's depth and in samples.
 constexpr double depth_share = 0.2, most_eased = 0.5;
+/// Distance from a place on the smooth surface up to which a landing place needs no search (samples).
+constexpr double beside_samples = 0.25;
 /// Depth of a landing place that counts, and accuracy of a place (m).
 constexpr double least_depth = 1e-7, accurate = 1e-10;
 
@@ -60,6 +62,25 @@ double way_to_end(vec3 place, vec3 along, vec3 half) {
         length = std::min(length, (side - place[axis]) / along[axis]);
     }
     return std::max(length, 0.0);
+}
+
+/// Value at a place counted in samples, linear between samples as a picture shows those that are not finite.
+double shown_value(const field::SampleBox& box, vec3 at) {
+    const field::Grid& grid = box.drawn;
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        std::ptrdiff_t offset = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto n = static_cast<std::size_t>(axis);
+            const double x = std::clamp(at[axis], 0.0, grid.count[n] - 1.0);
+            const int low = std::min(static_cast<int>(x), grid.count[n] - 2), high = corner >> axis & 1;
+            weight *= high == 1 ? x - low : 1 - (x - low);
+            offset += (low + high) * grid.stride[n];
+        }
+        if (weight > 0) sum += weight * static_cast<double>(box.shown(grid.first[offset]));
+    }
+    return sum;
 }
 
 }  // namespace
@@ -106,6 +127,7 @@ double BodySearch::inside(vec3 place) {
     if (box_.drawn.first != nullptr) {
         const vec3 at = samples_per_metre_ * (place + half_);
         value = box_.drawn.linear_value(at.x, at.y, at.z);
+        if (!std::isfinite(value)) value = shown_value(box_, at);
     } else {
         value = surface_.field(to_reader(place)).value;
     }
@@ -128,7 +150,7 @@ std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
     here.gradient = here.gradient * box_.placement.turn;
     auto fine = slope_of(here);
     if (!fine || box_.averages.first == nullptr) return fine;
-    field::Scalar there = SmoothGrid{box_.averages}(to_samples(place));
+    field::Scalar there = SmoothGrid{.grid = box_.averages, .shown = box_.shown}(to_samples(place));
     there.gradient /= box_.placement.scale;
     const auto coarse = slope_of(there);
     if (!coarse) return fine;
@@ -280,6 +302,7 @@ std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& wa
     const double above = std::min(depth_share / (1 - depth_share) * depth, most);
     const double below = std::min(depth_share / (1 + depth_share) * depth, most);
     if (solid(smooth + above * way.out) || !solid(smooth - below * way.out)) return std::nullopt;
+    smooth_place_ = smooth;
     return Found{smooth, {way.out, way.gradient, 0}};
 }
 
@@ -338,6 +361,9 @@ std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 targ
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + least_depth * normal)) return std::nullopt;
+    // Beside a plane on the smooth surface, the drawn one is only a step of samples, unless it goes on above it.
+    const bool beside = smooth_place_ && glm::distance(place, *smooth_place_) <= beside_samples * fine_;
+    if (beside && !solid(place + most_eased * fine_ * normal)) return std::nullopt;
     const vec3 to = to_box(target);
     auto found = near(place, to);
     if (!found) found = between(to_box(proxy), place);

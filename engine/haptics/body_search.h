@@ -9,6 +9,8 @@
 // its surface, as far as a share of the tip's depth allows. Then the tip still feels the plane if and only if it is in
 // the body that is drawn.
 //
+// Samples that are not finite count as a picture shows them (field::ShownRange).
+//
 // The body ends at the box of the samples. Where it reaches a face, the cut face is a wall with the face's normal.
 // Within one sample of an edge, of the box or between cut face and surface, the normal turns from one to the other.
 #pragma once
@@ -79,7 +81,8 @@ private:
     const LevelSurface& surface_;
     const field::SampleBox& box_;
     LevelContact& contact_;
-    vec3 half_{};  ///< half of the box's extent (m)
+    std::optional<vec3> smooth_place_{};  ///< place on the smooth surface that was found last
+    vec3 half_{};                         ///< half of the box's extent (m)
     vec3 samples_per_metre_{};
     double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
     double fine_{};       ///< smallest distance between samples (m)

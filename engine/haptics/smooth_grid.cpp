@@ -57,11 +57,11 @@ struct SmoothLanes {
     SmoothRow row() const { return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}; }
 };
 
-SmoothLanes samples_of(const float* row, const SmoothTaps& x) {
+SmoothLanes samples_of(const float* row, const SmoothTaps& x, const field::ShownRange& shown = {}) {
     SmoothLanes lanes;
     for (std::size_t i = 0; i < 4; ++i) {
-        lanes.low[i] = static_cast<double>(row[x.offset[i]]);
-        lanes.high[i] = static_cast<double>(row[x.offset[i + 4]]);
+        lanes.low[i] = static_cast<double>(shown(row[x.offset[i]]));
+        lanes.high[i] = static_cast<double>(shown(row[x.offset[i + 4]]));
     }
     return lanes;
 }
@@ -79,15 +79,16 @@ struct SmoothSums {
     SmoothLanes value{}, along_y{}, along_z{};
 };
 
-/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid).
-SmoothSums sums_of(const float* first, double base, const SmoothTaps& x, const SmoothTaps& y,
-                   const SmoothTaps& z) {
+/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid). `lanes_of` gives the
+/// samples of a row along x.
+template <class LanesOf>
+SmoothSums sums_of(const float* first, double base, const SmoothTaps& y, const SmoothTaps& z,
+                   LanesOf lanes_of) {
     SmoothSums sums;
     for (std::size_t k = 0; k < smooth_taps; ++k) {
         SmoothLanes value, along_y;
         for (std::size_t j = 0; j < smooth_taps; ++j) {
-            const float* row = first + (z.offset[k] + y.offset[j]);
-            SmoothLanes samples = x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
+            SmoothLanes samples = lanes_of(first + (z.offset[k] + y.offset[j]));
             samples.low -= base;
             samples.high -= base;
             value.add(y.value[j], samples);
@@ -100,16 +101,7 @@ SmoothSums sums_of(const float* first, double base, const SmoothTaps& x, const S
     return sums;
 }
 
-}  // namespace
-
-field::Scalar SmoothGrid::operator()(vec3 place) const {
-    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
-    const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
-    const SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
-    const SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
-    const SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
-    const double base = grid.first[x.offset[3] + y.offset[3] + z.offset[3]];
-    const SmoothSums sums = sums_of(grid.first, base, x, y, z);
+field::Scalar scalar_of(const SmoothSums& sums, double base, const SmoothTaps& x) {
     const SmoothRow value = sums.value.row(), along_y = sums.along_y.row(), along_z = sums.along_z.row();
     field::Scalar result;
     for (std::size_t i = 0; i < smooth_taps; ++i) {
@@ -120,11 +112,32 @@ field::Scalar SmoothGrid::operator()(vec3 place) const {
     return result;
 }
 
+}  // namespace
+
+field::Scalar SmoothGrid::operator()(vec3 place) const {
+    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
+    const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
+    const SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
+    const SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
+    const SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
+    const float middle = grid.first[x.offset[3] + y.offset[3] + z.offset[3]];
+    const auto as_stored = [&](const float* row) {
+        return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
+    };
+    const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
+    // One sample that is not finite spreads through all sums.
+    if (std::isfinite(result.value)) return result;
+    const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
+    const double base = shown(middle);
+    return scalar_of(sums_of(grid.first, base, y, z, as_shown), base, x);
+}
+
 field::SampleBox SmoothGrid::sample_box() const {
     const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
     field::SampleBox box{.bounded = grid.first != nullptr && *std::ranges::min_element(grid.count) >= 2,
                          .drawn = grid,
                          .averages = averages,
+                         .shown = shown,
                          .middle = grid.origin + half,
                          .half = half,
                          .spacing = grid.spacing};

@@ -25,10 +25,12 @@
 namespace thaum::haptics {
 
 /// A view of a grid's samples. Its own kernel replaces the grid's. Outside the samples the value is that of the
-/// nearest place inside. A grid without samples and a place that is not finite give zeros.
+/// nearest place inside. A grid without samples and a place that is not finite give zeros. Near a sample that is not
+/// finite, all samples count as a picture shows them.
 struct SmoothGrid {
     field::Grid grid{};
-    field::Grid averages{};  ///< averages of blocks of its samples (field/block_averages.h); may have none
+    field::Grid averages{};     ///< averages of blocks of its samples (field/block_averages.h); may have none
+    field::ShownRange shown{};  ///< range of the finite samples
 
     field::Scalar operator()(vec3 place) const;
     /// The box of the samples. A picture shows them, linear between them.

@@ -41,9 +41,9 @@ field::FilterSource source_of(const field::Volume& volume, const LabSource& view
     return source;
 }
 
-haptics::SmoothGrid density_of(const field::Volume& volume, const field::BlockAverages& averages) {
-    const field::Grid grid = volume.grid(field::Kernel::linear);
-    return {grid, averages.grid(grid)};
+haptics::SmoothGrid density_of(const field::Grid& grid, const field::BlockAverages& averages,
+                               field::SampleRange range) {
+    return {grid, averages.grid(grid), {range.low, range.high}};
 }
 
 /// Points the views of all volumes at their samples as they are now.
@@ -52,7 +52,7 @@ void refresh_views(VolumeLab& lab) {
     if (lab.carvable()) {
         const field::Grid grid = lab.body.density_grid(field::Kernel::linear);
         field::update(views.averages, grid, lab.body.bricks);
-        views.density = {grid, views.averages.grid(grid)};
+        views.density = density_of(grid, views.averages, lab.range);
         views.placed_density = {field::field_of<field::Scalar>(views.density), lab.placement};
         views.materials = {lab.body.count, lab.body.spacing, lab.placement, lab.body.material};
     } else {
@@ -60,7 +60,8 @@ void refresh_views(VolumeLab& lab) {
     }
     for (auto& volume : lab.beside) {
         if (volume->source.components == 1)
-            volume->views.density = density_of(volume->source, volume->views.averages);
+            volume->views.density =
+                density_of(volume->source.grid(field::Kernel::linear), volume->views.averages, volume->range);
         else
             volume->views.flow = volume->source.vector_grid();
     }
@@ -425,7 +426,8 @@ haptics::FieldKind kind_of(const VolumeLab& lab) { return volume_of(lab, 0).kind
 
 double value_at(const VolumeLab& lab, vec3 place) {
     const vec3 own = field::to_own(lab.placement, place);
-    if (lab.carvable()) return haptics::SmoothGrid{lab.body.density_grid(field::Kernel::linear)}(own).value;
+    if (lab.carvable())
+        return density_of(lab.body.density_grid(field::Kernel::linear), {}, lab.range)(own).value;
     return glm::length(lab.source.vector_grid()(own).value);
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/random.h"
@@ -41,7 +42,7 @@ struct Body {
         const std::ptrdiff_t row = count[0];
         return {samples.data(), count, {1, row, row * count[1]}, -half(), spacing, field::Kernel::linear};
     }
-    SmoothGrid felt() const { return {grid(), averages.grid(grid())}; }
+    SmoothGrid felt() const { return {grid(), averages.grid(grid()), {0, 1}}; }
     /// As the surface's shader draws it.
     bool is_drawn(vec3 p) const {
         const vec3 h = half();
@@ -165,6 +166,26 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
     EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, soft}, middle), 3);
     EXPECT_LE(worst_direction({{64, 64, 64}, vec3(fine), hard}, middle), 6);
     EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, hard}, middle), 6);
+}
+
+TEST(DrawnBody, SamplesThatAreNotFiniteCountAsTheyAreDrawn) {
+    constexpr double radius = 20 * fine;
+    const auto ball = ball_at({}, radius, fine);
+    for (const double outside : {std::nan(""), -HUGE_VAL}) {
+        for (const double inside : {1.0, HUGE_VAL}) {
+            const Body scan({52, 52, 52}, vec3(fine), [&](vec3 p) {
+                const double height = glm::length(p) - radius;
+                return height > fine ? outside : height < -fine ? inside : ball(p);
+            });
+            const SmoothGrid felt = scan.felt();
+            for (int i = 0; i < 40; ++i) {
+                const vec3 out = bench::even_direction(i, 40);
+                auto hand = hand_on(felt);
+                const vec3 force = pushed(hand, (radius + 0.004) * out, (radius - 0.001) * out, 100);
+                EXPECT_LE(glm::distance(force, out), 0.15) << outside << " " << inside << " " << i;
+            }
+        }
+    }
 }
 
 TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
