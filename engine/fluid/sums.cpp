@@ -67,6 +67,32 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     return most;
 }
 
+double segregation(const Rows& rows, double cells, const Samples& density) {
+    Floats8 most{};
+    double sum = 0, square = 0;
+    each_row(rows, [&](Row row) {
+        const float* value = density.data() + row.at;
+        const std::ptrdiff_t whole = row.count / lanes * lanes;
+        Floats8 row_sum{}, row_square{};
+        const auto add = [&](const Floats8& q) {
+            row_sum += q;
+            row_square += q * q;
+            most = q > most ? q : most;
+        };
+        for (std::ptrdiff_t i = 0; i < whole; i += lanes) add(load(value + i));
+        for (std::ptrdiff_t i = whole; i < row.count; ++i) add(Floats8{value[i]});
+        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {
+            sum += static_cast<double>(row_sum[lane]);
+            square += static_cast<double>(row_square[lane]);
+        }
+    });
+    double highest = 0;
+    for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+        highest = std::max(highest, static_cast<double>(most[lane]));
+    const double mean = sum / cells, of_body = mean * (highest - mean);
+    return of_body > 0 ? std::max(0.0, square / cells - mean * mean) / of_body : 0;
+}
+
 VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity) {
     VelocityNorms result;
     double sum = 0;

@@ -14,6 +14,10 @@ double largest(const Rows& rows, const Samples& samples);
 /// Largest absolute value of all components.
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
+/// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its variance,
+/// divided by that of a body of its highest density with the same amount. 1: every cell has that density or none.
+double segregation(const Rows& rows, double cells, const Samples& density);
+
 /// Norms of a velocity.
 struct VelocityNorms {
     double half_square{};     ///< half the sum of squares over all cells (m^2/s^2)
