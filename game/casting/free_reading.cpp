@@ -20,6 +20,8 @@ constexpr std::size_t points_before = 12;
 // before the window as a share of its own, and the squared one of its duration as a multiple of the usual.
 constexpr double pace_weight = 0.14, duration_weight = 0.1;
 constexpr double least_pace = 0.1, most_pace = 3;  // a hand at rest, and one in a hurry
+/// Way from a place within which a hand stops, as a share of the gesture's size. A tremor stays within it.
+constexpr double stop_way = 0.03;
 
 /// The motion that may hold a gesture, in the memory of the reader.
 struct FreeMotion {
@@ -88,8 +90,36 @@ double pace_before(const FreeMotion& motion, std::size_t begin, double lasts) {
     return way * lasts / (time * motion.way[begin]);
 }
 
-void read_window(const CastingRules& rules, const gesture::Recogniser& recogniser, const FreeMotion& motion,
+/// Longest time for which the hand stops within a stroke of this size (s). Its first and last tenth do not count, since a
+/// hand is slow there.
+double longest_stop(gesture::Points stroke, double size) {
+    const std::size_t end = stroke.size() / 10;
+    std::size_t longest = 0;
+    for (std::size_t first = end, last = end; last + end < stroke.size(); ++last) {
+        while (glm::distance(stroke[first].at, stroke[last].at) > stop_way * size) ++first;
+        if (first > end) longest = std::max(longest, last - first);
+    }
+    return static_cast<double>(longest) * gameplay_dt;
+}
+
+/// Whether the hand stops within a stroke for so long that it made two movements, such as to a place and back.
+bool is_broken(const CastingRules& rules, gesture::Points stroke, double size, double lasts) {
+    const double stop = longest_stop(stroke, size);
+    return stop >= rules.free_stop && stop >= rules.free_stop_share * lasts;
+}
+
+/// Probability from which on a gesture casts. Where the hand was slow before, less suffices. But a closed gesture may
+/// start anywhere, and so a short stray loop has many chances to be like one.
+double needed_for(const CastingRules& rules, const gesture::GestureOptions& options, double pace,
+                  double way) {
+    const bool is_loop = options.closed && way < rules.free_loop;
+    const bool suffices = pace < rules.free_quiet_pace && !is_loop;
+    return suffices ? rules.free_quiet_probability : rules.free_least_probability;
+}
+
+void read_window(const CastingRules& rules, const GestureSet& gestures, const FreeMotion& motion,
                  std::size_t begin, ReadingSpace& space, FreeHand& hand) {
+    const auto& recogniser = gestures.recogniser();
     const auto stroke = motion.points.subspan(begin);
     const auto found = recogniser.recognise_part(stroke, space.recogniser);
     if (found.gesture == gesture::Recognition::none) return;
@@ -99,16 +129,18 @@ void read_window(const CastingRules& rules, const gesture::Recogniser& recognise
     const double duration = usual > 0 ? det::log(lasts / usual) : 0;
     FreeWindow window{
         .probability = found.even_probability,
-        .needed = pace < rules.free_quiet_pace ? rules.free_quiet_probability : rules.free_least_probability,
+        .needed = needed_for(rules, gestures.gestures()[found.gesture].options, pace, motion.way[begin]),
         .force = found.mean_force,
         .gesture = found.gesture};
     window.score = found.evidence.distance - found.evidence.usual +
                    pace_weight * det::log(std::clamp(pace, least_pace, most_pace)) +
                    duration_weight * duration * duration;
-    if (size_of(stroke) < rules.free_smallest) window.miss = Miss::too_small;
+    const double size = size_of(stroke);
+    if (size < rules.free_smallest) window.miss = Miss::too_small;
     if (lasts < rules.free_shortest) window.miss = Miss::too_fast;
     auto& best = window.miss == Miss::none ? hand.best : hand.odd;
-    if (!found.accepted || pace > rules.free_most_pace) window.miss = Miss::unclear;
+    const bool is_unclear = !found.accepted || pace > rules.free_most_pace;
+    if (is_unclear || is_broken(rules, stroke, size, lasts)) window.miss = Miss::unclear;
     if (best.gesture == no_gesture || window.score < best.score) best = window;
 }
 
@@ -147,7 +179,7 @@ bool read_windows(const CastingRules& rules, const GestureSet& gestures, Reading
         if (same && begin == 0) break;  // the whole motion was read
         ++hand.windows;
         if (same) continue;
-        read_window(rules, gestures.recogniser(), motion, begin, space, hand);
+        read_window(rules, gestures, motion, begin, space, hand);
         ++read;
     }
     return hand.rested == whole_rest;

@@ -27,6 +27,9 @@ struct CastingRules {
     double
         free_quiet_pace{};    ///< pace before a gesture, as a share of its own, below which the hand was slow
     double free_most_pace{};  ///< the same from which on it was no beginning
+    double free_loop{};       ///< way of a closed gesture below which a quiet start does not suffice (m)
+    double free_stop{};       ///< stop within a gesture from which on it may be two movements (s)
+    double free_stop_share{};        ///< the same, as a share of the gesture's duration; both must hold
     double free_near_probability{};  ///< least probability of a near miss
     double free_smallest{};          ///< least width or height of a gesture (m)
     double free_shortest{};          ///< shortest gesture (s)

@@ -1,8 +1,9 @@
-// A quarter of an hour of motion that means nothing, with a hand that casts without a button: what a mouse does at a desk,
-// and what a trembling arm does. The hand alone is followed, without a match around it.
+// Motion that means nothing, with a hand that casts without a button: what a mouse does at a desk in a quarter of an hour,
+// what a trembling arm does, and what people did with a mouse. The hand alone is followed, without a match around it.
 #include <cmath>
 
 #include "core/random.h"
+#include "game/app/gesture/stroke_files.h"
 #include "game/casting/free_reading.h"
 #include "unit/game_duel.h"
 
@@ -151,14 +152,57 @@ private:
     double now_ = 0, begun_ = 0, scribbled_ = 0;  // s
 };
 
+/// The motion of ten people between the gestures that they drew (public data beside the source tree), from end to end:
+/// 50 minutes in places that are a gameplay tick apart (m).
+std::vector<fvec2> recorded_motion() {
+    const auto source = std::filesystem::path(THAUM_SOURCE_DIR), folder = source / "../shared/data/gestures";
+    const auto sessions = app::load_sessions(folder / "machete-mouse-sessions.csv.gz");
+    auto strokes = app::load_labels(folder / "machete-mouse-sessions.labels.csv");
+    const auto attempts = app::load_labels(source / "tests/accuracy/unlabelled_strokes.csv");
+    std::vector<fvec2> places;
+    if (!sessions || !strokes || !attempts) return places;
+    strokes->insert(strokes->end(), attempts->begin(), attempts->end());
+    constexpr double count = 1e-4, longest_gap = 2;  // m, s
+    vec2 at(0);
+    for (const auto& session : sessions->sessions) {
+        auto drawn = *strokes;
+        drawn.erase(
+            std::remove_if(drawn.begin(), drawn.end(), [&](const auto& d) { return d.user != session.user; }),
+            drawn.end());
+        double time = 0;
+        for (std::size_t i = 1; i < session.points.size(); ++i) {
+            const auto &from = session.points[i - 1], &to = session.points[i];
+            if (std::any_of(drawn.begin(), drawn.end(),
+                            [&](const auto& d) { return to.t >= d.start - 0.2 && to.t <= d.end + 0.2; }))
+                continue;
+            at += count * vec2(to.at.x - from.at.x, from.at.y - to.at.y);
+            for (time += std::min(to.t - from.t, longest_gap); time >= gameplay_dt; time -= gameplay_dt)
+                places.emplace_back(at);
+        }
+    }
+    return places;
+}
+
 TEST(FreeIdling, OfAMouseAtADeskCastsNothing) {
-    Idling hand(1, false);
+    Idling hand(14, false);
     EXPECT_EQ(casts_in(quarter, [&] { return hand.next(); }), 0U);
 }
 
 TEST(FreeIdling, OfATremblingArmCastsNothing) {
-    Idling hand(2, true);
+    Idling hand(13, true);
     EXPECT_EQ(casts_in(quarter, [&] { return hand.next(); }), 0U);
+}
+
+TEST(FreeIdling, OfRecordedMiceCastsNothingWhereTheyDrawLoops) {
+    const auto places = recorded_motion();
+    if (places.empty()) GTEST_SKIP() << "no recorded sessions here";
+    constexpr double lasts = 20;  // s
+    for (const double begin : {535.0, 715.0, 1800.0, 2395.0}) {
+        auto next = static_cast<std::size_t>(begin / gameplay_dt);
+        ASSERT_LT(next + static_cast<std::size_t>(lasts / gameplay_dt), places.size());
+        EXPECT_EQ(casts_in(lasts, [&] { return vec3(places[next++], 0); }), 0U)
+            << "from " << begin << " s on";
+    }
 }
 
 }  // namespace
