@@ -1,6 +1,7 @@
 #include "game/hud/likely_spell.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "gesture/prefix.h"
 
@@ -65,7 +66,7 @@ std::uint32_t told_gesture(const CastingPicture& casting, LikelySpace& space) {
     const auto& stroke = casting.stroke;
     auto& answers = space.answers_of(casting);
     const auto whole = points_of(stroke, space);
-    const auto every = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(check_s / stroke.apart_s + 0.5));
+    const auto every = static_cast<std::uint32_t>(std::max(1.0, std::floor(check_s / stroke.apart_s + 0.5)));
     for (auto n = answers.points + every; n <= stroke.count; n += every) {
         const auto so_far = whole.first(n);
         answers.told = is_long_enough(so_far, casting.rules->smallest)
