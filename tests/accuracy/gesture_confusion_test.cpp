@@ -8,6 +8,7 @@
 #include "gesture/collisions.h"
 #include "gesture/generated_users.h"
 #include "gesture/gesture_file.h"
+#include "gesture/variations.h"
 
 namespace thaum::gesture {
 namespace {
