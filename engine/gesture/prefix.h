@@ -39,6 +39,7 @@ Points beginning_of(Points stroke, double share);
 
 /// Probability from which on a likely gesture is told to the player, and below which one that was told is told no more.
 inline constexpr double likely_enough = 0.8, likely_still = 0.4;
+
 struct LikelyGesture {
     static constexpr std::uint32_t none = 0xffffffff;
 
@@ -69,8 +70,8 @@ struct PrefixSpace {
     std::vector<Candidate> candidates{};
     struct Nearest {
         float distance{};
-        float
-            log_share{};  ///< natural logarithm of the share of the recorded stroke's length that has been drawn
+        /// Natural logarithm of the share of the recorded stroke's length that has been drawn.
+        float log_share{};
         float force{};  ///< mean force of that beginning (unit of the strokes)
     };
     std::vector<Nearest> nearest{};  ///< nearest beginning of each gesture
