@@ -38,8 +38,8 @@ namespace thaum::fluid {
 namespace {
 
 constexpr float bias = 0.1F;
-/// Largest sharpness of the flux above. A sphere of 64^3 returns from LeVeque's flow with an error of 0.31, with 0.15
-/// of 0.35, without of 0.60. With more, slots and corners of a few cells lose their shape.
+/// Largest sharpness of the flux above. With it, a sphere of 64^3 returns from LeVeque's flow with an error of 0.31. A
+/// sharpness of 0.15 gives 0.35, and none 0.60. A larger one harms slots and corners of a few cells.
 constexpr double sharpness_most = 0.25;
 /// Intensities of segregation at which edges begin to be kept, and are kept fully. A Gaussian has at most 0.41 in a
 /// flow that stretches it. At 0.5 and above, more of a body lies in its inside than on its edge.
@@ -85,7 +85,7 @@ inline float donor(float courant, float diffusion, float low, float high) {
     return carried;
 }
 
-/// Minimum without a branch.
+/// Minimum and maximum without a branch.
 inline float minimum(float a, float b) { return a < b ? a : b; }
 inline float maximum(float a, float b) { return a > b ? a : b; }
 
@@ -454,7 +454,7 @@ float sharpness_of(const FaceFlow& face_flow, double diffusion, const Samples& d
         face_flow.face_apertures != nullptr ? face_flow.face_apertures->cells : double(n[0]) * n[1] * n[2];
     const double share = (segregation(face_flow.rows(), cells, density) - segregation_of_blurred) /
                          (segregation_of_sharp - segregation_of_blurred);
-    // In whole steps, so that the rounding of sums does not break the symmetry.
+    // Rounding the share to sixteenths keeps the symmetry of the flow from the rounding of sums.
     return static_cast<float>(sharpness_most * std::round(16 * std::clamp(share, 0.0, 1.0)) / 16);
 }
 

@@ -16,10 +16,12 @@ constexpr int newton_steps = 30;
 /// Penalty on the squares of the weights, against infinite weights for evidence that a plane separates.
 constexpr double ridge = 0.05;
 
-// Fitted to three of four sets (letters of one writer, mouse gestures of ten users, flat and solid figures of generated
-// users), the first one is off by 0.05 or less on the fourth.
-constexpr double margin_weight = 10;  // of the logarithm of the ratio of two gestures' distances, in log odds
-constexpr double meant_nothing = 0.004;  // share of the strokes drawn on purpose that mean nothing
+/// Weight in the log odds of the logarithm of the ratio of two gestures' distances. If it is fitted to three of four sets
+/// (letters of one writer, mouse gestures of ten users, flat and solid figures of generated users), the probability is off
+/// by 0.05 or less on the fourth.
+constexpr double margin_weight = 10;
+/// Share of the strokes drawn on purpose that mean nothing.
+constexpr double meant_nothing = 0.004;
 
 using Vector = std::array<double, unknowns>;
 using Matrix = std::array<Vector, unknowns>;

@@ -272,16 +272,11 @@ void PrefixReader::find_twins(std::span<const Gesture> gestures, PrefixSpace& sp
         for (const auto& stroke : gestures[g].strokes) {
             read(stroke, space);
             for (std::uint32_t other = 0; other < gestures.size(); ++other) {
-                if (other == g || !is_twin(space.nearest[other], space.force)) continue;
-                twins[g].push_back(other);
-                twins[other].push_back(g);
+                if (other != g && is_twin(space.nearest[other], space.force)) add_twins(twins, g, other);
             }
         }
     }
-    for (auto& list : twins) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
+    for (auto& list : twins) std::sort(list.begin(), list.end());
     twins_ = std::move(twins);
 }
 

@@ -193,9 +193,6 @@ Expected<void> Recogniser::add(const Gesture& gesture, RecogniserSpace& space) {
 /// Finds gestures of one shape that differ in force: some stroke of one is near to the other.
 void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& space) {
     std::vector<std::vector<std::uint32_t>> twins(gestures.size());
-    const auto add = [&](std::uint32_t a, std::uint32_t b) {
-        if (std::find(twins[a].begin(), twins[a].end(), b) == twins[a].end()) twins[a].push_back(b);
-    };
     twins_.assign(gestures.size(), {});
     for (std::uint32_t g = 0; g < gestures.size(); ++g) {
         for (const auto& stroke : gestures[g].strokes) {
@@ -207,8 +204,7 @@ void Recogniser::find_twins(std::span<const Gesture> gestures, RecogniserSpace& 
                     !differ_in_force(static_cast<double>(near.first), template_force_[g],
                                      template_force_[other], nearest_third(compared, other)))
                     continue;
-                add(g, other);
-                add(other, g);
+                add_twins(twins, g, other);
             }
         }
     }

@@ -2,6 +2,8 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "core/maths.h"
 
@@ -31,6 +33,16 @@ inline double force_oddness(double force, double usual) {
     const double ratio = std::max(force / usual, least_force);
     const double off = det::log(ratio) / force_scatter;
     return off * off / 2;
+}
+
+/// Adds two gestures to each other's list of twins, once.
+inline void add_twins(std::vector<std::vector<std::uint32_t>>& twins, std::uint32_t a, std::uint32_t b) {
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        if (std::find(twins[from].begin(), twins[from].end(), to) == twins[from].end())
+            twins[from].push_back(to);
+    };
+    add(a, b);
+    add(b, a);
 }
 
 }  // namespace thaum::gesture

@@ -14,8 +14,8 @@ constexpr double longest_hand_step = 0.05;  // m
 constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
 constexpr double ramp_to_zero = 50;
-constexpr double cap_falls_by = 0.4;         // N a tick
-constexpr double energy_of_a_switch = 0.01;  // J
+constexpr double cap_falls_by = 0.4;         // fall of the output in a tick to a cap that was lowered (N)
+constexpr double energy_of_a_switch = 0.01;  // largest work of the offsets of switches (J)
 constexpr std::uint64_t calm_after = 100;
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
@@ -217,7 +217,7 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, const SafetyInput& inpu
     const double moved =
         may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    // What an offset that goes on gives way to the hand is judged with the offset.
+    // If an offset goes on, it also gives way to the hand, and the check of the offset itself judges that.
     if (!may_be_fading_)
         count(SafetyRule::slew, moved > fading_step(limits, input) * (1 + 1e-8) + rounding(last_output_));
 

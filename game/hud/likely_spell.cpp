@@ -36,7 +36,7 @@ struct Answers {
 struct LikelySpace {
     gesture::PrefixSpace prefix{};
     std::array<gesture::StrokePoint, StrokePicture::most_points> points{};
-    std::array<Answers, 2> answers{};  ///< of the strokes of both players, the last used one first
+    std::array<Answers, 2> answers{};  ///< answers for the strokes of both players, the last used ones first
 
     Answers& answers_of(const CastingPicture& casting) {
         if (!answers[0].are_of(casting)) std::swap(answers[0], answers[1]);

@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr double quarter = 900;  // of an hour (s)
+constexpr double quarter = 900;  // a quarter of an hour (s)
 
 /// Number of gestures that casting without a button finds in places that are a gameplay tick apart (m).
 template <class Next>
@@ -49,7 +49,7 @@ public:
             go();
         }
         const vec3 at = place_ + tremor();
-        constexpr double step = 1e-4;  // of a mouse (m)
+        constexpr double step = 1e-4;  // way of one count of a mouse (m)
         return by_arm_ ? at : step * vec3(std::round(at.x / step), std::round(at.y / step), 0);
     }
 
@@ -127,7 +127,7 @@ private:
     }
     /// A hand that wanders without an aim: its speed is noise that fades within a tenth of a second.
     void scribble() {
-        constexpr double fades = 0.1, pace = 0.25;  // s, m/s
+        constexpr double fades = 0.1, pace = 0.25;  // time in which the speed fades (s), usual speed (m/s)
         speed_ += gameplay_dt / fades * -speed_ + pace * std::sqrt(6 * gameplay_dt / fades) * flat_noise();
         place_ += gameplay_dt * speed_;
         scribbled_ -= gameplay_dt;
@@ -140,7 +140,7 @@ private:
         return {x, noise(), 0};
     }
     vec3 tremor() const {
-        const double most = by_arm_ ? 3e-4 : 5e-5;  // m
+        const double most = by_arm_ ? 3e-4 : 5e-5;  // reach of the tremor (m)
         const double a = 2 * pi * 9.1 * now_, b = 2 * pi * 7.3 * now_;
         return most * vec3(std::sin(a), std::sin(b + 1), by_arm_ ? std::sin(0.9 * a + 2) : 0);
     }
@@ -149,7 +149,8 @@ private:
     bool by_arm_;
     std::vector<Leg> legs_;
     vec3 place_{}, from_{}, speed_{};
-    double now_ = 0, begun_ = 0, scribbled_ = 0;  // s
+    double now_ = 0, begun_ = 0;  // time, and time at which the present leg began (s)
+    double scribbled_ = 0;        // time for which the hand still wanders (s)
 };
 
 /// The motion of ten people between the gestures that they drew (public data beside the source tree), from end to end:
@@ -162,7 +163,8 @@ std::vector<fvec2> recorded_motion() {
     std::vector<fvec2> places;
     if (!sessions || !strokes || !attempts) return places;
     strokes->insert(strokes->end(), attempts->begin(), attempts->end());
-    constexpr double count = 1e-4, longest_gap = 2;  // m, s
+    constexpr double count = 1e-4;     // way of one count of a mouse (m)
+    constexpr double longest_gap = 2;  // longest time between two reports of a mouse that is kept (s)
     vec2 at(0);
     for (const auto& session : sessions->sessions) {
         auto drawn = *strokes;
@@ -195,8 +197,8 @@ TEST(FreeIdling, OfATremblingArmCastsNothing) {
 
 TEST(FreeIdling, OfRecordedMiceCastsNothingWhereTheyDrawLoops) {
     const auto places = recorded_motion();
-    if (places.empty()) GTEST_SKIP() << "no recorded sessions here";
-    constexpr double lasts = 20;  // s
+    if (places.empty()) GTEST_SKIP() << "the recorded sessions are not part of the source tree";
+    constexpr double lasts = 20;  // length of a part that is followed (s)
     for (const double begin : {535.0, 715.0, 1800.0, 2395.0}) {
         auto next = static_cast<std::size_t>(begin / gameplay_dt);
         ASSERT_LT(next + static_cast<std::size_t>(lasts / gameplay_dt), places.size());

@@ -378,7 +378,7 @@ TEST(StrokeTrail, IsDrawnAsItWasHoweverLongAHandRests) {
 
 TEST(StrokePicture, HasPiecesOfEqualLengthOfALongStroke) {
     std::vector<float> longest;
-    for (const std::size_t rest : {0U, 5000U}) {  // of 3,000 points that go evenly along a line
+    for (const std::size_t rest : {0U, 5000U}) {  // points at rest among 3,000 that go evenly along a line
         const auto at = [&](std::size_t i) {
             return fvec2(static_cast<float>(i < 1500 ? i : i < 1500 + rest ? 1500 : i - rest), 0);
         };

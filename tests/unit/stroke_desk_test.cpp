@@ -1,4 +1,4 @@
-// Which strokes the window of `thaum gesture record` counts, and what it says of the others.
+// The window of `thaum gesture record` counts strokes that a match would read, and says what is wrong with others.
 #include <gtest/gtest.h>
 
 #include "game/app/gesture/stroke_window.h"

@@ -26,7 +26,7 @@ std::string number_of(std::size_t count, std::string_view thing) {
     return text(count, " ", thing, count == 1 ? "" : "s");
 }
 
-/// Of how many trials the accuracy is: strokes of gestures without templates are no part of it.
+/// Words for the number of trials that the accuracy counts. Strokes of gestures without templates are no part of it.
 std::string trials_text(const GestureReport& r) {
     const auto& trials = r.evaluation.trials;
     const auto known = static_cast<std::size_t>(
