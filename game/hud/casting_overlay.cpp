@@ -33,16 +33,16 @@ constexpr float usual_share = 0.34F, most_share = 0.66F;
 constexpr float usual_size = 0.08F;  // m
 constexpr std::size_t most_stroke_pieces = 160;
 
-/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as its page
-/// in the view needs.
-struct Page {
+/// Maps points of a stroke to the view. A stroke begins at the crosshair, and is moved and made smaller as far as the
+/// panel of strokes needs.
+struct Drawing {
     fvec2 centre{}, shift{};
     float scale{};  ///< px per m
 
     fvec2 at(const DrawnPoint& p) const { return centre + scale * (fvec2(p.x, -p.y) - shift); }
 };
 
-Page page_of(const StrokePicture& stroke, const ViewLayout& l) {
+Drawing drawing_of(const StrokePicture& stroke, const ViewLayout& l) {
     const auto edge = static_cast<float>(std::min(l.view.width, l.view.height));
     fvec2 low(stroke.points[0].x, -stroke.points[0].y), high = low;
     for (std::uint32_t i = 1; i < stroke.count; ++i) {
@@ -50,17 +50,17 @@ Page page_of(const StrokePicture& stroke, const ViewLayout& l) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    Page page{.centre = l.centre,
-              .shift = fvec2(stroke.points[0].x, -stroke.points[0].y),
-              .scale = usual_share * edge / usual_size};
+    Drawing drawing{.centre = l.centre,
+                    .shift = fvec2(stroke.points[0].x, -stroke.points[0].y),
+                    .scale = usual_share * edge / usual_size};
     const float glow = 6 * l.unit, most = most_share * edge / 2;  // px
-    const fvec2 before = glm::min(l.centre - l.page.low - glow, fvec2(most)),
-                after = glm::min(l.page.high - l.centre - glow, fvec2(most)), room = before + after;
+    const fvec2 before = glm::min(l.centre - l.strokes.low - glow, fvec2(most)),
+                after = glm::min(l.strokes.high - l.centre - glow, fvec2(most)), room = before + after;
     const fvec2 extent = glm::max(high - low, fvec2(1e-6F));
-    page.scale = std::min({page.scale, room.x / extent.x, room.y / extent.y});
-    const fvec2 least = high - after / page.scale;
-    page.shift = glm::clamp(page.shift, least, glm::max(low + before / page.scale, least));
-    return page;
+    drawing.scale = std::min({drawing.scale, room.x / extent.x, room.y / extent.y});
+    const fvec2 least = high - after / drawing.scale;
+    drawing.shift = glm::clamp(drawing.shift, least, glm::max(low + before / drawing.scale, least));
+    return drawing;
 }
 
 /// Force of a point as a share of a harsh one, 0 to 1.5.
@@ -130,14 +130,14 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
                 const ViewLayout& l) {
     const auto& stroke = casting.stroke;
     if (stroke.count < 2 || stroke.on_brew) return;
-    const auto page = page_of(stroke, l);
+    const auto drawing = drawing_of(stroke, l);
     const auto age = static_cast<float>(stroke.since_end_s / stroke_fade_seconds);
     const float left = std::clamp(1 - age, 0.0F, 1.0F);
     // A large text makes lines wider, but not so wide that they fill a small view.
     const float u = std::min(l.unit, static_cast<float>(std::min(l.view.width, l.view.height)) / 280);
     const auto* likely = likely_spell(casting, shown);
     if (likely != nullptr) add_likely(out, casting, *likely, l);
-    const auto at = [&](std::size_t i) { return page.at(stroke.points[i]); };
+    const auto at = [&](std::size_t i) { return drawing.at(stroke.points[i]); };
     const auto add = [&](float widen, float alpha) {
         std::uint32_t piece = 0;
         each_piece(stroke.count, most_stroke_pieces, at, [&](std::size_t from, std::size_t to) {
@@ -154,7 +154,7 @@ void add_stroke(Overlay& out, const CastingPicture& casting, const Presentation&
     add(0, 0.95F);
     if (stroke.drawing)
         out.items.emplace_back(
-            ArcItem{page.at(stroke.points[stroke.count - 1]), 0, 4.5F * u, 0, whole_turn, paints.white});
+            ArcItem{drawing.at(stroke.points[stroke.count - 1]), 0, 4.5F * u, 0, whole_turn, paints.white});
 }
 
 void add_free_trail(Overlay& out, const CastingPicture& casting, std::uint32_t player, const ViewLayout& l) {

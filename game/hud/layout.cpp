@@ -80,7 +80,7 @@ struct InUnits {
     bool tall{};
 
     Panel health{}, name{}, strip{}, feed{}, messages{}, forces{}, heard{}, figure{}, aside{}, likely{},
-        page{};
+        strokes{};
     float ring{}, columns{};
 };
 
@@ -187,7 +187,7 @@ void place_figure(const Arrangement& how, InUnits& out) {
     out.figure = {high - scale * fvec2(figure_wide, figure_high), high};
 }
 
-/// The likely spell above the ring, and the page of strokes round it, which ends above two lines of messages.
+/// The likely spell above the ring, and the panel of strokes round it, which ends above two lines of messages.
 void place_strokes(const Arrangement& how, InUnits& out) {
     constexpr float most_high = 24, captions = 2 * 1.4F * 15;
     const fvec2 middle(out.wide / 2, out.high / 2);
@@ -195,8 +195,8 @@ void place_strokes(const Arrangement& how, InUnits& out) {
     const float half = out.ring + edge / 2, top = std::max(head, bottom - most_high);
     if (bottom - top >= likely_least - 0.01F)
         out.likely = {{middle.x - half, top}, {middle.x + half, bottom}};
-    out.page = {{edge, std::min(head, middle.y - out.ring)},
-                {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
+    out.strokes = {{edge, std::min(head, middle.y - out.ring)},
+                   {out.wide - edge, std::max(out.messages.high.y - captions, middle.y + out.ring)}};
 }
 
 /// Room right of the ring, left of the figure and of the strip.
@@ -251,7 +251,7 @@ ViewLayout view_layout(const Arrangement& how, const render::Rect& view, float u
             .aside = box(units.aside),
             .heard = box(units.heard),
             .likely = box(units.likely),
-            .page = box(units.page)};
+            .strokes = box(units.strokes)};
 }
 
 /// Places the panels of the whole window.

@@ -30,13 +30,12 @@ struct ViewLayout {
     float strip_columns{};  ///< wands in one row of the strip
     Panel feed;
     Panel messages;
-    Panel forces;  ///< the curve of the forces, or only the name of the strongest
-    Panel figure;  ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
-    Panel aside;   ///< right of the ring, for the card at the cauldron (rim_card.h); empty: there is no room
-    Panel heard;   ///< empty if the curve of the forces leaves no room
-    Panel likely;  ///< above the ring, for the likely spell of a stroke; empty: there is no room
-    Panel
-        page;  ///< where strokes are drawn, round the crosshair: clear of the score and of one or two captions
+    Panel forces;   ///< the curve of the forces, or only the name of the strongest
+    Panel figure;   ///< two torsos of figure_wide x figure_high units each; empty with words of a lesson
+    Panel aside;    ///< right of the ring, for the card at the cauldron (rim_card.h); empty: there is no room
+    Panel heard;    ///< empty if the curve of the forces leaves no room
+    Panel likely;   ///< above the ring, for the likely spell of a stroke; empty: there is no room
+    Panel strokes;  ///< round the crosshair, clear of the score and of two captions
 };
 
 /// All panels of a window.

@@ -166,8 +166,8 @@ bool shows_wall(const Picture& picture, const HudLayout& layout) {
     return picture.practice.wall.on && layout.views[wall_player].has_value();
 }
 
-/// Moves what else is on the left to the right while the wall is shown: the force, what is heard, the messages, and the page
-/// of strokes.
+/// Moves what else is on the left to the right while the wall is shown: the force, what is heard, the messages, and the
+/// panel of strokes.
 void make_room_for_wall(const Panel& wall, ViewLayout& view) {
     const float gap = 8 * view.unit;
     const fvec2 size = view.forces.high - view.forces.low;
@@ -177,7 +177,7 @@ void make_room_for_wall(const Panel& wall, ViewLayout& view) {
     const float bottom = std::min(view.messages.low.y, view.strip.low.y) - gap / 2;
     view.heard = {{left, view.forces.high.y + gap / 2}, {view.figure.low.x - gap, bottom}};
     view.aside = {};
-    view.page.low.x = std::max(view.page.low.x, wall.high.x + gap);
+    view.strokes.low.x = std::max(view.strokes.low.x, wall.high.x + gap);
 }
 
 /// Adds what players see while they play: the overlays of the views, the score and the lesson.

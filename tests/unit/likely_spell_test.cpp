@@ -141,7 +141,7 @@ TEST(LikelySpell, IsOnAPlateInItsPanelAndTheStrokeOnItsPage) {
     for (const auto& spell : picture.shown->spells) {
         draw_part(casting, spell.gesture, 0.7);
         auto layout = *lay_out({.watch = Watch::first}, {1280, 720}, 5).views[0];
-        layout.page.low.x = layout.centre.x - layout.ring;  // as beside the gesture wall
+        layout.strokes.low.x = layout.centre.x - layout.ring;  // as beside the gesture wall
         render::Overlay out;
         add_stroke(out, casting, *picture.shown, 0, layout);
         const auto within = [](const Panel& box, fvec2 p) {
@@ -157,7 +157,7 @@ TEST(LikelySpell, IsOnAPlateInItsPanelAndTheStrokeOnItsPage) {
             const auto* line = std::get_if<render::LineItem>(&item);
             if (line == nullptr) continue;
             const bool on_plate = within(layout.likely, line->from) && within(layout.likely, line->to);
-            EXPECT_TRUE(on_plate || (within(layout.page, line->from) && within(layout.page, line->to)));
+            EXPECT_TRUE(on_plate || (within(layout.strokes, line->from) && within(layout.strokes, line->to)));
         }
     }
 }
