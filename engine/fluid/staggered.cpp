@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fluid/buoyancy.h"
 #include "fluid/floats8.h"
@@ -34,8 +35,8 @@ constexpr double explicit_most = 0.15;
 /// doubles the error beside a curved wall.
 constexpr double one_pass_most = 0.25;
 /// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value fluid already moves
-/// as a rigid body within a step. At 9e6 a thick lump beside thin fluid in a bowl gained energy without
-/// end.
+/// as a rigid body within a step, and in float the coupling of more to the rest would be lost. At 9e6 a
+/// thick lump beside thin fluid in a bowl gained energy without end.
 constexpr double rigid = 1e5;
 /// Largest accepted divergence with solids, times h and divided by the largest velocity component.
 constexpr double max_divergence_with_solids = 9.5e-7;
@@ -331,12 +332,15 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
         return;
     }
     mix_property(settings, now, settings.viscosity, &Substance::viscosity);
-    // Fluid with a larger viscosity already moves as a rigid body within a step, and in float its
-    // coupling to the rest would be lost.
-    const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
-    for (float& viscosity : mixed_property_) viscosity = std::min(viscosity, thickest);
+    const double thickest = rigid * lattice_.h * lattice_.h / dt;
+    const bool varies = viscosity_varies(settings);
+    if (!varies)
+        for (float& viscosity : mixed_property_)
+            viscosity = std::min(viscosity, static_cast<float>(thickest));
     const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
     viscosity_.diffuse({.viscosity = &mixed_property_,
+                        .thickest = varies ? thickest : std::numeric_limits<double>::infinity(),
+                        .varies = varies,
                         .force = has_force_ ? &force_ : nullptr,
                         .no_slip_at_solids = settings.no_slip_at_solids,
                         .lid = settings.lid,

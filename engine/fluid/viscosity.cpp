@@ -5,6 +5,7 @@
 #include "fluid/floats8.h"
 #include "fluid/sample.h"
 #include "fluid/transpose.h"
+#include "fluid/viscous_links.h"
 
 namespace thaum::fluid {
 namespace {
@@ -47,23 +48,12 @@ struct Lines {
     Edge edge;
     bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool no_slip_at_solids;
-    float lid;  ///< speed of the wall at the high end (m/s)
+    bool varies;      ///< whether the viscosity differs between places
+    float link_most;  ///< largest coefficient of a link, except one that a wall shortens
+    float lid;        ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
     std::ptrdiff_t skipped;  ///< closed places left out before the first place
 };
-
-inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
-
-/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
-/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic mean, a
-/// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
-inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
-    const Floats8 low = a < b ? a : b, high = larger(a, b);
-    // The order of the operations keeps equal coefficients as they are, to the bit.
-    const Floats8 both = low * ((high + high) / (low + high + 1e-30F));
-    const Floats8 one = holds ? larger(high, zero8) : zero8;
-    return low < zero8 ? one : both;
-}
 
 /// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
 /// limit.
@@ -79,6 +69,11 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Float
     return explicit_part(whole, most);
 }
 
+/// Largest coefficient of a link.
+float largest_coefficient(const Lattice& lattice, const ViscousStep& step) {
+    return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
+}
+
 /// The lines along one direction that carry one component of the velocity. Each slab sets their arrays.
 Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
     const Slabs slabs = slabs_along(lattice, across);
@@ -91,6 +86,8 @@ Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t a
             .edge = lattice.edges[across],
             .through = axis == across,
             .no_slip_at_solids = step.no_slip_at_solids,
+            .varies = step.varies,
+            .link_most = largest_coefficient(lattice, step),
             .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
             .cuts = {},
             .skipped = 0};
@@ -124,19 +121,50 @@ std::array<float, 2> links_to_walls(const Lines& lines) {
     return {wall, wall};
 }
 
+/// Coefficients of place r of each line. Beyond the ends they are closed, or those of the other end of periodic
+/// lines.
 const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    if (r < 0 || r >= lines.count) {
+        if (lines.edge != Edge::periodic) return buffers.closed;
+        r = (r % lines.count + lines.count) % lines.count;
+    }
     const bool wall = r == 0 && lines.through && lines.edge != Edge::periodic;
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Coefficients of the links from place r to place r + 1, including links that a wall cuts.
-void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
+/// Coefficients around the link from place r to the next one, which is the first place for the last one.
+LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    LinkRows rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i] = coefficients_at(lines, buffers, r - 2 + static_cast<std::ptrdiff_t>(i));
+    return rows;
+}
+
+/// Whether a line's viscosity varies and its place r may hold an interface, for any of the lines.
+bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    if (!lines.varies) return false;
+    const PlacesAround rows{coefficients_at(lines, buffers, r - 2), coefficients_at(lines, buffers, r - 1),
+                            coefficients_at(lines, buffers, r + 1), coefficients_at(lines, buffers, r + 2)};
+    auto any = interface_between(rows, 0);
+    for (std::ptrdiff_t i = 8; i < lines.pitch; i += 8) any |= interface_between(rows, i);
+    return any_of(any);
+}
+
+/// Coefficients of the links from place r to place r + 1, including links that a wall cuts. `layered`: whether one
+/// of the two may hold an interface.
+void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered,
                 std::span<const CutLink>& cuts) {
     const bool holds = lines.no_slip_at_solids || (lines.through && lines.edge != Edge::periodic);
     const float* own = coefficients_at(lines, buffers, r);
     const float* next = lines.coefficient + (r + 1) * lines.row;
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-        store(buffers.link + i, link(holds, load(own + i), load(next + i)));
+        store(buffers.link + i, smaller(link(holds, load(own + i), load(next + i)), zero8 + lines.link_most));
+    if (layered) {
+        const LinkRows rows = rows_around(lines, buffers, r);
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(buffers.link + i,
+                  smaller(layered_link(load(buffers.link + i), rows, i), zero8 + lines.link_most));
+    }
     if (!holds) return;
     const std::ptrdiff_t first = (r + lines.skipped) * lines.pitch;
     std::size_t taken = 0;
@@ -153,15 +181,18 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     const float multiple = links_to_walls(lines)[0];
     const float* own = coefficients_at(lines, buffers, 0);
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
-        const Floats8 whole = multiple * larger(load(own + i), zero8);
+        const Floats8 whole = multiple * smaller(larger(load(own + i), zero8), zero8 + lines.link_most);
         const Floats8 part = explicit_part(whole, zero8 + explicit_wall_link_most);
         const Floats8 value = load(lines.value + i);
         store(buffers.below + i, zero8);
         store(buffers.flux + i, -part * value);
         store(buffers.to_wall + i, whole - part);
         if constexpr (ring) {
-            const Floats8 ends =
+            const Floats8 mean =
                 link(lines.no_slip_at_solids, load(lines.coefficient + last + i), load(own + i));
+            const Floats8 ends = smaller(
+                lines.varies ? layered_link(mean, rows_around(lines, buffers, lines.count - 1), i) : mean,
+                zero8 + lines.link_most);
             const Floats8 half = explicit_part(ends, zero8 + explicit_link_most);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
             // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
@@ -205,7 +236,7 @@ template <bool ring, bool last>
     const Floats8 here = load(place.value + i), coefficient = load(place.coefficient + i);
     Floats8 whole, part, to_next;
     if constexpr (last) {
-        whole = place.wall_multiple * larger(coefficient, zero8);
+        whole = place.wall_multiple * smaller(larger(coefficient, zero8), zero8 + lines.link_most);
         part = explicit_part(whole, zero8 + explicit_wall_link_most);
         to_next = part * here;
     } else {
@@ -286,8 +317,11 @@ void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     const auto w = lines.pitch;
     std::span<const CutLink> cuts = lines.cuts;
     begin<ring>(lines, buffers, left);
+    bool layered = may_hold_interface(lines, buffers, 0);
     for (std::ptrdiff_t r = 0; r + 1 < n; ++r) {
-        find_links(lines, buffers, r, cuts);
+        const bool next_layered = may_hold_interface(lines, buffers, r + 1);
+        find_links(lines, buffers, r, layered || next_layered, cuts);
+        layered = next_layered;
         eliminate_place<ring, false>(lines, buffers, left, r);
     }
     eliminate_place<ring, true>(lines, buffers, left, n - 1);
@@ -440,6 +474,7 @@ void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocit
 void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto s = lattice_.stride[axis];
     const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
+    const Floats8 most = zero8 + largest_coefficient(lattice_, step);
     const float* nu = step.viscosity->data();
     const bool holds = solids_ != nullptr && step.no_slip_at_solids;
     const float* open = holds                ? on_lines_[axis].data()
@@ -452,7 +487,7 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
             const Floats8 share = open == nullptr ? closed + 2.0F : load(open + i);
             const Floats8 coefficients = share > zero8 ? both : closed;
             store(face_coefficients_.data() + i, coefficients);
-            if (step.force != nullptr) add_force(step, axis, -1, coefficients, i, u);
+            if (step.force != nullptr) add_force(step, axis, -1, smaller(coefficients, most), i, u);
         }
     });
     if (holds) scale_to_lines(axis, u);
@@ -463,7 +498,7 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     if (step.force == nullptr) return;
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            add_force(step, axis, 1, load(face_coefficients_.data() + i), i, u);
+            add_force(step, axis, 1, smaller(load(face_coefficients_.data() + i), most), i, u);
     });
 }
 
@@ -495,11 +530,13 @@ void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Sample
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
     const Samples& nu = *step.viscosity;
     const auto factor = static_cast<float>(0.5 * step.dt / (lattice_.h * lattice_.h)) * drag_factor;
+    const auto thickest = static_cast<float>(step.thickest);
     for (std::size_t i = 0; i < dragged.size(); ++i) {
         const DraggedFace& face = dragged[i];
         float drawn = 0;
         for (std::size_t side = 0; side < 6; ++side) drawn += face.share[side] * u[face.from[side]];
-        const float drag = factor * (nu[face.at - across] + nu[face.at]) * face.nearer;
+        const float both = std::min(nu[face.at - across], thickest) + std::min(nu[face.at], thickest);
+        const float drag = factor * both * face.nearer;
         dragged_speeds_[i] = (dragged_speeds_[i] + drag * drawn) / (1 + drag);
     }
     for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = dragged_speeds_[i];

@@ -14,7 +14,8 @@
 // explicit part is added at the end, so that a steady flow does not depend on dt.
 //
 // Where the viscosity varies, the link between two places has the harmonic mean of their coefficients. A flow
-// along layers is then exact if they meet halfway between places.
+// along layers is then exact if they meet halfway between places. Where they meet within a cell and nothing else
+// is mixed, its coefficient tells how far each layer reaches into it.
 //
 // Curved walls: the coefficient of a link from an open place to the wall beside it is divided by the
 // open part of its length. No slip then holds at the true position of the wall (Gibou, Fedkiw, Cheng
@@ -22,6 +23,7 @@
 // (cuts.h). The lines of this solver use the velocity at the centre of the face instead, which is
 // smaller in proportion to its distance from the wall.
 #pragma once
+#include <limits>
 #include <span>
 
 #include "fluid/solids.h"
@@ -31,6 +33,10 @@ namespace thaum::fluid {
 /// Arguments of one implicit viscous step.
 struct ViscousStep {
     const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
+    /// Largest viscosity between two places (m^2/s). Single places may have more, so that one which is only in
+    /// part thick differs from one which is so throughout.
+    double thickest = std::numeric_limits<double>::infinity();
+    bool varies = true;  ///< whether it differs between places
     /// Constant force of this step, already included in the velocity (m/s^2); null for none.
     const std::array<Samples, 3>* force{};
     bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
