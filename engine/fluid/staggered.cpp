@@ -26,7 +26,7 @@ constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
 /// Largest distance that the flow may move in a sub-step, summed over the axes (cells). The steepest
-/// wave turns by 7/6 of that at order 4.
+/// wave turns by 1.37 of that at order 4.
 constexpr double carried_most = 2.0;
 /// Largest nu dt / h^2 for which the stages include viscosity. The steepest wave has 16 times that,
 /// 2.4.
