@@ -16,9 +16,23 @@ constexpr std::size_t verified_prefixes = 2 * lanes;  // beginnings that are com
 /// Distances below this one count as this one: no other hand comes nearer, and the calibration knows nothing of them.
 constexpr float least_counted = 0.02F;
 constexpr float no_match = 1, very_far_off = 1e30F;
-/// Distance that a length adds which is e times another, and the most that any length adds. Half and twice the length
-/// add 0.03, about as much as a hand differs from itself; from four times on, the length is of another kind of stroke.
-constexpr float length_weight = 0.06F, most_for_length = 0.12F;
+/// Distance that a length adds which is e times another, where nothing is known of how lengths agree. Half and twice the
+/// length then add 0.03, about as much as a hand differs from itself. Durations add nothing there.
+constexpr float length_weight = 0.06F;
+/// Most that a length or a duration adds. From four times the length on, it is of another kind of stroke.
+constexpr float most_for_difference = 0.12F;
+/// Where the logarithms of a gesture's lengths, or durations, have a variance v, one of them adds this over v + least_variance.
+constexpr double agreement_weight = 0.002, least_variance = 0.003;
+/// `length_weight` counts as much as this many degrees of freedom of the recorded strokes.
+constexpr double prior_freedom = 4;
+/// A recorded stroke that is farther than the nearest one of its gesture by this distance counts e times less.
+constexpr float hand_scatter = 0.03F;
+/// Where the logarithm of force / speed of a gesture's strokes has a smaller variance, the force is the answer of a viscous
+/// field. Then a stroke is drawn slowly or fast on purpose, as a gentle or a harsh one, and its duration tells nothing.
+constexpr double viscous_variance = 0.15 * 0.15;
+constexpr float least_force = 1e-6F;
+/// A shorter duration counts as this one (s), also that of a stroke without times.
+constexpr float least_seconds = 0.001F;
 /// Squared distances of points, where the dot product chooses, are about four times the elastic distance.
 constexpr float squares_to_elastic = 4;
 constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
@@ -36,10 +50,47 @@ float log_length_of(const Shape& shape) {
     return static_cast<float>(det::log(static_cast<double>(shape.length)));
 }
 
-/// Distance for a difference of logarithms of lengths.
-float cost_of_length(float difference) {
-    return std::min(length_weight * difference * difference, most_for_length);
+float log_seconds_of(const Shape& shape) {
+    return static_cast<float>(det::log(static_cast<double>(std::max(shape.seconds, least_seconds))));
 }
+
+float cost_of(float difference, float weight) {
+    return std::min(weight * difference * difference, most_for_difference);
+}
+
+Floats8 costs_of(Floats8 differences, float weight) {
+    const Floats8 costs = weight * differences * differences;
+    const Floats8 most = most_for_difference + Floats8{};
+    return costs < most ? costs : most;
+}
+
+/// How much the logarithms of recorded lengths, or durations, of one gesture differ.
+class Scatter {
+public:
+    void add(double value) {
+        ++count_;
+        sum_ += value;
+        squares_ += value * value;
+    }
+    /// Counts what was added as one gesture, and begins another.
+    void end_gesture() {
+        if (count_ > 1) {
+            deviations_ += std::max(squares_ - sum_ * sum_ / count_, 0.0);
+            freedom_ += count_ - 1;
+        }
+        count_ = sum_ = squares_ = 0;
+    }
+    double variance() const { return deviations_ / std::max(freedom_, 1.0); }
+    /// `prior`: weight where nothing is known.
+    float weight(float prior) const {
+        const double known = freedom_ * agreement_weight / (variance() + least_variance);
+        const double sum = known + prior_freedom * static_cast<double>(prior);
+        return static_cast<float>(sum / (freedom_ + prior_freedom));
+    }
+
+private:
+    double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
+};
 
 /// Most probability of a gesture by its margin alone. Of two gestures that are as near, each has half.
 double share_by_margin(const Evidence& evidence) {
@@ -92,6 +143,7 @@ Points beginning_of(Points stroke, double share) {
 bool PrefixReader::add_stroke(Points stroke, const GestureOptions& options, PrefixSpace& space) {
     const bool solid = channels_.depth && !options.planar;
     Beginnings b{.gesture = static_cast<std::uint32_t>(names_.size() - 1),
+                 .stroke = static_cast<std::uint32_t>(gesture_of_stroke_.size() - 1),
                  .channels = solid ? solid_channels : planar_channels};
     std::array<Shape, lanes> shapes{};
     std::array<const float*, lanes> values{};
@@ -106,6 +158,7 @@ bool PrefixReader::add_stroke(Points stroke, const GestureOptions& options, Pref
         for (std::size_t i = 0; i < shape_points * b.channels; ++i)
             b.square[k] += values[k][i] * values[k][i];
         b.log_length[k] = log_length_of(shapes[k]);
+        b.log_seconds[k] = log_seconds_of(shapes[k]);
         b.force[k] = shapes[k].force;
     }
     set_lanes(b.values, b.channels, values);
@@ -118,6 +171,7 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
     if (gesture.strokes.empty()) return fail(text("gesture '", gesture.name, "' has no stroke"));
     names_.push_back(gesture.name);
     for (const auto& stroke : gesture.strokes) {
+        gesture_of_stroke_.push_back(static_cast<std::uint32_t>(names_.size() - 1));
         std::vector<std::vector<StrokePoint>> ways{stroke};
         if (!gesture.options.direction_sensitive) ways.push_back(drawn_backwards(stroke));
         for (const auto& way : ways) {
@@ -125,6 +179,7 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
             for (std::size_t k = 0; k < turns; ++k) {
                 if (!add_stroke(begun_at(way, k * way.size() / turns), gesture.options, space))
                     return fail(text("gesture '", gesture.name, "': a stroke without a shape"));
+                beginnings_.back().as_drawn = &way == ways.data() && k == 0;
             }
         }
     }
@@ -133,9 +188,33 @@ Expected<void> PrefixReader::add(const Gesture& gesture, PrefixSpace& space) {
     return {};
 }
 
+/// How much lengths and durations count, by the whole recorded strokes.
+PrefixReader::Weights PrefixReader::weights_of_agreement() const {
+    Scatter lengths, seconds, viscosities;
+    for (std::size_t b = 0; b < beginnings_.size(); ++b) {
+        const auto& one = beginnings_[b];
+        if (one.as_drawn) {
+            const auto length = static_cast<double>(one.log_length[lanes - 1]);
+            const auto duration = static_cast<double>(one.log_seconds[lanes - 1]);
+            lengths.add(length);
+            seconds.add(duration);
+            const auto force = static_cast<double>(std::max(one.force[lanes - 1], least_force));
+            viscosities.add(det::log(force) + duration - length);
+        }
+        if (b + 1 < beginnings_.size() && beginnings_[b + 1].gesture == one.gesture) continue;
+        for (auto* scatter : {&lengths, &seconds, &viscosities}) scatter->end_gesture();
+    }
+    const auto any = [&](auto has) { return std::any_of(beginnings_.begin(), beginnings_.end(), has); };
+    const bool has_force = any([](const Beginnings& one) { return one.force[lanes - 1] > least_force; });
+    static const auto no_time = static_cast<float>(det::log(static_cast<double>(least_seconds)));
+    const bool has_times = any([](const Beginnings& one) { return one.log_seconds[lanes - 1] > no_time; });
+    const bool hurried_on_purpose = has_force && viscosities.variance() < viscous_variance;
+    return {lengths.weight(length_weight), has_times && !hurried_on_purpose ? seconds.weight(0) : 0};
+}
+
 /// Finds the nearest share of each recorded stroke by the dot product, and puts the nearest strokes first.
 std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
-    const float length = log_length_of(shape);
+    const float length = log_length_of(shape), seconds = log_seconds_of(shape);
     std::size_t count = 0;
     for (std::uint32_t b = 0; b < beginnings_.size(); ++b) {
         const auto& one = beginnings_[b];
@@ -143,11 +222,15 @@ std::size_t PrefixReader::choose(const Shape& shape, PrefixSpace& space) const {
         Floats8 dot{};
         for (std::size_t i = 0; i < shape_points * one.channels; ++i)
             dot += shape.values[i] * load<Floats8>(&one.values.values[i * lanes]);
+        const Floats8 squares =
+            (load<Floats8>(one.square.data()) - 2.0F * dot) / static_cast<float>(shape_points);
+        const Floats8 differences =
+            costs_of(length - load<Floats8>(one.log_length.data()), weights_.length) +
+            costs_of(seconds - load<Floats8>(one.log_seconds.data()), weights_.seconds);
+        const Floats8 distances = squares + squares_to_elastic * differences;
         PrefixSpace::Candidate nearest{.distance = very_far_off, .place = b};
         for (std::uint32_t k = 0; k < lanes; ++k) {
-            const float squares = (one.square[k] - 2 * dot[k]) / shape_points;
-            const float distance = squares + squares_to_elastic * cost_of_length(length - one.log_length[k]);
-            if (distance < nearest.distance) nearest = {distance, b, k};
+            if (distances[k] < nearest.distance) nearest = {distances[k], b, k};
         }
         space.candidates[count++] = nearest;
     }
@@ -173,14 +256,32 @@ void PrefixReader::verify(const Shape& shape, std::size_t first, std::size_t end
     }
     set_lanes(space.eight, shape.channels, values);
     const auto distances = elastic_distances(shape, space.eight);
-    const float length = log_length_of(shape);
+    const float length = log_length_of(shape), seconds = log_seconds_of(shape);
     for (std::size_t k = 0; k < count; ++k) {
         const auto& c = space.candidates[first + k];
         const auto& from = beginnings_[c.place];
         auto& nearest = space.nearest[from.gesture];
-        const float distance = distances[k] + cost_of_length(length - from.log_length[c.lane]);
+        const float distance = distances[k] + cost_of(length - from.log_length[c.lane], weights_.length) +
+                               cost_of(seconds - from.log_seconds[c.lane], weights_.seconds);
+        auto& of_stroke = space.stroke_distance[from.stroke];
+        of_stroke = std::min(of_stroke, distance);
         if (distance < nearest.distance)
             nearest = {distance, length - from.log_length[lanes - 1], from.force[c.lane]};
+    }
+}
+
+/// Adds to the distance of each gesture's nearest recorded stroke for those of its strokes that are farther. A gesture is
+/// likelier if all its strokes are near than if one of them is.
+void PrefixReader::join_strokes(PrefixSpace& space) const {
+    std::size_t s = 0;
+    for (std::uint32_t g = 0; g < names_.size(); ++g) {
+        auto& least = space.nearest[g].distance;
+        double near = 0, count = 0;
+        for (; s < gesture_of_stroke_.size() && gesture_of_stroke_[s] == g; ++s, ++count) {
+            const float distance = space.stroke_distance[s];
+            if (distance < no_match) near += det::exp(static_cast<double>((least - distance) / hand_scatter));
+        }
+        if (near > 0) least += hand_scatter * static_cast<float>(det::log(count / near));
     }
 }
 
@@ -247,6 +348,7 @@ LikelyGesture PrefixReader::likeliest(const PrefixSpace& space) const {
 LikelyGesture PrefixReader::read(Points stroke, PrefixSpace& space) const {
     space.candidates.resize(beginnings_.size());
     space.nearest.assign(names_.size(), {no_match, 0});
+    space.stroke_distance.assign(gesture_of_stroke_.size(), no_match);
     for (const bool solid : {true, false}) {
         if (!(solid ? needs_solid_ : needs_flat_)) continue;
         if (!make_shape(stroke, {solid, channels_.force}, space.points, space.shape)) continue;
@@ -254,6 +356,7 @@ LikelyGesture PrefixReader::read(Points stroke, PrefixSpace& space) const {
         const std::size_t end = choose(space.shape, space);
         for (std::size_t first = 0; first < end; first += lanes) verify(space.shape, first, end, space);
     }
+    join_strokes(space);
     return likeliest(space);
 }
 
@@ -311,6 +414,7 @@ Expected<PrefixReader> PrefixReader::make(std::span<const Gesture> gestures, con
     for (const auto& gesture : gestures) {
         if (auto added = reader.add(gesture, space); !added) return added.error();
     }
+    reader.weights_ = reader.weights_of_agreement();
     reader.find_twins(gestures, space);
     if (settings.calibrate) reader.calibrate(gestures, settings.seed, space);
     return reader;

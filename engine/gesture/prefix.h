@@ -3,8 +3,12 @@
 // A recogniser compares whole strokes, so the first half of an S is nothing to it, or something else. Here each recorded
 // stroke is cut at eight shares of its length, and the stroke so far is compared with all of these beginnings: by the dot
 // product of their shapes first, then elastically with the nearest ones (elastic.h). Nobody knows how much of the stroke
-// is still to come. But people draw a gesture at about the same size each time, so a beginning also counts as the
-// farther, the more its length differs from that of the stroke so far.
+// is still to come. But people draw a gesture at about the same size and pace each time, so a beginning also counts as the
+// farther, the more its length and duration differ from those of the stroke so far. How much they count depends on how
+// much the recorded strokes of a gesture agree. One stroke of each says nothing about that. Nor do durations where the force
+// is the answer of a viscous field, because a hand is slow or fast there on purpose, for a gentle or a harsh stroke.
+//
+// Of several recorded strokes of a gesture all count, the nearest most.
 //
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is not
 // sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.
@@ -74,8 +78,9 @@ struct PrefixSpace {
         float log_share{};
         float force{};  ///< mean force of that beginning (unit of the strokes)
     };
-    std::vector<Nearest> nearest{};  ///< nearest beginning of each gesture
-    float force{};                   ///< mean force of the stroke so far (unit of the strokes)
+    std::vector<Nearest> nearest{};        ///< nearest beginning of each gesture
+    std::vector<float> stroke_distance{};  ///< distance of the nearest beginning of each recorded stroke
+    float force{};                         ///< mean force of the stroke so far (unit of the strokes)
 };
 
 class PrefixReader {
@@ -96,18 +101,27 @@ private:
     /// One recorded stroke from one start and in one direction, cut at eight shares.
     struct Beginnings {
         std::uint32_t gesture{};
+        std::uint32_t stroke{};  ///< number of the recorded stroke, among those of all gestures
+        bool as_drawn{};         ///< from its own start and in its own direction
         std::size_t channels{};
         EightShapes values{};
-        std::array<float, lanes> square{};      ///< dot product of each beginning with itself
-        std::array<float, lanes> log_length{};  ///< natural logarithm of the length (unit of the strokes)
-        std::array<float, lanes> force{};       ///< mean force (unit of the strokes)
+        std::array<float, lanes> square{};       ///< dot product of each beginning with itself
+        std::array<float, lanes> log_length{};   ///< natural logarithm of the length (unit of the strokes)
+        std::array<float, lanes> log_seconds{};  ///< natural logarithm of the duration (s)
+        std::array<float, lanes> force{};        ///< mean force (unit of the strokes)
+    };
+    /// Distance for a difference of logarithms by 1.
+    struct Weights {
+        float length{}, seconds{};
     };
 
+    Weights weights_of_agreement() const;
     Expected<void> add(const Gesture& gesture, PrefixSpace& space);
     bool add_stroke(std::span<const StrokePoint> stroke, const GestureOptions& options, PrefixSpace& space);
     void calibrate(std::span<const Gesture> gestures, std::uint64_t seed, PrefixSpace& space);
     std::size_t choose(const Shape& shape, PrefixSpace& space) const;
     void verify(const Shape& shape, std::size_t first, std::size_t end, PrefixSpace& space) const;
+    void join_strokes(PrefixSpace& space) const;
     void find_twins(std::span<const Gesture> gestures, PrefixSpace& space);
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
     double share_by_force(std::uint32_t gesture, const PrefixSpace& space) const;
@@ -117,8 +131,10 @@ private:
     Channels channels_{};
     std::vector<std::string> names_;
     std::vector<Beginnings> beginnings_;
+    std::vector<std::uint32_t> gesture_of_stroke_;
     std::vector<std::vector<std::uint32_t>> twins_;  ///< gestures that only force tells from each gesture
     Calibration calibration_{};
+    Weights weights_{};
     bool needs_solid_ = false, needs_flat_ = false;
 };
 

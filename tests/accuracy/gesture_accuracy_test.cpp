@@ -44,6 +44,15 @@ TEST_F(GesturePublicData, LettersWithForce) {
     EXPECT_GE(accuracy(set, settings), 0.985);
 }
 
+TEST_F(GesturePublicData, HalfOfAStrokeTellsMoreWhereRecordedStrokesAgree) {
+    EvaluationSettings settings{
+        .method = Method::early, .protocol = Protocol::random, .templates = 9, .repeats = 1, .at = 0.5};
+    EXPECT_GE(accuracy(strokes("character-trajectories.csv.gz"), settings), 0.84) << "by one writer";
+    settings.protocol = Protocol::leave_user_out;
+    settings.templates = 3;
+    EXPECT_GE(accuracy(strokes("machete-mouse.csv.gz"), settings), 0.975) << "by ten";
+}
+
 TEST_F(GesturePublicData, LettersOfWhichHalfAreUnknown) {
     const auto set = strokes("character-trajectories.csv.gz");
     const EvaluationSettings settings{.protocol = Protocol::random,
