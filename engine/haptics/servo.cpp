@@ -69,7 +69,7 @@ bool detect_source_switch(ServoState& state, const HapticModel& model) {
 constexpr double solved_residual = 1e-9;
 
 /// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
-constexpr std::uint32_t unsettled_ticks = 8;
+constexpr std::uint32_t unsettled_ticks = first_ticks;
 
 /// Returns true if the set appeared, ended or jumped.
 bool detect_set_switch(ServoState& state, const HapticModel& model) {
@@ -97,10 +97,10 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
     }
     state.proxy = found.proxy;
     if (model.primitives.by_proxy())
-        state.proxy =
-            settle(state.settling, {before, found.proxy, tip, spring.stiffness, model.field_motion});
+        state.proxy = settle(
+            state.settling, {before, found.proxy, tip, spring, model.coupling.stiffness, model.field_motion});
     const bool balanced = state.proxy == found.proxy && found.residual <= solved_residual;
-    return balanced ? found.force : spring.stiffness * (state.proxy - spring.centre);
+    return (balanced ? found.force : spring.stiffness * (state.proxy - spring.centre)) + state.settling.lag;
 }
 
 // ---- switches -------------------------------------------------------------------------------------------------------

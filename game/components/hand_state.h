@@ -38,7 +38,7 @@ THAUM_FIELDS_OF(SurfaceState, proxy, touched, contacts, sliding, begun, limited)
 THAUM_FIELDS_OF(FluidTouchState, force, place, wall, mass_position, mass_velocity, surface_force,
                 surface_height, flow_work, immersed, number, inside, begun)
 
-THAUM_FIELDS_OF(Settling, tip, rest, step, balance, pace, bound, straight)
+THAUM_FIELDS_OF(Settling, tip, rest, step, balance, pace, bound, straight, force, lag, pull)
 
 THAUM_FIELDS_OF(SeenBodies, stiffness, keys, count)
 

@@ -220,8 +220,8 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
     fill_primitives(lab, tip);
     auto& state = lab.servo_state;
-    const haptics::Balance found =
-        haptics::balance(lab.model.primitives, {tip, lab.model.coupling.stiffness});
+    const haptics::Spring spring{tip, lab.model.coupling.stiffness};
+    const haptics::Balance found = haptics::balance(lab.model.primitives, spring);
     const bool usable = std::isfinite(found.residual);
     if (!usable || state.primitives == 0 || state.set_number != lab.model.set_number) state.settling = {};
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
@@ -230,7 +230,7 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
     state.proxy = tip;
     if (usable)
         state.proxy = haptics::settle(
-            state.settling, {before, found.proxy, tip, lab.model.coupling.stiffness, lab.model.field_motion});
+            state.settling, {before, found.proxy, tip, spring, spring.stiffness, lab.model.field_motion});
     // The way of the last tick: over one short step, the device's quantum would be most of it.
     const vec3 velocity = (tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1]) / tick_seconds;
     const double drag = std::min(lab.model.viscosity, lab.servo.most_damping);

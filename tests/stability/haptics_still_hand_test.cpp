@@ -42,7 +42,8 @@ struct FeltModes {
     Servo servo{};
     ServoState state{};
     HapticModel model{};
-    vec3 force{};  ///< force of the spring, before the safety stage (N)
+    vec3 force{};   ///< force of the spring, before the safety stage (N)
+    vec3 output{};  ///< force that the hand feels, if the servo has limits (N)
 
     FeltModes(std::vector<ModeUse> modes, double stiffness, double damping = 0) : uses(std::move(modes)) {
         model.set_number = 1;
@@ -54,7 +55,7 @@ struct FeltModes {
         model.primitives.clear();
         add_modes(uses, {state.primitives == 0 ? tip : state.proxy, tip, {}, model.coupling.stiffness},
                   model.primitives);
-        servo_step(servo, state, model, {tip, 0});
+        output = servo_step(servo, state, model, {tip, 0});
         const vec3 before = force;
         force = model.coupling.stiffness * (state.proxy - tip);
         return glm::distance(force, before);
@@ -175,6 +176,74 @@ TEST(StillHand, AHandThatCreepsOrTremblesInTheCoreOfAVortexFeelsNoChatter) {
     }
 }
 
+/// A hand that feels modes through spring and damper, by a device that renders every force.
+struct FeltChange {
+    FeltModes hand;
+    std::array<vec3, velocity_window + 1> tips{};  ///< the newest one first
+    vec3 velocity{};
+
+    FeltChange(std::vector<ModeUse> modes, double stiffness, double damping)
+        : hand(std::move(modes), stiffness, damping) {
+        hand.servo = servo_of({.peak_force = 100, .continuous_force = 100}, 1);
+    }
+
+    /// Feels one tick. Returns the change of the force, less that by the hand's motion (N).
+    double feel(vec3 tip) {
+        if (hand.state.samples == 0) tips.fill(tip);
+        const vec3 before = hand.output, velocity_before = velocity;
+        hand.feel(tip);
+        std::shift_right(tips.begin(), tips.end(), 1);
+        tips[0] = tip;
+        velocity = (tips.front() - tips.back()) / (velocity_window * tick_seconds);
+        const ProxyCoupling& coupling = hand.model.coupling;
+        return glm::distance(hand.output, before) - coupling.stiffness * glm::distance(tips[1], tip) -
+               coupling.damping * glm::distance(velocity, velocity_before);
+    }
+};
+
+TEST(StillHand, AHandThatCreepsOrTremblesInSeveralModesFeelsNoChatter) {
+    const std::array<Motion, 3> motions{[](double t) { return 0.005 * t; },
+                                        [](double t) { return tremor(3e-4, 12, t); },
+                                        [](double t) { return tremor(1e-3, 9, t); }};
+    Random random{15};
+    for (int i = 0; i < 40; ++i) {
+        const Speed speed{field::make_vortex_flow(0.2, random.next())};
+        std::vector<ModeUse> uses;
+        for (std::uint32_t k = 0; k < 2 + random.below(3); ++k) {
+            const auto number = random.below(static_cast<std::uint32_t>(modes().size()));
+            uses.push_back(random_use(random, modes()[number], speed));
+        }
+        const double stiffness = 50 * std::pow(100, random.uniform());
+        FeltChange hand(std::move(uses), stiffness, random.below(2) == 0 ? 0 : stiffness / 330);
+        const vec3 place = random_place(random, 0.05);
+        const Motion motion = motions[static_cast<std::size_t>(i) % motions.size()];
+        double largest = 0;
+        for (int tick = 0; tick < 1200; ++tick) {
+            const double change =
+                hand.feel(place + vec3(motion(std::max(0, tick - 300) * tick_seconds), 0, 0));
+            if (tick > 320) largest = std::max(largest, change);
+        }
+        EXPECT_LE(largest, 0.1) << "set " << i;
+    }
+}
+
+TEST(StillHand, ADamperMakesNoJumpOfAWallThatIsMet) {
+    const field::Plane ground{.through = {}, .normal = {0, 1, 0}};
+    for (const double speed : {0.03, 0.1, 0.3}) {  // an omega3 in the lab: 5,000 N/m and 15 N s/m
+        FeltChange felt({{find_mode("isosurface"), any_field(field_of<Scalar>(ground)), {}}}, 5000, 15);
+        felt.hand.uses[0].settings.strength = field::constant(9);
+        double largest = 0;
+        for (int tick = 0; tick < 150; ++tick) {  // it presses in by 1 mm
+            const double y = std::max(speed * tick_seconds * (70.4 - tick), -0.001);
+            const double change = felt.feel({0, y, 0});
+            if (tick > 20) largest = std::max(largest, change);
+            if (y < 0) EXPECT_NEAR(felt.hand.state.proxy.y, 0, 2e-5) << "the wall holds the proxy";
+        }
+        EXPECT_LE(largest, 0.1) << speed;
+        EXPECT_NEAR(felt.hand.output.y, 5, 1e-9) << speed;
+    }
+}
+
 TEST(StillHand, AFieldThatMovesByNextToNothingFreesNoChatter) {
     const field::RankineVortex vortex{.radius = 0.01};
     FeltModes hand({{find_mode("force"), any_field(field_of<Vector>(vortex)), {}}}, 300);
@@ -273,24 +342,26 @@ TEST(StillHand, AProxyInAGlidingSetOfItsOwnDoesNotSettle) {
 
 TEST(Settling, TakesTheWholeWayUnlessItTurnsBackAndCalmsDownAtRest) {
     Settling state;
-    EXPECT_EQ(settle(state, {{}, {0.01, 0, 0}, {}, 300}), vec3(0.01, 0, 0));
-    EXPECT_EQ(settle(state, {{0.01, 0, 0}, {0.012, 0, 0}, {}, 300}), vec3(0.012, 0, 0));
-    EXPECT_LE(settle(state, {{0.012, 0, 0}, {0, 0, 0}, {}, 300}).x, 0.012 - 0.001);
-    EXPECT_GT(settle(state, {{0.011, 0, 0}, {0, 0, 0}, {}, 300}).x, 0);
+    const auto go = [&](vec3 from, vec3 balance, double motion = 0) {
+        return settle(state, {from, balance, {}, {{}, 300}, 300, motion});
+    };
+    EXPECT_EQ(go({}, {0.01, 0, 0}), vec3(0.01, 0, 0));
+    EXPECT_EQ(go({0.01, 0, 0}, {0.012, 0, 0}), vec3(0.012, 0, 0));
+    EXPECT_LE(go({0.012, 0, 0}, {}).x, 0.012 - 0.001);
+    EXPECT_GT(go({0.011, 0, 0}, {}).x, 0);
     // However the balance jumps, a tick at rest moves the proxy by less and less.
     Random random{3};
     vec3 proxy(0);
     for (int tick = 0; tick < 600; ++tick) {
         const vec3 before = proxy;
-        proxy = settle(state, {before, random_place(random, 1e3), {}, 300});
+        proxy = go(before, random_place(random, 1e3));
         if (tick > 300) EXPECT_LE(300 * glm::distance(proxy, before), least_pace * (1 + 1e-9));
     }
     // Places that are huge or tiny do no harm, nor do motions that cannot be.
-    for (const double far : {1e6, 1e-300, 0.0})
-        EXPECT_TRUE(is_finite(settle(state, {{}, vec3(far), {}, 300})));
+    for (const double far : {1e6, 1e-300, 0.0}) EXPECT_TRUE(is_finite(go({}, vec3(far))));
     for (const double motion : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_TRUE(is_finite(settle(state, {{}, {0.01, 0, 0}, {}, 300, motion})));
-        EXPECT_TRUE(std::isfinite(settle(state, {{}, vec3(0), {}, 300}).x + state.pace + state.bound));
+        EXPECT_TRUE(is_finite(go({}, {0.01, 0, 0}, motion)));
+        EXPECT_TRUE(std::isfinite(go({}, {}).x + state.pace + state.bound));
     }
 }
 
