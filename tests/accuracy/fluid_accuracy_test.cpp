@@ -53,6 +53,16 @@ TEST(FluidAccuracy, ADriftingVortexConvergesInSecondOrder) {
     }
 }
 
+TEST(FluidAccuracy, ADoubleShearLayerRollsUpAsOnAFinerGrid) {
+    // With neighbours 1 and 3 cells apart in the advection, the error was 0.033.
+    const Flow flow = flows::double_shear();
+    Fluid fluid = begun(flow, fourth, 64);
+    for (const double dt : flows::steps_until(flow.end)) advance(fluid, dt);
+    const auto finer = flows::finer_double_shear(64);
+    ASSERT_TRUE(finer);
+    EXPECT_LE(flows::shear_error(fluid, *finer), 0.024);
+}
+
 TEST(FluidAccuracy, TheVortexInABoxIsTheSameInAllOrientations) {
     for (const Scheme& scheme : {fourth, second}) {
         const double error = error_of(flows::taylor_green_box(0), scheme, 16);

@@ -200,6 +200,50 @@ inline Flow high_viscosity(double ratio, int n) {
     return flow;
 }
 
+// ---- the double shear layer -------------------------------------------------------------------------------------
+
+/// Two thin layers between streams in opposite directions, which roll up (Minion and Brown 1997). The box is one
+/// cell deep. Only the velocity at the start is known.
+inline Flow double_shear() {
+    Flow flow{.name = "double_shear", .fixed = {0, 0, 1}};
+    flow.settings.edges = {Edge::periodic, Edge::periodic, Edge::periodic};
+    flow.settings.viscosity = 1e-4;
+    flow.velocity = [](vec3 place, double) {
+        const double from_layer = place.y <= 0.5 ? place.y - 0.25 : 0.75 - place.y;
+        const double growth = det::exp(60 * from_layer);
+        return vec3((growth - 1) / (growth + 1), 0.05 * det::sin(2 * pi * place.x), 0);
+    };
+    return flow;
+}
+
+/// The end of double_shear on a grid three times as fine as n, so that each face lies on one of its faces. With whole
+/// steps it would need more sub-steps than there are.
+inline Expected<Fluid> finer_double_shear(int n) {
+    const Flow flow = double_shear();
+    auto fluid = start(flow, {Solver::thaum, 4}, 3 * n);
+    if (fluid)
+        for (const double dt : steps_until(flow.end, step / 2)) advance(*fluid, dt);
+    return fluid;
+}
+
+/// Relative L2 error of double_shear at its end against finer_double_shear.
+inline double shear_error(const Fluid& fluid, const Fluid& finer) {
+    const auto reference = [&](std::size_t axis, vec3 place) {
+        const vec3 cell = place / finer.lattice.h - finer.place(axis);
+        const auto at =
+            finer.lattice.at(static_cast<int>(std::lround(cell.x)), static_cast<int>(std::lround(cell.y)), 0);
+        return double{finer.now.velocity[axis][static_cast<std::size_t>(at)]};
+    };
+    double off = 0, of = 0;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        each_component(fluid, axis, [&](double found, vec3 place) {
+            const double exact = reference(axis, place), miss = found - exact;
+            off += miss * miss;
+            of += exact * exact;
+        });
+    return std::sqrt(off / of);
+}
+
 // ---- the cavity -------------------------------------------------------------------------------------------------
 
 /// Reynolds numbers of ghia.h for a square cavity of 1 m, one cell deep, with a lid that moves at 1

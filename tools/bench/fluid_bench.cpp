@@ -93,6 +93,23 @@ void vortices(const Options& options, Report& report) {
     }
 }
 
+void shear_layers(Report& report) {
+    constexpr int n = 64;
+    const Flow flow = flows::double_shear();
+    const auto finer = flows::finer_double_shear(n);
+    if (!finer) return report.faults.push_back(text("fluid: ", finer.error().message));
+    auto runs = runs_of(flow, n, report);
+    // The velocities of the classic solver do not lie on faces.
+    std::erase_if(runs, [](const FluidRun& run) { return run.scheme.solver == Solver::classic; });
+    run_by_turns(runs, flow.end);
+    for (const FluidRun& run : runs) {
+        Row row = row_of(flow.name, run);
+        row.error = ErrorMeasure{"relative_l2_velocity", flows::shear_error(run.fluid, *finer)};
+        row.metrics.emplace_back("divergence", run.divergence);
+        report.rows.push_back(std::move(row));
+    }
+}
+
 void viscous(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16} : std::vector{16, 32, 64};
     for (const int n : sizes) add_flow(flows::couette_start(), n, {}, report);
@@ -450,6 +467,7 @@ void fluid_stress(const Options& options, Report& report) {
 
 void fluid(const Options& options, Report& report) {
     vortices(options, report);
+    shear_layers(report);
     viscous(options, report);
     cavities(options, report);
     turns(options, report);
