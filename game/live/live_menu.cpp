@@ -254,6 +254,16 @@ void LiveMenu::name_pads(const Pads& pads) {
     }
 }
 
+void LiveMenu::tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
+                           std::vector<std::string> faults) {
+    context_.pad_faults = std::move(faults);
+    if (unknown == context_.sticks && own == context_.own_pads) return;
+    const auto before = context_;
+    context_.sticks = std::move(unknown);
+    context_.own_pads = std::move(own);
+    state_ = on_same_rows(std::move(state_), before, context_);
+}
+
 void LiveMenu::end_pad_setup(std::string note) {
     if (sets_up_pad()) state_.pages.pop_back();
     state_.note = std::move(note);
@@ -270,7 +280,10 @@ void LiveMenu::set_pause(PauseWords words) {
     state_.line = std::move(words.line);
     if (words.missing != context_.missing && state_.note == words_of_refusal(context_)) state_.note.clear();
     context_.missing = std::move(words.missing);
+    if (words.half_for == context_.half_for) return;
+    const auto before = context_;
     context_.half_for = std::move(words.half_for);
+    state_ = on_same_rows(std::move(state_), before, context_);
 }
 
 void LiveMenu::turn_split() {

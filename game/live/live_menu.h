@@ -69,11 +69,7 @@ public:
     // News for the menu.
     /// Joysticks that are no pads, pads that were set up by hand, and a line for each joystick that does not play.
     void tell_sticks(std::vector<std::string> unknown, std::vector<std::string> own,
-                     std::vector<std::string> faults) {
-        context_.sticks = std::move(unknown);
-        context_.own_pads = std::move(own);
-        context_.pad_faults = std::move(faults);
-    }
+                     std::vector<std::string> faults);
     /// Control that the set-up of a joystick asks for.
     void ask_for_control(std::string question, bool needed) {
         context_.pad_question = std::move(question);

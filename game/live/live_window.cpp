@@ -25,11 +25,12 @@ void follow_fullscreen(const LiveSession& session, LiveWindow& window) {
     if (wanted != window.fullscreen) window.window.set_fullscreen(window.fullscreen = wanted);
 }
 
-/// Says in the window's title whether the match waits, for those who look at another window.
-void tell_pause(LiveWindow& window, bool paused) {
-    if (paused == window.tells_pause) return;
-    window.tells_pause = paused;
-    window.window.set_title(paused ? "Thaum (paused)" : "Thaum");
+/// Says in the window's title what the menu shows, and whether the match waits.
+void tell_menu(LiveWindow& window, const LiveMenu& menu) {
+    auto title = window_title(menu.state(), menu.context());
+    if (title == window.title) return;
+    window.title = std::move(title);
+    window.window.set_title(window.title);
 }
 
 bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
@@ -76,11 +77,13 @@ void look_at_sticks(LiveSession& session, LiveWindow& window) {
 bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window) {
     session.open_start_screen(monotonic_ns());
     const auto events = events_of(session, window.window);
-    while (!shared.stop) {
+    // The first look at pads and joysticks comes before the first key, which may open their page.
+    for (bool first = true; !shared.stop; first = false) {
         session.publish_screen();
-        window.window.poll(events, session.patience_s());
+        if (!first) window.window.poll(events, session.patience_s());
         const bool starts = session.step_start_screen(window.pads.poll(), monotonic_ns());
         look_at_sticks(session, window);
+        tell_menu(window, session.menu());
         follow_fullscreen(session, window);
         tell_outputs(shared);
         if (starts) return true;
@@ -107,10 +110,9 @@ void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
         follow_fullscreen(session, window);
         tell_outputs(shared);
         view.capture_cursor(session.captures_cursor());
-        tell_pause(window, session.menu().is_open());
+        tell_menu(window, session.menu());
     }
     view.capture_cursor(false);
-    tell_pause(window, false);
 }
 
 }  // namespace thaum::app

@@ -12,7 +12,7 @@ struct LiveWindow {
     input::PadReader& pads;
     std::vector<std::string> pad_faults{};  ///< faults of the file of own mappings
     bool fullscreen = false;
-    bool tells_pause = false;                  ///< the title says that the match is paused
+    std::string title = "Thaum";               ///< what the window's title says
     std::vector<input::LockedStick> locked{};  ///< joysticks that this user may not read
     std::int64_t look_for_locked_ns = 0;       ///< when to look for them again
 };

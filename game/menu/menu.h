@@ -176,6 +176,15 @@ std::string words_of_refusal(const MenuContext& context);
 /// Picture of the menu.
 game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
+/// Title of the window: "Thaum", and with a menu its page and the chosen row, for screen readers and for those who look at
+/// another window: "Thaum: Settings / Split: side by side", "Thaum (paused): Go on". The start screen's and the pause's own
+/// rows stand without a page.
+std::string window_title(const MenuState& state, const MenuContext& context);
+
+/// News that add rows to pages, or take some away, must not move another row under the cursor just before it is chosen.
+/// Returns the state with the cursors of all open pages on the rows that they were on in the context before.
+MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuContext& context);
+
 /// Name of a device: "Mouse and keyboard", "Keypad and arrows", "Pad 2 (Xbox 360 Controller)".
 std::string name_of(const Device& device, const MenuContext& context);
 

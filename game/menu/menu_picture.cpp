@@ -149,4 +149,13 @@ game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     return picture;
 }
 
+std::string window_title(const MenuState& s, const MenuContext& context) {
+    if (s.pages.empty()) return "Thaum";
+    const auto rows = rows_of(s, context);
+    const auto& row = rows[std::min(s.pages.back().cursor, rows.size() - 1)].look;
+    return text("Thaum", s.pages.front().page == Page::pause ? " (paused): " : ": ",
+                s.pages.size() > 1 ? text(title_of(s, context), " / ") : std::string(), row.label,
+                row.value.empty() ? "" : ": ", row.value);
+}
+
 }  // namespace thaum::app

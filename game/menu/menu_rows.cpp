@@ -554,4 +554,42 @@ std::string label_of_restart(const MenuContext& context) {
     return text("Restart the ", name_of_play(context));
 }
 
+namespace {
+
+/// A row's meaning, whatever number its joystick has at present.
+struct Meaning {
+    RowKind kind{};
+    std::size_t index = 0;
+    std::string stick{};
+    bool operator==(const Meaning&) const = default;
+};
+
+Meaning meaning_of(const Row& row, const MenuContext& context) {
+    if (row.kind == RowKind::set_up_pad || row.kind == RowKind::forget_pad)
+        return {row.kind, 0, name_of_stick(context, row.index)};
+    return {row.kind, row.index, {}};
+}
+
+}  // namespace
+
+MenuState on_same_rows(MenuState state, const MenuContext& before, const MenuContext& context) {
+    const auto pages = state.pages;
+    for (state.pages.clear(); state.pages.size() < pages.size();) {
+        const auto& page = pages[state.pages.size()];
+        state.pages.push_back(page);
+        const auto rows = rows_of(state, before);
+        if (page.cursor >= rows.size()) continue;
+        const auto now = rows_of(state, context);
+        const auto same = std::find_if(now.begin(), now.end(), [&](const Row& row) {
+            return meaning_of(row, context) == meaning_of(rows[page.cursor], before);
+        });
+        if (same == now.end()) continue;
+        const auto place = static_cast<std::size_t>(same - now.begin());
+        auto& open = state.pages.back();
+        open.middle = open.middle + place > page.cursor ? open.middle + place - page.cursor : 0;
+        open.cursor = place;
+    }
+    return state;
+}
+
 }  // namespace thaum::app

@@ -30,11 +30,13 @@ stroke() {
 }
 # said WORDS: tests whether the wall has told that of a gesture.
 said() { grep -q "^gesture wall: $1" "$folder/said"; }
-# pause KEY...: pauses, presses keys and waits until the range goes on.
+# pause ROW [at_once]: pauses, chooses a row, at which the pause should open with at_once, and waits until the range goes on.
 pause() {
     presses Escape
     eventually "no pause of the range" paused
-    presses "$@"
+    [ -z "${2:-}" ] || eventually "the pause does not open at '$1'" on_row "$1"
+    choose "$1"
+    presses Return
     eventually "the pause is still there" no_pause_menu
 }
 # record WORDS DX DY STEPS...: draws strokes until the wall says WORDS of the gesture that is recorded. A stroke that a busy
@@ -51,14 +53,14 @@ record() {
 }
 own=$XDG_CONFIG_HOME/thaum/gestures/player-1/circle.toml
 
-# 1. A copy of another gesture is refused with a figure, and without a further key another shape is saved. The fifth row
-# of the pause begins, and the next pause gives up at the row at which it opens.
+# 1. A copy of another gesture is refused with a figure, and without a further key another shape is saved. The next
+# pause opens at the row that gives up.
 "$thaum" range --seconds 600 >"$folder/said" 2>&1 &
 game=$!
 eventually "no window" drawn
-pause Down Down Down Down Return
-pause Return
-pause Return
+pause 'Own gesture'
+pause 'Give up drawing Circle' at_once
+pause 'Own gesture' at_once
 record 'not saved, since it is too like V: [0-9]* % of ' 13 31 22 13 -31 22
 [ ! -e "$own" ] || fail "a copy of V is saved"
 record 'saved: this is your Circle' 0 -22 30 -16 0 30

@@ -82,17 +82,31 @@ takes_pad() {
 eventually "the pad's stick after it came back" takes_pad
 pad lx 0
 
-# 3. In the pause menu: another key for "move forward" (row 21), and the other split.
+# 3. In the pause menu: another key for "move forward", and the other split.
 presses Escape
 eventually "no pause" pause_menu
-presses Down Return Return $(yes Down | head -21) Return i
+choose Controls
+moves_on Return Return
+choose 'Move forward'
+moves_on Return
+presses i
 eventually "the new key is not in the settings" grep -q '^move_forward = "key i"$' "$settings"
-presses Escape Escape Down Return Right
+moves_on Escape Escape
+choose Settings
+moves_on Return
+choose Split
+presses Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
 grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
-# "Forces and body" is the last row but two, and the cauldron's page is its row 15. Player 1's viscosity goes down by
-# two steps, and the flow is switched off.
-presses Up Up Up Return $(yes Down | head -14) Return Down Left Left Down Return
+# Player 1's viscosity goes down by two steps, and the flow is switched off.
+choose 'Forces and body' Up
+moves_on Return
+choose 'Cauldron feedback'
+moves_on Return
+choose Viscosity
+moves_on Left Left
+choose Flow
+presses Return
 eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
 presses Escape Escape Escape Escape
@@ -138,8 +152,10 @@ cp "$settings" "$folder/kept"
 "$thaum" 2>"$folder/said" &
 game=$!
 eventually "no start screen with broken settings" drawn
-presses Down Down Down Down Down Down Return Right
-presses Escape Up Up Up Up Up Up Return Return
+choose Settings
+moves_on Return Right Escape
+choose 'Duel: press any button to join' Up
+presses Return Return
 eventually "no match with broken settings" has_logs 2
 presses Escape
 eventually "no pause" pause_menu

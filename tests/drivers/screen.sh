@@ -58,9 +58,45 @@ few_pictures() {
     printf '%s\n' 'version = 1' 'quality = "low"' 'frames_per_second = 10' 'countdown_s = 0' >"$XDG_CONFIG_HOME/thaum/settings.toml"
 }
 
+# title: the window's title, which names the menu's page and its chosen row: "Thaum (paused): Settings / Split: top and
+# bottom". on_row ROW: tests whether the row with this label is chosen.
+title() { xdotool search --name '^Thaum' getwindowname 2>/dev/null | head -1; }
+on_row() {
+    local now
+    now=$(title)
+    [[ $now == *": "* ]] || return
+    now=${now#*: }
+    now=${now#* / }
+    [[ $now == "$1" || $now == "$1: "* ]]
+}
+menu_open() { [[ $(title) == *": "* ]]; }
+
+# moves_on KEY...: presses keys, each once the one before has had its effect on the menu's page or row.
+moves_on() {
+    local key before until
+    for key in "$@"; do
+        before=$(title)
+        until=$((SECONDS + 900))
+        presses "$key"
+        while [ "$(title)" = "$before" ]; do
+            ((SECONDS < until)) || failed "the key $key has no effect on '$before'"
+            sleep 0.02
+        done
+    done
+}
+
+# choose ROW [KEY]: moves to the row with this label, by the key Down or another one, wherever the row is.
+choose() {
+    local until=$((SECONDS + 900))
+    until on_row "$1"; do
+        ((SECONDS < until)) || failed "no row '$1' near '$(title)'"
+        moves_on "${2:-Down}"
+    done
+}
+
 # paused, no_pause_menu: test where keys go, by the window's title: to the pause menu, or to the match.
-paused() { xdotool search --name '^Thaum \(paused\)$' >/dev/null 2>&1; }
-no_pause_menu() { xdotool search --name '^Thaum$' >/dev/null 2>&1; }
+paused() { [[ $(title) == "Thaum (paused): "* ]]; }
+no_pause_menu() { [ "$(title)" = Thaum ]; }
 
 # pause_menu: tests whether the match is paused and the menu shows a chosen row, at whatever height: most of a row of 27 lines
 # in its colour. The row alone could be one of the start screen, which stays until the match is drawn.

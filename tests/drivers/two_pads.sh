@@ -27,12 +27,16 @@ game=$!
 exec 4>"$folder/pad"
 eventually "no match" has_logs 1
 
-# 1. A name for player 1: Settings, then the page of the players' own settings (the last row but three), then Name. The
-# letters w and q are part of the name, and neither move nor leave.
+# 1. A name for player 1. The letters w and q are part of the name, and neither move nor leave.
 presses Escape
 eventually "no pause" pause_menu
-presses s s Return Up Up Up Up Return
-presses Down Return w Q q Return
+choose Settings s
+moves_on Return
+choose "Each player's own settings" Up
+moves_on Return
+choose Name
+moves_on Return
+presses w Q q Return
 eventually "the name is not in the settings" grep -q '^name = "wQq"$' "$settings"
 picture name
 presses Escape Escape Escape
@@ -70,7 +74,8 @@ pad hy 0
 # 3. The pause begins the match again, with a recording of its own.
 presses Escape
 eventually "no pause" pause_menu
-presses s s s Return
+choose 'Restart the match' s
+presses Return
 eventually "no second match" has_logs 2
 eventually "the pause is still there" no_pause_menu
 presses Escape

@@ -69,6 +69,63 @@ protected:
     static constexpr auto first = LiveMenu::repeat_after_ns, next = LiveMenu::repeat_every_ns;
 };
 
+// ---- news ---------------------------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, AJoystickThatIsPluggedInLeavesTheChosenRowChosen) {
+    menu_.open(Page::start);
+    choose("Controls");
+    press("enter");
+    choose("Back");
+    menu_.tell_sticks({"Stick"}, {}, {});
+    EXPECT_EQ(cursor(), row_of("Back"));
+    choose("Set up Stick");
+    menu_.tell_sticks({"Another", "Stick"}, {"Own"}, {});
+    EXPECT_EQ(cursor(), row_of("Set up Stick"));
+    choose("Forget the set-up of Own");
+    menu_.tell_sticks({}, {"Own"}, {});
+    EXPECT_EQ(cursor(), row_of("Forget the set-up of Own"));
+    menu_.tell_sticks({}, {}, {});
+    press("enter");
+    EXPECT_EQ(page(), Page::start) << "the last row is chosen once the row is gone";
+}
+
+TEST_F(LiveMenuTest, TheRowsBelowAnOpenPageStayChosenToo) {
+    menu_.tell_sticks({"Stick"}, {}, {});
+    menu_.open(Page::start);
+    choose("Controls");
+    press("enter");
+    choose("Set up Stick");
+    press("enter");
+    ASSERT_EQ(page(), Page::pad_setup);
+    menu_.tell_sticks({"Another"}, {"Stick"}, {});
+    menu_.end_pad_setup("");
+    EXPECT_EQ(cursor(), row_of("Set up Stick again"));
+}
+
+TEST_F(LiveMenuTest, AnOfferInThePauseLeavesTheChosenRowChosen) {
+    open_pause();
+    choose("End this match");
+    menu_.set_pause({.head = "Pad 2 of Tide is not plugged in", .half_for = "Tide"});
+    EXPECT_EQ(cursor(), row_of("End this match"));
+    menu_.set_pause({.head = "Paused"});
+    EXPECT_EQ(cursor(), row_of("End this match"));
+}
+
+TEST_F(LiveMenuTest, TheWindowsTitleNamesPageAndRow) {
+    const auto title = [&] { return window_title(menu_.state(), menu_.context()); };
+    EXPECT_EQ(title(), "Thaum");
+    menu_.open(Page::start);
+    choose("Bot");
+    EXPECT_EQ(title(), "Thaum: Bot: level 1");
+    open_pause();
+    EXPECT_EQ(title(), "Thaum (paused): Go on");
+    choose("Settings");
+    press("enter");
+    EXPECT_EQ(title(), "Thaum (paused): Settings / Split: " + value_of("Split"));
+    menu_.close();
+    EXPECT_EQ(title(), "Thaum");
+}
+
 // ---- held directions --------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AHeldKeyRepeatsAtTheStatedTimes) {
