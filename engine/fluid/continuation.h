@@ -45,7 +45,7 @@ private:
     /// Faces of one component of the velocity.
     struct Component {
         std::vector<Target> targets;  ///< with one more at the end, which has no sources
-        std::vector<Source> sources;
+        std::vector<Source> sources;  ///< for each target a multiple of four, filled up with weights of 0
         std::vector<std::uint32_t> beside;  ///< open faces whose advection reads continued velocities
     };
 
