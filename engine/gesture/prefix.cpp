@@ -39,8 +39,6 @@ constexpr std::size_t synthetic_strokes = 30, scribble_every = 10;
 constexpr std::array synthetic_shares{0.25, 0.5, 0.75, 1.0};
 /// Most of a recorded stroke's length that counts as drawn. A longer stroke tells no more than a whole one.
 constexpr float most_share = 1;
-/// The ratio of two distances counts by this power.
-constexpr double margin_power = 4;
 /// Least share of its twin's length that a whole stroke has.
 constexpr double twin_share = 0.7;
 /// Most logarithm of the ratio of two gestures' distances that counts against the farther one.
@@ -91,11 +89,6 @@ public:
 private:
     double count_ = 0, sum_ = 0, squares_ = 0, deviations_ = 0, freedom_ = 0;
 };
-
-/// Most probability of a gesture by its margin alone. Of two gestures that are as near, each has half.
-double share_by_margin(const Evidence& evidence) {
-    return 1 / (1 + det::exp(-margin_power * evidence.margin));
-}
 
 /// Whether a whole recorded stroke with that mean force and what is nearest to it of another gesture differ in force alone.
 bool is_twin(const PrefixSpace::Nearest& near, float force) {
@@ -304,6 +297,20 @@ double PrefixReader::share_by_force(std::uint32_t gesture, const PrefixSpace& sp
     return 1 / sum;
 }
 
+/// Most probability of a gesture at this distance, by the distances of all others. Of two gestures that are as near, each has
+/// half. The more gestures there are, the more of them are near by chance, so each of them counts.
+double PrefixReader::share_by_distance(std::uint32_t gesture, float distance,
+                                       const PrefixSpace& space) const {
+    double sum = 1;
+    for (std::uint32_t g = 0; g < space.nearest.size(); ++g) {
+        if (g == gesture || !(space.nearest[g].distance < no_match) || are_twins(gesture, g)) continue;
+        const auto ratio = static_cast<double>(distance / std::max(space.nearest[g].distance, least_counted));
+        const double square = ratio * ratio;
+        sum += square * square * ratio;  // the power was chosen on the letters and the game's spells
+    }
+    return 1 / sum;
+}
+
 /// Evidence and probability of a gesture, which need not be the nearest, after a stroke was compared.
 LikelyGesture PrefixReader::likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const {
     static const auto least_log_share = static_cast<float>(det::log(prefix_shares[0]));
@@ -322,7 +329,7 @@ LikelyGesture PrefixReader::likelihood_of(std::uint32_t gesture, const PrefixSpa
     }
     if (own.log_share < least_log_share || !(own.distance < no_match)) return likely;
     likely.probability =
-        std::min(calibration_.probability(likely.evidence), share_by_margin(likely.evidence));
+        std::min(calibration_.probability(likely.evidence), share_by_distance(gesture, distance, space));
     if (!twins_[gesture].empty()) likely.probability *= share_by_force(gesture, space);
     return likely;
 }

@@ -124,6 +124,7 @@ private:
     void join_strokes(PrefixSpace& space) const;
     void find_twins(std::span<const Gesture> gestures, PrefixSpace& space);
     bool are_twins(std::uint32_t a, std::uint32_t b) const;
+    double share_by_distance(std::uint32_t gesture, float distance, const PrefixSpace& space) const;
     double share_by_force(std::uint32_t gesture, const PrefixSpace& space) const;
     LikelyGesture likelihood_of(std::uint32_t gesture, const PrefixSpace& space) const;
     LikelyGesture likeliest(const PrefixSpace& space) const;

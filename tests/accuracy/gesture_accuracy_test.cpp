@@ -53,6 +53,22 @@ TEST_F(GesturePublicData, HalfOfAStrokeTellsMoreWhereRecordedStrokesAgree) {
     EXPECT_GE(accuracy(strokes("machete-mouse.csv.gz"), settings), 0.975) << "by ten";
 }
 
+TEST_F(GesturePublicData, WhatIsToldOfHalfALetterIsRight) {
+    const auto set = strokes("character-trajectories.csv.gz");
+    const EvaluationSettings settings{.method = Method::early,
+                                      .protocol = Protocol::random,
+                                      .templates = 3,
+                                      .repeats = 1,
+                                      .channels = {set.has_depth, set.has_force},
+                                      .at = 0.5,
+                                      .own_calibration = true};
+    const auto result = evaluate(set.strokes, settings);
+    ASSERT_TRUE(result);
+    const auto certainty = certainty_of(*result, 0.8);
+    EXPECT_GE(certainty.told, 0.25);
+    EXPECT_GE(certainty.right, 0.975);
+}
+
 TEST_F(GesturePublicData, LettersOfWhichHalfAreUnknown) {
     const auto set = strokes("character-trajectories.csv.gz");
     const EvaluationSettings settings{.protocol = Protocol::random,
