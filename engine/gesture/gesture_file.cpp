@@ -1,6 +1,8 @@
 #include "gesture/gesture_file.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -42,11 +44,11 @@ std::vector<StrokePoint> read_stroke(const ConfigTable& table) {
         points[i].t = t[i];
         if (i > 0 && t[i] < t[i - 1]) table.report("t", "time runs backwards");
     }
-    if (points.size() < 2) table.report("t", "a stroke needs two points or more");
     column("x", true, [](StrokePoint& p, double v) { p.at.x = v; });
     column("y", true, [](StrokePoint& p, double v) { p.at.y = v; });
     column("z", false, [](StrokePoint& p, double v) { p.at.z = v; });
     column("force", false, [](StrokePoint& p, double v) { p.force = v; });
+    if (const auto fault = fault_of_stroke(points); !fault.empty()) table.report("t", fault);
     return points;
 }
 
@@ -74,6 +76,18 @@ std::string toml_string(std::string_view words) {
         out += c;
     }
     return out + "\"";
+}
+
+std::string fault_of_stroke(Points stroke) {
+    const auto large = [](const StrokePoint& p) {
+        return std::max({std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z), std::abs(p.force)}) >
+               largest_number;
+    };
+    if (stroke.size() < 2) return "a stroke needs two points or more";
+    if (std::any_of(stroke.begin(), stroke.end(), large)) return "the stroke has a number beyond 1e9";
+    const auto same = [&](const StrokePoint& p) { return p.at == stroke[0].at; };
+    if (std::all_of(stroke.begin(), stroke.end(), same)) return "all points of the stroke are at one place";
+    return {};
 }
 
 Expected<Gesture> read_gesture(const Config& config) {

@@ -23,6 +23,9 @@ namespace thaum::gesture {
 inline constexpr std::int64_t gesture_file_version = 1;
 inline constexpr std::size_t most_gesture_bytes = std::size_t{16} << 20U;
 
+/// Why a stroke cannot stand in the file of a gesture, in words; empty if it can.
+std::string fault_of_stroke(Points stroke);
+
 /// The error names file, line and fault, such as columns of different lengths.
 Expected<Gesture> read_gesture(const Config& config);
 Expected<Gesture> load_gesture(const std::filesystem::path& path);

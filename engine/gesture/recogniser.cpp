@@ -297,14 +297,11 @@ bool Recogniser::are_twins(std::uint32_t a, std::uint32_t b) const {
     return std::find(twins_[a].begin(), twins_[a].end(), b) != twins_[a].end();
 }
 
-double Recogniser::strangeness(std::uint32_t gesture, double mean_force) const {
-    return force_oddness(mean_force, template_force_[gesture]);
-}
-
 std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force) const {
+    const auto oddness = [&](std::uint32_t g) { return force_oddness(mean_force, template_force_[g]); };
     auto best = gesture;
     for (const auto twin : twins_[gesture]) {
-        if (strangeness(twin, mean_force) < strangeness(best, mean_force)) best = twin;
+        if (oddness(twin) < oddness(best)) best = twin;
     }
     return best;
 }
@@ -314,7 +311,7 @@ std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force
 double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
     const auto oddness = [&](std::uint32_t g) {
         const auto ratio = static_cast<double>(distance_of(g, farthest, space) / std::max(r.distance, 1e-4F));
-        return strangeness(g, static_cast<double>(force)) +
+        return force_oddness(static_cast<double>(force), template_force_[g]) +
                twin_distance_power * det::log(std::max(ratio, 1.0));
     };
     const auto twins = std::span(twins_[r.gesture]);

@@ -184,7 +184,6 @@ private:
     Recognition result_of(const Shape& shape, const RecogniserSpace& space) const;
     float distance_of(std::uint32_t gesture, float farthest, const RecogniserSpace& space) const;
     double by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const;
-    double strangeness(std::uint32_t gesture, double mean_force) const;
     std::size_t verified_at_most() const;
 
     RecogniserSettings settings_;

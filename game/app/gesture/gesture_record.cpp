@@ -1,7 +1,6 @@
 // thaum gesture record: writes strokes that a hand draws now, of a recorded match, or of a file of strokes, as a gesture
 // file.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "core/file.h"
@@ -70,19 +69,6 @@ Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) 
     return recorder.strokes();
 }
 
-/// Why a stroke of a file cannot be a template; empty: it can.
-std::string fault_in_file(gesture::Points stroke) {
-    constexpr double largest = 1e9;  // the largest number of a gesture's file
-    const auto large = [](const gesture::StrokePoint& p) {
-        return std::max({std::abs(p.at.x), std::abs(p.at.y), std::abs(p.at.z), std::abs(p.force)}) > largest;
-    };
-    if (stroke.size() < 2) return "a stroke needs two points or more";
-    if (std::any_of(stroke.begin(), stroke.end(), large)) return "the stroke has a number beyond 1e9";
-    const auto same = [&](const gesture::StrokePoint& p) { return p.at == stroke[0].at; };
-    if (std::all_of(stroke.begin(), stroke.end(), same)) return "all points of the stroke are at one place";
-    return {};
-}
-
 /// The newest strokes of a gesture in a file, at most `count`.
 Expected<Courses> strokes_of_file(const std::string& path, const std::string& name, std::size_t count) {
     const auto set = load_strokes(path);
@@ -90,7 +76,7 @@ Expected<Courses> strokes_of_file(const std::string& path, const std::string& na
     Courses courses;
     for (auto stroke = set->strokes.rbegin(); stroke != set->strokes.rend(); ++stroke) {
         if (stroke->gesture != name || courses.size() == count) continue;
-        if (const auto fault = fault_in_file(stroke->points); !fault.empty())
+        if (const auto fault = gesture::fault_of_stroke(stroke->points); !fault.empty())
             return fail(text(path, ":", stroke->line, ": ", fault));
         courses.push_back(stroke->points);
     }
