@@ -8,8 +8,8 @@ namespace thaum::game {
 struct CastingRules {
     double focus_cap{};     ///< focus of a new wizard, and its largest value
     double focus_regain{};  ///< focus per second
-    /// Viscosity of the space round a hand that draws a stroke. The force of a stroke is this times the hand's speed
-    /// (N s/m).
+    /// Viscosity of the space round a hand that draws a stroke (N s/m). The force of a stroke is this times the hand's
+    /// speed.
     double viscosity{};
     double stick_reach{};     ///< way of the hand from the middle to a fully pushed stick (m)
     double gentle_below{};    ///< mean force below which a stroke is gentle (N)
@@ -24,12 +24,12 @@ struct CastingRules {
     Tick free_pause{};                ///< rest that no gesture has (ticks)
     double free_least_probability{};  ///< least probability of a gesture that casts
     double free_quiet_probability{};  ///< the same where the hand was slow before
-    double
-        free_quiet_pace{};    ///< pace before a gesture, as a share of its own, below which the hand was slow
-    double free_most_pace{};  ///< the same from which on it was no beginning
-    double free_loop{};       ///< way of a closed gesture below which a quiet start does not suffice (m)
-    double free_stop{};       ///< stop within a gesture from which on it may be two movements (s)
-    double free_stop_share{};        ///< the same, as a share of the gesture's duration; both must hold
+    /// Pace before a gesture, as a share of its own, below which the hand was slow.
+    double free_quiet_pace{};
+    double free_most_pace{};   ///< the same from which on it was no beginning
+    double free_loop{};        ///< way of a closed gesture below which a quiet start does not suffice (m)
+    double free_stop{};        ///< stop within a gesture from which on it may be two movements (s)
+    double free_stop_share{};  ///< the same, as a share of the gesture's duration; both must hold
     double free_near_probability{};  ///< least probability of a near miss
     double free_smallest{};          ///< least width or height of a gesture (m)
     double free_shortest{};          ///< shortest gesture (s)
