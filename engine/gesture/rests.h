@@ -47,8 +47,9 @@ struct Run {
     Vec middle{};                 ///< place near which they stay
 };
 
-/// Finds runs in a stroke. A stroke has `size()`, `place(i)`, which is a vector, `t(i)` (s), and `may_rest(i)`, which is false
-/// where surely no rest begins.
+/// Finds runs in a stroke. A stroke has the number of its points `size()`, their places `place(i)` as vectors, and their
+/// times `t(i)` (s). Its `may_rest(i)` tells cheaply whether a rest may begin at a point, so that most points need no
+/// search: it may be true without a rest, but where it is false there is none.
 template <class Stroke>
 class RunFinder {
 public:
