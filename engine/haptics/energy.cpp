@@ -85,6 +85,11 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
     return -std::min(energy / (speed * speed * tick_seconds), most) * velocity;
 }
 
+vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most) {
+    observer.brake = limited(observer.brake + limited(wished - observer.brake, brake_step), most);
+    return observer.brake;
+}
+
 double pending_work(const PassivityObserver& observer, vec3 step, int latency) {
     double work = 0;
     for (int back = 0; back < std::min(latency, most_latency); ++back)
@@ -137,8 +142,8 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
     return std::max(0.0, std::sqrt(2 * stiffness * left) - ahead);
 }
 
-// Cap and heat scale all sources alike. The fading offset of a switch and a ramp to zero return energy that was received
-// and hardly any more, since the reserve limits them. They are therefore passive, like the controller's brake.
+// Cap and heat scale all sources alike. The fading offset of a switch returns energy that was received and hardly any
+// more, since the reserve limits it. It is therefore passive, like the controller's brake.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested) {
     const vec3 wanted = passive + active;
@@ -152,6 +157,16 @@ void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 
     force.passive = sane ? share * passive + unrequested : vec3(0);
     force.world = sane ? share * world : vec3(0);
     force.active = output - force.passive;
+}
+
+void record_ramp(PassivityObserver& observer, vec3 output) {
+    const CommandedForce last = observer.forces[observer.newest];
+    const vec3 before = last.passive + last.active;
+    const double size2 = glm::dot(before, before);
+    const double left = size2 > 0 ? std::clamp(glm::dot(output, before) / size2, 0.0, 1.0) : 0;
+    observer.newest = (observer.newest + 1) % kept;
+    const vec3 active = std::isfinite(left) ? left * last.active : vec3(0);
+    observer.forces[observer.newest] = {.passive = output - active, .active = active};
 }
 
 }  // namespace thaum::haptics

@@ -63,9 +63,10 @@ struct PassivityObserver {
     std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
     std::uint32_t held_back{};     ///< 1: after a switch, the reserve limits the springs
     std::uint32_t unsettled{};     ///< ticks left in which the primitives settle after a switch
+    vec3 brake{};                  ///< brake of the last tick (N)
 };
 static_assert(sizeof(PassivityObserver) ==
-              (3 + 10 * (most_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
+              (6 + 10 * (most_latency + 1) + 4 + 2 * active_bins) * sizeof(double) +
                   6 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)
@@ -103,6 +104,14 @@ double surplus(const PassivityObserver& observer, double held);
 /// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
+/// Largest change of the brake in a tick (N).
+inline constexpr double brake_step = 0.3;
+
+/// Moves the brake towards the one that the controller wishes for (N), by at most `brake_step`, since a brake that began
+/// at once would be a jump. At most as strong as the force that it brakes, `most` (N): a brake cancels that force, and
+/// pulls no hand into a wall that it leaves.
+vec3 steady_brake(PassivityObserver& observer, vec3 wished, double most);
+
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
 double pending_work(const PassivityObserver& observer, vec3 step, int latency);
@@ -133,8 +142,11 @@ double force_of_reserve(const PassivityObserver& observer, double outward, doubl
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
 /// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the
-/// part of `output` that no source asked for: the controller's brake, the fading offset of a switch, a ramp to zero.
+/// part of `output` that no source asked for: the controller's brake and the fading offset of a switch.
 void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested = {});
+
+/// Records a force that ramps to zero (N). Each kind of source keeps its part of the last force.
+void record_ramp(PassivityObserver& observer, vec3 output);
 
 }  // namespace thaum::haptics

@@ -272,18 +272,6 @@ double least_length(const SafetyState& state, const SafetyInput& input, double s
     return size - cap_slew * tick_seconds - input.stiffness * std::max(0.0, outward);
 }
 
-/// Largest share of the offset, 0 to 1, with which force + offset is within `most`; 0 if there is none.
-double part_within(double most, vec3 force, vec3 offset) {
-    const double square = glm::dot(offset, offset);
-    const double along = glm::dot(force, offset);
-    const double room = most * most - glm::dot(force, force);
-    if (square + 2 * along <= room) return 1;
-    const double bent = along * along + square * room;
-    if (!(bent >= 0)) return 0;
-    const double root = std::sqrt(bent);
-    return std::clamp(along > 0 ? room / (root + along) : (root - along) / square, 0.0, 1.0);
-}
-
 /// Largest share of the offset, 0 to 1, that is no farther from what is left of the last force than the goal is long.
 /// While the goal stays, it is all of it. An offset that hides a goal which ends would else pull the hand where no source
 /// does.
@@ -296,9 +284,28 @@ double part_that_hides(const SafetyState& state, vec3 goal) {
     return std::clamp(nearest + std::sqrt(std::max(0.0, room) / square), 0.0, 1.0);
 }
 
+/// Smallest share of the offset, 0 to 1, with which the output jumps no farther than a cap that comes down and a spring of
+/// the device's stiffness explain; if none does, the share with the smallest jump.
+double steady_part(const SafetyState& state, vec3 goal, const SafetyInput& input) {
+    const double square = glm::dot(state.offset, state.offset);
+    if (!(input.stiffness > 0 && square > 0)) return 0;
+    const vec3 jump = goal - state.output;
+    const double room = cap_slew * tick_seconds + input.stiffness * glm::length(input.tip - state.tip);
+    const double nearest = -glm::dot(jump, state.offset) / square;
+    const vec3 across = jump + nearest * state.offset;
+    const double spare = room * room - glm::dot(across, across);
+    return std::clamp(nearest - std::sqrt(std::max(0.0, spare) / square), 0.0, 1.0);
+}
+
 vec3 shorter_by(vec3 force, double step) {
     const double size = glm::length(force);
     return size > step ? force * (1 - step / size) : vec3(0);
+}
+
+vec3 without_offset(SafetyState& state, vec3 goal) {
+    state.fade = static_cast<std::uint32_t>(Fade::over);
+    state.offset = {};
+    return goal;
 }
 
 /// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
@@ -312,19 +319,21 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     else
         add_fade_work(state, input, false);
     if (input.settles) settle(most, state, goal);
-    const double step = fade_step(limits, input);
-    const double size = glm::length(state.offset);
+    const double step = fade_step(limits, input), size = glm::length(state.offset);
+    state.remnant = shorter_by(state.remnant, step);
     const double worked = std::max(length_after_work(state), least_length(state, input, size));
     const double left = std::min(size, worked) - step;
-    state.remnant = shorter_by(state.remnant, step);
-    if (!(left > step * (almost_there - 1))) {
-        state.fade = static_cast<std::uint32_t>(Fade::over);
-        state.offset = {};
-        return goal;
-    }
-    state.offset *= left / size;
-    state.offset *= std::min(part_within(most, goal, state.offset), part_that_hides(state, goal));
-    return goal + state.offset;
+    if (!(left > step * (almost_there - 1))) return without_offset(state, goal);
+    const double steady = steady_part(state, goal, input), share = left / size;
+    const vec3 before = state.offset;
+    state.offset *= share;
+    const double hiding = share * part_that_hides(state, goal);
+    state.offset = std::min(std::max(hiding, steady), share) * before;
+    // The nearest force within the cap: so the offset gets shorter, and a goal that comes to the cap makes no jump.
+    const vec3 force = goal + state.offset, within = shortened(force, most);
+    if (within != force) state.offset = within - goal;
+    if (state.offset == vec3(0)) return without_offset(state, goal);
+    return within;
 }
 
 /// Scales the last output, so that the ramp is linear from any start; the last factor is zero.

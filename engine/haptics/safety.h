@@ -16,7 +16,8 @@
 //   - work: the offset may do the work `switch_energy` on the hand and no more, so it fades if the hand yields;
 //   - the cap: if the sum of wanted force and offset exceeds it;
 //   - what it hides: it leads from the wanted force to what is left of the force at the switch. An offset that hides
-//     the force of a wall ends with that force when the wall breaks.
+//     the force of a wall ends with that force when the wall breaks. But it does not end in one tick, if that made a
+//     larger jump than a spring of the device's stiffness and a cap that comes down.
 // The wanted force itself is never delayed. A passive source therefore stays passive while the offset fades.
 // An offset that only shrinks returns no more energy than it was given. So the whole switch creates at most
 // `switch_energy`.
@@ -117,7 +118,9 @@ struct SafetyState {
     /// Ticks without a fresh model or without the player's wish for forces, up to the end of the ramp.
     std::uint32_t ramp_ticks{};
     std::array<std::uint32_t, 2> episodes{};  ///< ticks since each episode began, the older one first
-    vec3 remnant{};       ///< what is left of the output at the switch; fades like the offset (N)
+    /// The output of the tick before the switch, shortened since by what time takes off the offset (N). It says what a
+    /// force that faded alone would still be: an offset may hide the wanted force down to this, and no more.
+    vec3 remnant{};
     double heat_limit{};  ///< limit by heat in the last tick, if it held the force back (N); 0: it did not
 };
 static_assert(sizeof(SafetyState) == (20 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
@@ -138,7 +141,8 @@ struct SafetyInput {
     double reserve_force{HUGE_VAL};
     /// Work that offsets may still do (J); less than `switch_energy` soon after other switches.
     double fade_energy{switch_energy};
-    /// Stiffness of the stiffest spring like which an offset fades that yields to the hand (N/m); 0: it has no limit.
+    /// Stiffness of the stiffest spring like which an offset fades that yields to the hand, or that hides a force which
+    /// ends (N/m); 0: it has no limit.
     double stiffness{};
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source appeared or went, or the model jumped

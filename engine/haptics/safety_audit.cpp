@@ -243,6 +243,26 @@ double SafetyAudit::share_that_hides(vec3 goal) const {
     return std::fmax(nearest, share_within(length_of_vector(goal), -remnant_, offset_));
 }
 
+/// Smallest share of the offset with which the output jumps no farther than a cap that comes down and a spring of the
+/// device's stiffness explain, found by bisection; if none does, the share with the smallest jump.
+double SafetyAudit::steady_share(vec3 goal, const SafetyInput& input) const {
+    const double square = glm::dot(offset_, offset_);
+    if (!(input.stiffness > 0 && square > 0)) return 0;
+    const double room = cap_falls_by + input.stiffness * length_of_vector(input.tip - tip_);
+    const auto jumps = [&](double share) {
+        return length_of_vector(goal + share * offset_ - last_output_) > room;
+    };
+    double steady = glm::clamp(glm::dot(last_output_ - goal, offset_) / square, 0.0, 1.0);
+    if (jumps(steady)) return steady;
+    if (!jumps(0)) return 0;
+    double jumping = 0;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+        const double middle = (jumping + steady) / 2;
+        (jumps(middle) ? jumping : steady) = middle;
+    }
+    return steady;
+}
+
 /// Shortens the offset by time, by the work that it does, so far that the sum stays within the cap, and to what it hides.
 /// At its beginning and with a reserve, its work is at most that of the whole output.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins,
@@ -259,16 +279,18 @@ void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInp
         const double ticks_left = length_of_vector(offset_) / (limits.slew * tick_seconds);
         last_fading_ = std::max(last_fading_, now_ + static_cast<Moment>(ticks_left) + 1);
     }
-    const double size = length_of_vector(offset_);
+    const double size = length_of_vector(offset_), step = fading_step(limits, input);
+    const double remnant = length_of_vector(remnant_);
+    remnant_ *= remnant > step ? 1 - step / remnant : 0;
     const double spared = fade_budget_ > 0 ? std::fmax(0, 1 - fade_work_ / fade_budget_) : 0;
-    const double step = fading_step(limits, input);
     const double outward = size > 0 ? std::fmax(0, glm::dot(offset_, input.tip - tip_) / size) : 0;
     const double least = input.stiffness > 0 ? size - cap_falls_by - input.stiffness * outward : 0;
     const double left = std::fmin(size, std::fmax(least, initial_length_ * std::sqrt(spared))) - step;
-    offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
-    const double remnant = length_of_vector(remnant_);
-    remnant_ *= remnant > step ? 1 - step / remnant : 0;
-    offset_ *= std::fmin(share_within(limits.cap, goal, offset_), share_that_hides(goal));
+    const double share = left > 0 ? left / size : 0, steady = steady_share(goal, input);
+    const vec3 whole = offset_;
+    offset_ *= share;
+    offset_ = whole * std::fmin(share, std::fmax(steady, share * share_that_hides(goal)));
+    offset_ = within_cap(goal + offset_, limits.cap) - goal;
 }
 
 void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
@@ -285,11 +307,7 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     if (offset_known_) {
         fade_on(limits, goal, input, begins, goes_on);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
-        // The cap may leave hardly anything of an offset that is at right angles to the force. Rounding then
-        // decides how much: the root of an ulp of the cap's square, a few 1e-8 of the cap.
-        const double fade_step = limits.slew * tick_seconds;
-        const bool grazes = length_of_vector(offset_) < fade_step;
-        const double tolerance = rounding(expected) + (grazes ? 3e-7 * limits.cap : 1e-8 * fade_step);
+        const double tolerance = rounding(expected) + 1e-8 * limits.slew * tick_seconds;
         count(SafetyRule::slew, length_of_vector(output - expected) > tolerance);
         may_be_fading_ = offset_known_ = offset_ != vec3(0);
     } else if (!may_be_fading_) {

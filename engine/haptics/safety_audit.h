@@ -70,6 +70,7 @@ private:
     bool is_cool(const SafetyLimits& limits) const;
     void begin_fade(const SafetyLimits& limits, const SafetyInput& input, vec3 goal, vec3 output, bool cool);
     double share_that_hides(vec3 goal) const;
+    double steady_share(vec3 goal, const SafetyInput& input) const;
     void fade_on(const SafetyLimits& limits, vec3 goal, const SafetyInput& input, bool begins, bool goes_on);
     void heat(vec3 output);
 
@@ -93,7 +94,7 @@ private:
     // The stage neither scales down to keep the motors cool nor recovers from that.
     bool unscaled_ = true;
     vec3 offset_{};            // rest of an old force that fades (N)
-    vec3 remnant_{};           // what is left of the output at the switch (N)
+    vec3 remnant_{};           // output before the switch, shortened by what time took off the offset (N)
     vec3 tip_{};               // position of the tip (m)
     double initial_length_{};  // length of the offset at the switch (N)
     double fade_work_{};       // work of the offset (J)

@@ -322,6 +322,22 @@ double controller_damping(const Servo& servo, vec3 velocity) {
     return std::min(servo.most_damping, most_of_a_count / of_a_count * counts);
 }
 
+/// The brake that takes out `taken` (J) from a hand that feels the sources (N).
+vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const Sources& sources) {
+    PassivityObserver& energy = state.energy;
+    if (!(taken > 0) && energy.brake == vec3(0)) return vec3(0);
+    vec3 brake{};
+    // Without it, skips the velocity, which takes half the time of a quiet step.
+    if (taken > 0) {
+        const vec3 velocity = prompt_velocity(state, servo.quantum);
+        brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
+    }
+    const bool held_back = energy.held_back != 0;
+    // What a late flow gives is no force that could be cancelled, so its brake acts at once and is not limited.
+    if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
+    return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
+}
+
 /// Updates the passivity observer. Limits active sources to their budget, and after a switch the springs to their
 /// reserve.
 EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
@@ -351,14 +367,14 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
     }
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
-    // Without it, skips the velocity, which takes half the time of a quiet step.
-    if (taken > 0) {
-        const vec3 velocity = prompt_velocity(state, servo.quantum);
-        limits.brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
-    }
-    // A hand that is free of the springs is not slowed, and one that comes and goes feels no jumps.
-    if (state.energy.held_back != 0) limits.brake = limited(limits.brake, glm::length(sources.springs));
+    limits.brake = brake_sources(servo, state, taken, sources);
     return limits;
+}
+
+void record_force(ServoState& state, vec3 output, const Sources& sources) {
+    if (is_stopped(state.safety)) return record_ramp(state.energy, output);
+    record_output(state.energy, output, sources.passive, sources.active, sources.world,
+                  state.safety.unrequested);
 }
 
 }  // namespace
@@ -415,6 +431,8 @@ ServoState resumed(const ServoState& before) {
     state.energy.active_bin = before.energy.active_bin;
     state.energy.active_tick = before.energy.active_tick;
     state.energy.most_created = before.energy.most_created;
+    // Velocities come back with the second sample, and the damping of springs and fluids with them.
+    state.energy.unsettled = unsettled_ticks;
     return state;
 }
 
@@ -500,8 +518,7 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});
-    record_output(state.energy, output, sources.passive, sources.active, sources.world,
-                  state.safety.unrequested);
+    record_force(state, output, sources);
     return output;
 }
 

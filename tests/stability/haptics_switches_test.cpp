@@ -158,6 +158,30 @@ TEST(HapticsSwitches, AnOffsetEndsWithTheForceThatItHides) {
     }
 }
 
+TEST(HapticsSwitches, TheBrakeBeginsSlowlyAndPullsNoHandIntoAWall) {
+    for (const auto& spec : shipped_devices()) {
+        const Servo servo = servo_of(spec, 1);
+        ServoState state;
+        HapticModel model;
+        model.patch.count = model.patch.body_count = 1;
+        model.patch.surfaces[0] = {.kind = SurfaceKind::plane, .b = {0, 1, 0}};
+        model.patch.bodies[0].material.stiffness = 0.5 * spec.max_stiffness;
+        const double depth = 0.8 * spec.peak_force / spec.max_stiffness, step = depth / 20;
+        double height = 1e-4, before = 0;
+        for (int tick = 0; tick < 80; ++tick) {
+            // Sinks, waits, and leaves with a debt that a source has left behind meanwhile.
+            const double way = tick < 30 ? -step : tick < 40 ? 0 : step;
+            height = std::max(height + way, -depth);
+            if (tick == 42) state.energy.created = 0.02;
+            const double force = servo_step(servo, state, model, {vec3(0, height, 0), 0}).y;
+            EXPECT_GE(force, -1e-12) << spec.name << ", " << tick;
+            EXPECT_LE(std::abs(force - before), spec.max_stiffness * step + brake_step + 1e-9)
+                << spec.name << ", " << tick;
+            before = force;
+        }
+    }
+}
+
 /// Energy that a wall which moves by 4 mm every `period` ticks creates at a firm hand that sweeps in and out (J).
 double created_by_edits(const DeviceSpec& spec, int period) {
     auto device_spec = spec;

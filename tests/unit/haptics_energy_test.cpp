@@ -243,6 +243,20 @@ TEST(HapticsEnergy, NoSecondSeesMoreThanTheActiveBudget) {
     }
 }
 
+TEST(HapticsEnergy, ARampKeepsThePartsOfTheForceThatItEnds) {
+    PassivityObserver observer;
+    record_output(observer, {3, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0});
+    record_ramp(observer, {1.5, 0, 0});
+    const auto& force = observer.forces[observer.newest];
+    EXPECT_NEAR(force.active.x, 1, 1e-15) << "else forces that go off and on push without a budget";
+    EXPECT_NEAR(force.passive.x, 0.5, 1e-15);
+    EXPECT_EQ(force.world, vec3(0)) << "the world stands still";
+    record_ramp(observer, {});
+    EXPECT_EQ(observer.forces[observer.newest].active, vec3(0));
+    record_ramp(observer, {1, 0, 0});
+    EXPECT_EQ(observer.forces[observer.newest].passive, vec3(1, 0, 0));
+}
+
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
         // Beyond 2 b / T, and beyond its share with a delay.
