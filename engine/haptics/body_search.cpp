@@ -13,11 +13,22 @@ namespace {
 constexpr std::array<double, 2> first_looks{0.1, 0.5};
 constexpr double look_samples = 0.5;
 constexpr int most_looks = 16;
-/// Distance from the start of a search up to which the direction there serves for the surface too (samples).
-constexpr double same_direction = 0.5;
+/// Distance from the start of a search up to which the slope there serves for the surface too, and the same where drawn
+/// and smooth surface lie apart (samples). Farther away, the tangent would put the plane of a sheet now here, now there.
+constexpr double same_slope = 0.5, same_slope_apart = 0.02;
+/// Distance between drawn and smooth surface from which on they lie apart (samples).
+constexpr double apart = 0.25;
+/// Distance between drawn and smooth surface from which on it is no step of samples, but a sheet or a cut face (samples).
+constexpr double largest_step = 0.5;
 /// Largest distance from the drawn surface at which a plane is put, as a share of the tip's depth and in samples.
-constexpr double depth_share = 0.2, most_eased = 0.5;
-/// Distance from a place on the smooth surface up to which a landing place needs no search (samples).
+constexpr double depth_share = 0.3, most_eased = 0.5;
+/// The same while a tip slides: shares of its depth for a plane that rises and for one that sinks, and samples along the
+/// normal.
+constexpr double rising_share = 0.88, sinking_share = 4, most_late = 1;
+/// A tip less deep behind the smooth surface, in samples along the normal, is let go by the steps of a mask. The plane
+/// sinks with them there, by this share, or the force would fall all at once.
+constexpr double let_go = 0.5, let_go_share = 0.6, let_go_fade = 0.25;
+/// Distance from the place of the first plane up to which a landing place needs no search (samples).
 constexpr double beside_samples = 0.25;
 /// Depth of a landing place that counts, and accuracy of a place (m).
 constexpr double least_depth = 1e-7, accurate = 1e-10;
@@ -193,6 +204,9 @@ std::optional<BodySearch::Way> BodySearch::way_out(vec3 place) {
     return Way{turned, length, depth};
 }
 
+/// Distance between samples along a direction (m).
+double BodySearch::sample_along(vec3 out) const { return glm::length(out / samples_per_metre_); }
+
 // ---- searching --------------------------------------------------------------------------------------------
 
 /// The place where the way through a bracket crosses the surface (regula falsi that halves the weight of an end that stays).
@@ -226,23 +240,41 @@ std::optional<BodySearch::Found> BodySearch::found_at(vec3 place) {
 
 /// The place that a search from `start` has found, and the way out there. `way` is the way out at the start.
 BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
-    if (glm::distance(place, start) > same_direction * fine_) {
+    const double smooth = way.smooth - glm::dot(place - start, way.out);
+    const bool near_smooth = std::abs(smooth) <= apart * fine_;
+    if (glm::distance(place, start) > (near_smooth ? same_slope : same_slope_apart) * fine_) {
         const auto there = found_at(place);
         if (there && glm::dot(there->way.out, way.out) > 0) return *there;
     }
-    return {place, {way.out, way.gradient, way.smooth - glm::dot(place - start, way.out)}};
+    return {place, {way.out, way.gradient, smooth}};
 }
 
-/// The plane of a place on the surface for a tip at `target`, in the reader's frame.
-std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 target) const {
+/// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards the smooth
+/// surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
+double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) const {
+    const auto& [place, way] = found;
+    const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
+    const double height = glm::dot(proxy - place, way.out);
+    const double step = way.smooth * fading((std::abs(way.smooth) / sample - largest_step) / largest_step);
+    if (!std::isfinite(depth) || !std::isfinite(step)) return 0;
+    const double most = std::min(depth_share * depth, most_eased * fine_), late = most_late * sample;
+    const double wanted = std::clamp(step, -most, most);
+    const double sinking =
+        std::lerp(sinking_share, let_go_share, fading(((depth + step) / sample - let_go) / let_go_fade));
+    const double lowest = std::min({height - surface_.slew, sinking * depth, late});
+    const double highest = std::max(height + surface_.slew, -std::min(rising_share * depth, late));
+    const double result = std::min(std::max(wanted, lowest), highest);
+    contact_.late |= result != wanted;
+    return result;
+}
+
+/// The plane of a place on the surface, in the reader's frame.
+std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 proxy,
+                                                 vec3 target) const {
     if (!found) return std::nullopt;
     const auto& [place, way] = *found;
-    const double depth = glm::dot(place - target, way.out);
-    const double most = std::clamp(depth_share * depth, 0.0, most_eased * fine_);
-    // A step larger than that of samples is no step, but a sheet or a cut face.
-    const double step = way.smooth * fading((std::abs(way.smooth) / fine_ - most_eased) / most_eased);
-    const double eased = std::isfinite(most) && std::isfinite(step) ? std::clamp(step, -most, most) : 0;
-    return ContactPlane{to_reader(place + eased * way.out), box_.placement.turn * way.out, way.gradient};
+    const vec3 eased_place = place + eased(*found, proxy, target) * way.out;
+    return ContactPlane{to_reader(eased_place), box_.placement.turn * way.out, way.gradient};
 }
 
 /// The place where the way out of the body, within reach, leaves it or the box.
@@ -293,16 +325,16 @@ std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double a
 }
 
 /// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just there. It is
-/// the plane of the drawn surface that plane_of would ease to there, in fewer reads.
+/// the plane of the drawn surface that eased() would put there, in fewer reads.
 std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
-    if (!(std::abs(way.smooth) <= same_direction * fine_)) return std::nullopt;
+    const double most = most_eased * fine_;
+    if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
     const vec3 smooth = place + way.smooth * way.out;
-    const double depth = glm::dot(smooth - target, way.out), most = most_eased * fine_;
+    const double depth = glm::dot(smooth - target, way.out);
     if (!(depth > 0) || !in_box(smooth)) return std::nullopt;
     const double above = std::min(depth_share / (1 - depth_share) * depth, most);
     const double below = std::min(depth_share / (1 + depth_share) * depth, most);
     if (solid(smooth + above * way.out) || !solid(smooth - below * way.out)) return std::nullopt;
-    smooth_place_ = smooth;
     return Found{smooth, {way.out, way.gradient, 0}};
 }
 
@@ -346,7 +378,8 @@ std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
 std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
     const vec3 from = to_box(proxy), to = to_box(target);
     auto found = near(from, to);
-    if (!found) return plane_of(solid(from) ? std::nullopt : between(from, to), to);
+    if (!found && !solid(from)) found = between(from, to);
+    if (!found) return std::nullopt;
     // The plane goes on beyond the body. A proxy that would meet it farther on is held only by what is there.
     const double above = glm::dot(from - found->place, found->way.out);
     const double below = glm::dot(found->place - to, found->way.out);
@@ -354,20 +387,22 @@ std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
         const vec3 meets = from + above / (above + below) * (to - from);
         if (glm::distance(meets, found->place) > fine_) found = between(from, to);
     }
-    return plane_of(found, to);
+    if (found) contact_.depth = glm::dot(found->place - to, found->way.out);
+    return plane_of(found, from, to);
 }
 
 std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 target) {
     const vec3 place = to_box(landing);
     const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
     if (!solid(place + least_depth * normal)) return std::nullopt;
-    // Beside a plane on the smooth surface, the drawn one is only a step of samples, unless it goes on above it.
-    const bool beside = smooth_place_ && glm::distance(place, *smooth_place_) <= beside_samples * fine_;
-    if (beside && !solid(place + most_eased * fine_ * normal)) return std::nullopt;
+    // Beside the plane, the drawn surface is only a step of samples, unless it goes on above it.
+    const vec3 plane_at = to_box(contact_.planes[0].place);
+    const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
+    if (beside && !solid(place + most_late * fine_ * normal)) return std::nullopt;
     const vec3 to = to_box(target);
     auto found = near(place, to);
     if (!found) found = between(to_box(proxy), place);
-    const auto plane = plane_of(found, to);
+    const auto plane = plane_of(found, to_box(proxy), to);
     const bool holds = plane && glm::dot(plane->place - landing, plane->normal) > least_depth;
     return holds ? plane : std::nullopt;
 }

@@ -7,7 +7,9 @@
 //
 // Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the smooth field has
 // its surface, as far as a share of the tip's depth allows. Then the tip still feels the plane if and only if it is in
-// the body that is drawn.
+// the body that is drawn. Where a tip slides over deeper steps, the plane follows them by a limited way in each tick.
+// The proxy lies on the plane of the last tick, so the way begins there. Where steps let go of the tip, the plane sinks
+// with them.
 //
 // Samples that are not finite count as a picture shows them (field::ShownRange).
 //
@@ -65,6 +67,7 @@ private:
     std::optional<Way> way_out(vec3 place);
     std::optional<Slope> slope_of(const field::Scalar& here) const;
     std::optional<Slope> slope_at(vec3 place);
+    double sample_along(vec3 out) const;
     vec3 at_box(vec3 out, double depth, vec3 place) const;
 
     std::optional<Found> near(vec3 place, vec3 target);
@@ -76,13 +79,13 @@ private:
     vec3 crossing(Bracket bracket, double accuracy);
     std::optional<Found> found_at(vec3 place);
     Found found_at(vec3 place, vec3 start, const Way& way);
-    std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 target) const;
+    double eased(const Found& found, vec3 proxy, vec3 target) const;
+    std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target) const;
 
     const LevelSurface& surface_;
     const field::SampleBox& box_;
     LevelContact& contact_;
-    std::optional<vec3> smooth_place_{};  ///< place on the smooth surface that was found last
-    vec3 half_{};                         ///< half of the box's extent (m)
+    vec3 half_{};  ///< half of the box's extent (m)
     vec3 samples_per_metre_{};
     double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
     double fine_{};       ///< smallest distance between samples (m)

@@ -17,6 +17,7 @@
 // has got through, and is free.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "field/field.h"
@@ -28,6 +29,8 @@ struct LevelSurface {
     double level{};
     bool solid_below{};  ///< the solid has smaller values than the level, not larger ones
     double reach{};      ///< depth at which a proxy has got through, and distance of the search, > 0 (m)
+    /// Largest change of a sampled surface's place along its normal in a tick, while a tip slides on its steps (m).
+    double slew{HUGE_VAL};
 };
 
 struct ContactPlane {
@@ -42,12 +45,31 @@ struct LevelContact {
     std::uint32_t count{};
     /// Whether the proxy lies behind the surface, so that the first plane has to move it and not only to hold it.
     bool behind{};
+    bool late{};            ///< whether the slew keeps a plane from its place
+    double depth{};         ///< how deep the place that the proxy heads for lies in a body of samples (m)
     std::uint32_t reads{};  ///< number of times that the field was read
 };
+
+/// Largest change of the force in a tick by the steps of samples (N), as LevelSurface::slew times the stiffness.
+inline constexpr double most_step = 0.012;
 
 /// Finds the planes that hold a proxy which would move from `proxy` to `target` (m). No allocation. A field that is
 /// not finite gives no contact.
 LevelContact find_contact(const LevelSurface& surface, vec3 proxy, vec3 target) noexcept;
+
+/// The contact of a proxy on a spring (N/m). A plane that can hardly hold a tip so deep gives way to the proxy, and must
+/// not follow it in. `strength_of` gives the strength of a contact (N).
+template <class StrengthOf>
+LevelContact find_contact(LevelSurface surface, vec3 proxy, vec3 target, double stiffness,
+                          StrengthOf strength_of) {
+    constexpr double gives_way = 0.9;
+    surface.slew = most_step / stiffness;
+    const LevelContact contact = find_contact(surface, proxy, target);
+    if (!contact.late || contact.count == 0) return contact;
+    if (stiffness * contact.depth < gives_way * strength_of(contact)) return contact;
+    surface.slew = HUGE_VAL;
+    return find_contact(surface, proxy, target);
+}
 
 /// The nearest place to `target` that is behind none of the planes (m).
 vec3 landing_of(const LevelContact& contact, vec3 target) noexcept;

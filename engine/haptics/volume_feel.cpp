@@ -63,18 +63,24 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
 
 /// Adds the planes and the friction of a wall. Returns whether it is near.
 bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& input, PrimitiveSet& set) {
-    const LevelContact contact = find_contact(
-        {.field = feel.density, .level = wall.density, .reach = wall.reach}, input.proxy, input.next_tip());
+    const LevelSurface surface{.field = feel.density, .level = wall.density, .reach = wall.reach};
+    const auto strength_of = [&](const LevelContact& found) {
+        std::uint32_t index = 0;
+        const ContactPlane& first = found.planes[0];
+        // The material of the solid just behind the surface.
+        const double factor =
+            material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
+        return std::clamp(finite_or_zero(wall.strength * factor), 0.0,
+                          found.behind ? most_pull : primitive_limit);
+    };
+    const LevelContact contact =
+        find_contact(surface, input.proxy, input.next_tip(), input.stiffness, strength_of);
     if (contact.count == 0) {
         for (int i = 0; i < 2; ++i) add_or_rest(set, {.kind = PrimitiveKind::point});
         return false;
     }
-    std::uint32_t index = 0;
     const ContactPlane& first = contact.planes[0];
-    // The material of the solid just behind the surface.
-    const double factor = material_at(feel, first.place - 0.5 * wall.reach * first.normal, index).stiffness;
-    const double strength =
-        std::clamp(finite_or_zero(wall.strength * factor), 0.0, contact.behind ? most_pull : primitive_limit);
+    const double strength = strength_of(contact);
     const auto friction = [&](vec3 normal) {
         const double pressed = std::clamp(glm::dot(normal, input.pull()), 0.0, strength);
         return std::clamp(finite_or_zero(wall.friction * pressed), 0.0, primitive_limit);

@@ -168,6 +168,50 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
     EXPECT_LE(worst_direction({{64, 64, 22}, {fine, fine, 3 * fine}, hard}, middle), 6);
 }
 
+/// Largest change of force in a tick of a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
+double largest_step(const Body& body) {
+    constexpr double radius = 32 * fine, deep = 1 / stiffness, speed = 5e-5;
+    const SmoothGrid felt = body.felt();
+    double largest = 0;
+    for (int way = 0; way < 4; ++way) {
+        const vec3 from = bench::even_direction(way, 4);
+        const vec3 to = glm::normalize(glm::cross(from, vec3(0.3, 1, 0.5)));
+        auto hand = hand_on(felt);
+        vec3 before = pushed(hand, (radius + 2 * fine) * from, (radius - deep) * from, 100);
+        for (int tick = 1; tick < 800; ++tick) {
+            const double turn = speed * tick / radius;
+            const vec3 force = hand.move((radius - deep) * (det::cos(turn) * from + det::sin(turn) * to));
+            if (tick > 50) largest = std::max(largest, glm::distance(force, before));
+            before = force;
+        }
+    }
+    return largest;
+}
+
+TEST(DrawnBody, ATipThatSlidesFeelsNoStepsOfSamples) {
+    constexpr double most = 0.02;
+    constexpr std::array<int, 3> cube{72, 72, 72}, slices{72, 72, 24};
+    const vec3 apart(fine, fine, 3 * fine);
+    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, fine)}), 0.005);
+    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}), most) << "mask";
+    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1.5 * fine)}), most) << "slices";
+    const auto shell = [](double thick, double height) {
+        return [=](vec3 p) {
+            return std::max(0.0, height * (1 - std::abs(glm::length(p) - 32 * fine) / thick));
+        };
+    };
+    EXPECT_LE(largest_step({cube, vec3(fine), shell(fine, 1.3)}), most) << "shell of one sample";
+    EXPECT_LE(largest_step({cube, vec3(fine), shell(1.5 * fine, 1)}), most) << "thin shell";
+    Random random{5};
+    EXPECT_LE(largest_step({cube, vec3(fine),
+                            [&](vec3 p) {
+                                const double share = ball_at({}, 32 * fine, 1.5 * fine)(p);
+                                return share + random.uniform(-0.25, 0.25) > level ? 1.0 : 0.0;
+                            }}),
+              most)
+        << "mask of noise";
+}
+
 TEST(DrawnBody, SamplesThatAreNotFiniteCountAsTheyAreDrawn) {
     constexpr double radius = 20 * fine;
     const auto ball = ball_at({}, radius, fine);

@@ -42,8 +42,10 @@ double magnet_of(const LevelContact& contact, const ModeSettings& settings, cons
 
 void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
-    const LevelContact contact = find_contact(
-        {field.scalar, settings.level, settings.solid_below, settings.reach}, input.proxy, input.next_tip());
+    const LevelSurface surface{field.scalar, settings.level, settings.solid_below, settings.reach};
+    const LevelContact contact =
+        find_contact(surface, input.proxy, input.next_tip(), input.stiffness,
+                     [&](const LevelContact& found) { return strength_of(found, settings); });
     if (contact.count == 0) {
         for (int i = 0; i < 3; ++i) add_or_rest(set, {.kind = PrimitiveKind::point});
         return;
