@@ -10,7 +10,7 @@
 // Two solvers share this interface:
 //
 //     thaum      Staggered grid with differences of 2nd or 4th order that conserve momentum and energy
-//                (Morinishi, Lund, Vasilyev and Moin 1998). Runge-Kutta in time, a direct pressure solve.
+//                (momentum.h). Runge-Kutta in time, a direct pressure solve.
 //                Substances are conserved and never fall below zero.
 //     classic    The paper's own method (Stam 1999 in three dimensions): the measured baseline.
 //

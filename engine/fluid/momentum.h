@@ -12,8 +12,8 @@
 // of second order. With it, the factors of T are those of the divergence (pressure.h), 9/8 d1 - 1/8 d3.
 //
 // In the sum over b, the terms that multiply q itself therefore add up to half of the divergence. It is
-// zero, so these terms are left out. The rest is skew-symmetric. It conserves energy
-// whatever the divergence is (Verstappen and Veldman 2003), and momentum where the divergence is zero.
+// zero, so these terms are left out. The rest is skew-symmetric. It conserves energy whatever the
+// divergence is (Verstappen and Veldman 2003), and momentum where the divergence is zero.
 // Order 2 uses d1( T mean1 q ), which is the scheme of Harlow and Welch 1965.
 #pragma once
 #include <array>
