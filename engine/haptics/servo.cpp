@@ -71,6 +71,10 @@ constexpr double solved_residual = 1e-9;
 /// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
+/// The same after a resume. Velocities come back with the second sample, and the damping of springs and fluids with them.
+/// A kick that begins with the resume is hardly weakened by so few ticks.
+constexpr std::uint32_t resume_ticks = 3;
+
 /// Returns true if the set appeared, ended or jumped.
 bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
@@ -431,8 +435,7 @@ ServoState resumed(const ServoState& before) {
     state.energy.active_bin = before.energy.active_bin;
     state.energy.active_tick = before.energy.active_tick;
     state.energy.most_created = before.energy.most_created;
-    // Velocities come back with the second sample, and the damping of springs and fluids with them.
-    state.energy.unsettled = unsettled_ticks;
+    state.energy.unsettled = resume_ticks;
     return state;
 }
 
