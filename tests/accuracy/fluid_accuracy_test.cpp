@@ -198,7 +198,7 @@ double edge_error(double ratio, double top, double width) {
     for (int i = 0; i < parts; ++i)
         slips[std::size_t(i) + 1] = slips[std::size_t(i)] + 1 / (1 + (ratio - 1) * share((i + 0.5) / parts));
     const auto exact = [&](vec3 at) {
-        return vec3(slips[static_cast<std::size_t>(at.y * parts + 0.5)] / slips[parts], 0, 0);
+        return vec3(slips[static_cast<std::size_t>(std::floor(at.y * parts + 0.5))] / slips[parts], 0, 0);
     };
     set_velocity(*fluid, exact);
     const Samples before = fluid->now.substances[0];
