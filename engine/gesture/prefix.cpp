@@ -21,7 +21,8 @@ constexpr float no_match = 1, very_far_off = 1e30F;
 constexpr float length_weight = 0.06F;
 /// Most that a length or a duration adds. From four times the length on, it is of another kind of stroke.
 constexpr float most_for_difference = 0.12F;
-/// Where the logarithms of a gesture's lengths, or durations, have a variance v, one of them adds this over v + least_variance.
+/// Numerator and addend of the weight of lengths, and of durations: where the logarithms of a gesture's recorded ones have
+/// a variance v, the weight is agreement_weight / (v + least_variance).
 constexpr double agreement_weight = 0.002, least_variance = 0.003;
 /// `length_weight` counts as much as this many degrees of freedom of the recorded strokes.
 constexpr double prior_freedom = 4;

@@ -71,8 +71,8 @@ constexpr double solved_residual = 1e-9;
 /// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
 constexpr std::uint32_t unsettled_ticks = first_ticks;
 
-/// The same after a resume. Velocities come back with the second sample, and the damping of springs and fluids with them.
-/// A kick that begins with the resume is hardly weakened by so few ticks.
+/// Ticks after a resume in which the offset of the switch takes up what the sources change. Velocities come back with the
+/// second sample, and the damping of springs and fluids with them. So few ticks hardly weaken a kick that begins then.
 constexpr std::uint32_t resume_ticks = 3;
 
 /// Returns true if the set appeared, ended or jumped.
@@ -337,7 +337,8 @@ vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const So
         brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
     }
     const bool held_back = energy.held_back != 0;
-    // What a late flow gives is no force that could be cancelled, so its brake acts at once and is not limited.
+    // The brake of a fluid acts at once and without a limit. With the limit, a flow that comes late created more than the
+    // 0.02 J that are allowed.
     if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
     return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
 }

@@ -59,8 +59,8 @@ void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
 /// Force of the spring on the hand (N).
 vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
 
-/// What place and velocity of the hand pull at the proxy with (N), but for a constant. The damper also holds the proxy
-/// where it was, which is no part of it.
+/// Pull of the hand's place and velocity at the proxy (N), up to a constant, since only its changes are used. The damper's
+/// hold on the place where the proxy was is left out.
 vec3 pull_of_hand(const ProxyWay& way) {
     return way.spring.stiffness * way.spring.centre - (way.spring.stiffness - way.stiffness) * way.from;
 }
