@@ -25,9 +25,20 @@ constexpr double depth_share = 0.3, most_eased = 0.5;
 /// The same while a tip slides: shares of its depth for a plane that rises and for one that sinks, and samples along the
 /// normal.
 constexpr double rising_share = 0.88, sinking_share = 4, most_late = 1;
-/// A tip less deep behind the smooth surface, in samples along the normal, is let go by the steps of a mask. The plane
-/// sinks with them there, by this share, or the force would fall all at once.
-constexpr double let_go = 0.5, let_go_share = 0.6, let_go_fade = 0.25;
+/// Least share of the slew for a plane that moves the same way as the tip does.
+constexpr double least_slew = 0.25;
+/// A tip less deep behind the smooth surface, in samples along the normal, may be let go by steps of samples ahead.
+constexpr double let_go = 0.75;
+/// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than what the
+/// sinking plane needs, since the looks may miss the top of a step.
+constexpr double depth_ahead = 0.4;
+/// Distance between looks ahead (samples), their largest number, and the shortest way that is looked at (samples).
+constexpr double look_ahead = 0.35, most_looks_ahead = 12, least_ahead = 0.01;
+/// How far below a free place ahead the body goes on if a step ends there, and not a sheet (samples along the normal).
+constexpr double ground_below = 0.5;
+/// Ways of a plane that sinks before a step, in slews, and the share of the depth that remains felt.
+constexpr std::array<double, 3> early{0, 1, 1.5};
+constexpr double still_felt = 0.01;
 /// Distance from the place of the first plane up to which a landing place needs no search (samples).
 constexpr double beside_samples = 0.25;
 /// Depth of a landing place that counts, and accuracy of a place (m).
@@ -100,6 +111,7 @@ BodySearch::BodySearch(const LevelSurface& surface, const field::SampleBox& box,
     : surface_(surface),
       box_(box),
       contact_(contact),
+      step_(surface.step * box.placement.turn),
       half_(box.placement.scale * box.half),
       per_scale_(1 / box.placement.scale) {
     const vec3 spacing = box.placement.scale * box.spacing;
@@ -249,28 +261,55 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
     return {place, {way.out, way.gradient, smooth}};
 }
 
+/// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane sinks by the
+/// slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest, and for one that leaves a
+/// sheet through its back.
+bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
+    const vec3 along = step_ - glm::dot(step_, out) * out;
+    const double ticks = height / surface_.slew, reach = glm::length(along) * ticks;
+    const double space = look_ahead * fine_, ground = ground_below * sample_along(out);
+    if (!(reach > least_ahead * fine_) || !std::isfinite(reach)) return true;
+    if (depth < depth_ahead * height) return false;
+    const vec3 from = target + depth_ahead * height * out, to = target + ticks * along;
+    if (!solid(from)) return true;
+    const int looks = static_cast<int>(std::ceil(std::min(reach / space, most_looks_ahead)));
+    const double part = std::min(1.0, most_looks_ahead * space / reach) / looks;
+    for (int i = 1; i <= looks; ++i) {
+        const vec3 ahead = glm::mix(from, to, part * i);
+        if (!solid(ahead)) return !solid(ahead - ground * out);
+    }
+    return true;
+}
+
 /// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards the smooth
 /// surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
-double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) const {
+double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const auto& [place, way] = found;
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
     const double height = glm::dot(proxy - place, way.out);
     const double step = way.smooth * fading((std::abs(way.smooth) / sample - largest_step) / largest_step);
-    if (!std::isfinite(depth) || !std::isfinite(step)) return 0;
+    const double own = glm::dot(step_, way.out), slew = surface_.slew;
+    if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
     const double most = std::min(depth_share * depth, most_eased * fine_), late = most_late * sample;
     const double wanted = std::clamp(step, -most, most);
-    const double sinking =
-        std::lerp(sinking_share, let_go_share, fading(((depth + step) / sample - let_go) / let_go_fade));
-    const double lowest = std::min({height - surface_.slew, sinking * depth, late});
-    const double highest = std::max(height + surface_.slew, -std::min(rising_share * depth, late));
-    const double result = std::min(std::max(wanted, lowest), highest);
+    // The tip's own motion along the normal changes the force, too.
+    const double up = std::max(slew + std::min(own, 0.0), least_slew * slew);
+    const double down = std::max(slew - std::max(own, 0.0), least_slew * slew);
+    const double lowest = std::min({height - down, sinking_share * depth, late});
+    const double highest = std::max(height + up, -std::min(rising_share * depth, late));
+    double result = std::min(std::max(wanted, lowest), highest);
+    if (slew < HUGE_VAL && depth + step < let_go * sample) {
+        for (const double fall : early) {
+            if (stays_in(target, way.out, depth, depth + result)) break;
+            result = std::max(std::min(result, height - fall * slew), (still_felt - 1) * depth);
+        }
+    }
     contact_.late |= result != wanted;
     return result;
 }
 
 /// The plane of a place on the surface, in the reader's frame.
-std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 proxy,
-                                                 vec3 target) const {
+std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target) {
     if (!found) return std::nullopt;
     const auto& [place, way] = *found;
     const vec3 eased_place = place + eased(*found, proxy, target) * way.out;

@@ -8,8 +8,8 @@
 // Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the smooth field has
 // its surface, as far as a share of the tip's depth allows. Then the tip still feels the plane if and only if it is in
 // the body that is drawn. Where a tip slides over deeper steps, the plane follows them by a limited way in each tick.
-// The proxy lies on the plane of the last tick, so the way begins there. Where steps let go of the tip, the plane sinks
-// with them.
+// The proxy lies on the plane of the last tick, so the way begins there. A step ahead may let go of the tip or nearly so.
+// Then the force would fall at once. So the plane sinks before such a step, over the ticks that the tip needs to get there.
 //
 // Samples that are not finite count as a picture shows them (field::ShownRange).
 //
@@ -79,12 +79,14 @@ private:
     vec3 crossing(Bracket bracket, double accuracy);
     std::optional<Found> found_at(vec3 place);
     Found found_at(vec3 place, vec3 start, const Way& way);
-    double eased(const Found& found, vec3 proxy, vec3 target) const;
-    std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target) const;
+    bool stays_in(vec3 target, vec3 out, double depth, double height);
+    double eased(const Found& found, vec3 proxy, vec3 target);
+    std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target);
 
     const LevelSurface& surface_;
     const field::SampleBox& box_;
     LevelContact& contact_;
+    vec3 step_{};  ///< motion of the tip in a tick (m)
     vec3 half_{};  ///< half of the box's extent (m)
     vec3 samples_per_metre_{};
     double per_scale_{};  ///< lengths of the samples' frame per length of the reader's

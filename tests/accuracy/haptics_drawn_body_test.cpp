@@ -190,11 +190,15 @@ double largest_step(const Body& body) {
 
 TEST(DrawnBody, ATipThatSlidesFeelsNoStepsOfSamples) {
     constexpr double most = 0.02;
-    constexpr std::array<int, 3> cube{72, 72, 72}, slices{72, 72, 24};
+    constexpr std::array<int, 3> cube{72, 72, 72}, half{72, 72, 36}, slices{72, 72, 24};
     const vec3 apart(fine, fine, 3 * fine);
     EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, fine)}), 0.005);
     EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}), most) << "mask";
     EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1.5 * fine)}), most) << "slices";
+    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, fine)}), most) << "hard slices";
+    EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1e-9)}), most) << "mask of slices";
+    EXPECT_LE(largest_step({half, {fine, fine, 2 * fine}, ball_at({}, 32 * fine, 1e-9)}), most)
+        << "mask of slices less far apart";
     const auto shell = [](double thick, double height) {
         return [=](vec3 p) {
             return std::max(0.0, height * (1 - std::abs(glm::length(p) - 32 * fine) / thick));

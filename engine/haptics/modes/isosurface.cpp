@@ -42,7 +42,11 @@ double magnet_of(const LevelContact& contact, const ModeSettings& settings, cons
 
 void add_isosurface(const field::AnyField& field, const ModeSettings& settings, const ModeInput& input,
                     PrimitiveSet& set) {
-    const LevelSurface surface{field.scalar, settings.level, settings.solid_below, settings.reach};
+    const LevelSurface surface{.field = field.scalar,
+                               .level = settings.level,
+                               .solid_below = settings.solid_below,
+                               .reach = settings.reach,
+                               .step = input.step};
     const LevelContact contact =
         find_contact(surface, input.proxy, input.next_tip(), input.stiffness,
                      [&](const LevelContact& found) { return strength_of(found, settings); });
