@@ -5,10 +5,12 @@
 // that the stroke was meant is a logistic function of them (Platt 1999), whose weights are fitted to labelled strokes
 // by Newton's method. Labelled strokes are synthetic at recording time (variations.h), or real where there are some.
 //
-// Synthetic strokes differ in two ways from what a person draws: half of them mean nothing, and no two users differ as
-// they do. So the probability that they give is too low for a stroke that somebody drew on purpose, by 0.2 on strokes of
-// other users. `probability_on_purpose` mends that. Which of two gestures was meant is a matter of the ratio of their
-// distances alone, and the same for all sets of gestures. That a stroke means nothing is rare.
+// Synthetic strokes differ in three ways from what a person draws. Half of them mean nothing. They are nearer to the
+// templates than strokes of other users, in some sets by half. And they scatter more than strokes of one user. So the
+// probability that they give is too low for a stroke that somebody drew on purpose: on average by 0.1 to 0.7 with one
+// template of another user. `probability_on_purpose` mends that. Which of two gestures was meant is a matter of the ratio of
+// their distances alone, with one weight for all sets of gestures. That a stroke means nothing is rare, and some that seem
+// to are only drawn otherwise than the templates.
 #pragma once
 #include <array>
 #include <span>
@@ -40,9 +42,9 @@ struct Calibration {
     double probability(const Evidence& evidence) const;
 };
 
-/// Probability that a stroke which somebody drew on purpose was meant as the nearest gesture. `even` is the probability by
-/// synthetic strokes, of which every second one means nothing.
-double probability_on_purpose(const Evidence& evidence, double even);
+/// Probability that a stroke which somebody drew on purpose was meant as the nearest gesture, by its distance and the
+/// runner-up's, both >= 0. `even` is the probability by synthetic strokes, of which every second one means nothing.
+double probability_on_purpose(float distance, float runner_up, double even);
 
 /// Fits the weights. With evidence of one kind alone, the result is the weights whose probability is near that kind.
 std::array<double, 4> fit_weights(std::span<const LabelledEvidence> samples);

@@ -362,7 +362,7 @@ Recognition Recogniser::result_of(const Shape& shape, const RecogniserSpace& spa
     r.evidence = evidence_of(r.distance, other, calibration_.usual[r.gesture]);
     const double even = calibration_.probability(r.evidence);
     r.even_probability = by_force * even;
-    r.probability = by_force * probability_on_purpose(r.evidence, even);
+    r.probability = by_force * probability_on_purpose(r.distance, other, even);
     r.accepted =
         r.distance <= calibration_.threshold[r.gesture] && r.even_probability >= settings_.least_probability;
     r.mean_force = static_cast<double>(shape.force);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/file.h"
+#include "core/text.h"
 #include "gesture/collisions.h"
 #include "gesture/generated_users.h"
 #include "gesture/gesture_file.h"
@@ -138,6 +139,32 @@ TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
     }
     EXPECT_NEAR(shown / drawn, right / drawn, 0.05);
     EXPECT_LT(even / drawn, shown / drawn) << "as if every second stroke meant nothing";
+}
+
+/// The same for gestures of any shape, whose users differ twice as much as the synthetic strokes of the calibration do.
+TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) {
+    const VariationSettings users{.tilt = 0.1, .stretch = 0.2, .bend = 0.1};
+    constexpr std::size_t shapes = 8;
+    RecogniserSpace space;
+    double shown = 0, right = 0, drawn = 0;
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        Random random = random_stream(seed, 11);
+        const auto style = random_style(random);
+        std::vector<std::vector<StrokePoint>> ideas;
+        std::vector<Gesture> gestures;
+        for (std::size_t g = 0; g < shapes; ++g) {
+            ideas.push_back(draw_scribble(style, random));
+            gestures.push_back({text(g), {}, {variation_of(ideas[g], random, users)}});
+        }
+        const auto recogniser = Recogniser::make(gestures);
+        ASSERT_TRUE(recogniser);
+        for (std::size_t i = 0; i < 8 * shapes; ++i, ++drawn) {
+            const auto r = recogniser->recognise(variation_of(ideas[i % shapes], random, users), space);
+            shown += r.probability;
+            right += r.gesture == i % shapes ? 1 : 0;
+        }
+    }
+    EXPECT_NEAR(shown / drawn, right / drawn, 0.05);
 }
 
 TEST(GestureConfusion, TheShippedFilesAreThoseOfTheGenerator) {
