@@ -6,7 +6,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and from there to least_pace in 201.
+/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and from there to least_pace in 227.
 constexpr double beginning = 0.7, calming = 0.97;
 /// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is thus 5 times
 /// the stretch of one tick.
