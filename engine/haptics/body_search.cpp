@@ -24,17 +24,19 @@ constexpr double largest_step = 0.5;
 constexpr double depth_share = 0.3, most_eased = 0.5;
 /// The same while a tip slides: shares of its depth for a plane that rises and for one that sinks, and samples along the
 /// normal.
-constexpr double rising_share = 0.88, sinking_share = 4, most_late = 1;
+constexpr double rising_share = 0.88, sinking_share = 8, most_late = 1;
 /// Least share of the slew for a plane that moves the same way as the tip does.
 constexpr double least_slew = 0.25;
 /// A tip less deep behind the smooth surface, in samples along the normal, may be let go by steps of samples ahead.
 constexpr double let_go = 0.75;
 /// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than what the
 /// sinking plane needs, since the looks may miss the top of a step.
-constexpr double depth_ahead = 0.4;
+constexpr double depth_ahead = 0.45;
 /// Distance between looks ahead (samples), their largest number, and the shortest way that is looked at (samples).
-constexpr double look_ahead = 0.35, most_looks_ahead = 12, least_ahead = 0.01;
-/// How far below a free place ahead the body goes on if a step ends there, and not a sheet (samples along the normal).
+constexpr double look_ahead = 0.25, most_looks_ahead = 32, least_ahead = 0.01;
+/// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let go long before most of its steps.
+constexpr double most_motion = 5e-5;
+/// How far below the tip the body must go on, or the tip leaves a sheet through its back (samples along the normal).
 constexpr double ground_below = 0.5;
 /// Ways of a plane that sinks before a step, in slews, and the share of the depth that remains felt.
 constexpr std::array<double, 3> early{0, 1, 1.5};
@@ -111,7 +113,7 @@ BodySearch::BodySearch(const LevelSurface& surface, const field::SampleBox& box,
     : surface_(surface),
       box_(box),
       contact_(contact),
-      step_(surface.step * box.placement.turn),
+      motion_(surface.motion * box.placement.turn),
       half_(box.placement.scale * box.half),
       per_scale_(1 / box.placement.scale) {
     const vec3 spacing = box.placement.scale * box.spacing;
@@ -262,21 +264,21 @@ BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
 }
 
 /// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane sinks by the
-/// slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest, and for one that leaves a
-/// sheet through its back.
+/// slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest, and for one near the back of
+/// a sheet, where a free place ahead is no step.
 bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
-    const vec3 along = step_ - glm::dot(step_, out) * out;
-    const double ticks = height / surface_.slew, reach = glm::length(along) * ticks;
+    const vec3 along = motion_ - glm::dot(motion_, out) * out;
+    const double moved = glm::length(along), reach = std::min(moved, most_motion) * height / surface_.slew;
     const double space = look_ahead * fine_, ground = ground_below * sample_along(out);
     if (!(reach > least_ahead * fine_) || !std::isfinite(reach)) return true;
     if (depth < depth_ahead * height) return false;
-    const vec3 from = target + depth_ahead * height * out, to = target + ticks * along;
+    const vec3 from = target + depth_ahead * height * out, to = target + reach / moved * along;
     if (!solid(from)) return true;
     const int looks = static_cast<int>(std::ceil(std::min(reach / space, most_looks_ahead)));
     const double part = std::min(1.0, most_looks_ahead * space / reach) / looks;
     for (int i = 1; i <= looks; ++i) {
         const vec3 ahead = glm::mix(from, to, part * i);
-        if (!solid(ahead)) return !solid(ahead - ground * out);
+        if (!solid(ahead)) return !solid(target - ground * out);
     }
     return true;
 }
@@ -288,7 +290,7 @@ double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
     const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
     const double height = glm::dot(proxy - place, way.out);
     const double step = way.smooth * fading((std::abs(way.smooth) / sample - largest_step) / largest_step);
-    const double own = glm::dot(step_, way.out), slew = surface_.slew;
+    const double own = glm::dot(motion_, way.out), slew = surface_.slew;
     if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
     const double most = std::min(depth_share * depth, most_eased * fine_), late = most_late * sample;
     const double wanted = std::clamp(step, -most, most);

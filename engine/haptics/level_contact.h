@@ -31,7 +31,7 @@ struct LevelSurface {
     double reach{};      ///< depth at which a proxy has got through, and distance of the search, > 0 (m)
     /// Largest change of a sampled surface's place along its normal in a tick, while a tip slides on its steps (m).
     double slew{HUGE_VAL};
-    vec3 step{};  ///< motion of the tip in a tick (m)
+    vec3 motion{};  ///< motion of the tip in a tick (m)
 };
 
 struct ContactPlane {

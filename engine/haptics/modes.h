@@ -39,6 +39,7 @@ struct ModeInput {
     vec3 tip{};             ///< position of the tip (m)
     vec3 step{};            ///< motion of the tip until the primitives act, as far as it can be foreseen (m)
     double stiffness{300};  ///< stiffness of the spring between tip and proxy (N/m)
+    vec3 motion{};          ///< motion of the tip in a tick (m); zero: at rest, or not known
 
     /// Force of the spring on the hand (N).
     vec3 pull() const { return stiffness * (proxy - tip); }

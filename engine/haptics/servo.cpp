@@ -272,7 +272,7 @@ double energy_of_output(const Servo& servo, const SafetyState& safety) {
 
 /// Limits the springs, which pull with `pull` (N), to the force that their reserve allows. Returns that force (N).
 double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
-    const vec3 step = prompt_velocity(state, servo.quantum) * tick_seconds;
+    const vec3 step = tip_motion(state, servo.quantum);
     const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
     const double most = force_of_reserve(
         state.energy, outward, pending_work(state.energy, step, servo.latency), servo.most_stiffness);
@@ -471,6 +471,10 @@ vec3 prompt_velocity(const ServoState& state, double quantum) {
         step = mean;
     }
     return step / tick_seconds;
+}
+
+vec3 tip_motion(const ServoState& state, double quantum) {
+    return prompt_velocity(state, quantum) * tick_seconds;
 }
 
 double path_speed(const ServoState& state, double quantum) {

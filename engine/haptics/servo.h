@@ -202,6 +202,9 @@ inline constexpr double finest_motion = 5e-5;
 /// first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
 vec3 prompt_velocity(const ServoState& state, double quantum);
 
+/// Motion of the tip in the last tick that the servo has seen, by `prompt_velocity` (m).
+vec3 tip_motion(const ServoState& state, double quantum);
+
 /// Speed along the path from sample to sample, less the share that a quantum (m) can add (m/s). A tip that
 /// vibrates between two places has no velocity over the window but is fast. The mean is over the window
 /// because samples may come late and then close together.

@@ -64,7 +64,7 @@ void add_ambient(const VolumeFeel& feel, PrimitiveSet& set) {
 /// Adds the planes and the friction of a wall. Returns whether it is near.
 bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& input, PrimitiveSet& set) {
     const LevelSurface surface{
-        .field = feel.density, .level = wall.density, .reach = wall.reach, .step = input.step};
+        .field = feel.density, .level = wall.density, .reach = wall.reach, .motion = input.motion};
     const auto strength_of = [&](const LevelContact& found) {
         std::uint32_t index = 0;
         const ContactPlane& first = found.planes[0];

@@ -249,7 +249,8 @@ void feel_crystal(const MatchContext& context, ecs::Entity wizard, const HandSta
     haptics::add_volume_feel(feel,
                              {.proxy = servo.primitives == 0 ? tip : servo.proxy,
                               .tip = tip,
-                              .stiffness = model.coupling.stiffness},
+                              .stiffness = model.coupling.stiffness,
+                              .motion = haptics::tip_motion(servo, context.data.device.position_quantum)},
                              set);
     model.primitives = set;
 }

@@ -192,12 +192,13 @@ double share_within(const VolumeRef& volume, vec3 place) {
     return std::max(share, 0.0);
 }
 
-void fill_primitives(VolumeLab& lab, vec3 tip) {
+void fill_primitives(VolumeLab& lab, vec3 tip, vec3 motion) {
     lab.model.primitives.clear();
     const haptics::ModeInput input{
         .proxy = lab.servo_state.primitives == 0 ? tip : lab.servo_state.proxy,
         .tip = tip,
         .stiffness = lab.model.coupling.stiffness,
+        .motion = motion,
     };
     for (std::size_t i = 0; i < lab.fields.size(); ++i) {
         const LabMode& mode = lab.settings.modes[i];
@@ -218,7 +219,9 @@ void fill_primitives(VolumeLab& lab, vec3 tip) {
 
 /// One servo step without safety stage and observer. Returns the force on the hand (N).
 vec3 pure_step(VolumeLab& lab, vec3 tip) {
-    fill_primitives(lab, tip);
+    // The way of the last tick: over one short step, the device's quantum would be most of it.
+    const vec3 way = tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1];
+    fill_primitives(lab, tip, way / static_cast<double>(lab.steps_per_tick));
     auto& state = lab.servo_state;
     const haptics::Spring spring{tip, lab.model.coupling.stiffness};
     const haptics::Balance found = haptics::balance(lab.model.primitives, spring);
@@ -231,12 +234,10 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
     if (usable)
         state.proxy = haptics::settle(
             state.settling, {before, found.proxy, tip, spring, spring.stiffness, lab.model.field_motion});
-    // The way of the last tick: over one short step, the device's quantum would be most of it.
-    const vec3 velocity = (tip - lab.tips[static_cast<std::size_t>(lab.steps_per_tick) - 1]) / tick_seconds;
     const double drag = std::min(lab.model.viscosity, lab.servo.most_damping);
     std::shift_right(lab.tips.begin(), lab.tips.end(), 1);
     lab.tips[0] = tip;
-    return limited(lab.model.coupling.stiffness * (state.proxy - tip) - drag * velocity,
+    return limited(lab.model.coupling.stiffness * (state.proxy - tip) - drag / tick_seconds * way,
                    lab.device.peak_force);
 }
 
@@ -244,7 +245,8 @@ vec3 pure_step(VolumeLab& lab, vec3 tip) {
 void feel_and_move(VolumeLab& lab, vec3 target, VolumeLabFigures& figures) {
     figures.tip = haptics::measured_position(lab.device, lab.hand);
     if (lab.steps_per_tick == 1) {
-        fill_primitives(lab, figures.tip);
+        fill_primitives(lab, figures.tip,
+                        haptics::tip_motion(lab.servo_state, lab.data.device.position_quantum));
         figures.force = haptics::servo_step(lab.servo, lab.servo_state, lab.model, {figures.tip, 1});
         lab.hand = haptics::step(lab.device, lab.hand, target, figures.force);
         return;

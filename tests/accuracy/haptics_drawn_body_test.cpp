@@ -169,14 +169,16 @@ TEST(DrawnBody, MasksAndSlicesFarApartHaveSmoothDirections) {
 }
 
 /// Largest change of force in a tick of a tip that slides on a ball of 32 samples with 1 N, at 50 mm/s (N).
-double largest_step(const Body& body) {
-    constexpr double radius = 32 * fine, deep = 1 / stiffness, speed = 5e-5;
+double largest_step(const Body& body, double stiff = stiffness) {
+    constexpr double radius = 32 * fine, speed = 5e-5;
+    const double deep = 1 / stiff;
     const SmoothGrid felt = body.felt();
     double largest = 0;
     for (int way = 0; way < 4; ++way) {
         const vec3 from = bench::even_direction(way, 4);
         const vec3 to = glm::normalize(glm::cross(from, vec3(0.3, 1, 0.5)));
         auto hand = hand_on(felt);
+        hand.stiffness = stiff;
         vec3 before = pushed(hand, (radius + 2 * fine) * from, (radius - deep) * from, 100);
         for (int tick = 1; tick < 800; ++tick) {
             const double turn = speed * tick / radius;
@@ -199,6 +201,8 @@ TEST(DrawnBody, ATipThatSlidesFeelsNoStepsOfSamples) {
     EXPECT_LE(largest_step({slices, apart, ball_at({}, 32 * fine, 1e-9)}), most) << "mask of slices";
     EXPECT_LE(largest_step({half, {fine, fine, 2 * fine}, ball_at({}, 32 * fine, 1e-9)}), most)
         << "mask of slices less far apart";
+    EXPECT_LE(largest_step({cube, vec3(fine), ball_at({}, 32 * fine, 1e-9)}, 3000), 0.07)
+        << "mask by a stiff device";
     const auto shell = [](double thick, double height) {
         return [=](vec3 p) {
             return std::max(0.0, height * (1 - std::abs(glm::length(p) - 32 * fine) / thick));

@@ -160,7 +160,8 @@ private:
     void tick(HostileResult& result) {
         const vec3 place = haptics::measured_position(device_, hand_);
         const haptics::ModeInput input{state_.samples == 0 ? place : state_.proxy, before_,
-                                       before_ - before_last_, model_.coupling.stiffness};
+                                       before_ - before_last_, model_.coupling.stiffness,
+                                       before_ - before_last_};
         model_.primitives.clear();
         model_.rearm = result.ticks % 40 < 20;  // forces beyond all bounds shut the device off
         result.left_out += haptics::add_modes(uses_, input, model_.primitives);

@@ -85,7 +85,7 @@ struct TouchedModes {
     vec3 proxy{}, tip{}, before{};
 
     void start(vec3 place) { proxy = tip = before = place; }
-    haptics::ModeInput input() const { return {proxy, tip, tip - before, stiffness}; }
+    haptics::ModeInput input() const { return {proxy, tip, tip - before, stiffness, tip - before}; }
 
     /// Moves the tip and returns the force on the hand (N).
     vec3 move(vec3 to) {

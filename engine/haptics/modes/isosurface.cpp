@@ -46,7 +46,7 @@ void add_isosurface(const field::AnyField& field, const ModeSettings& settings, 
                                .level = settings.level,
                                .solid_below = settings.solid_below,
                                .reach = settings.reach,
-                               .step = input.step};
+                               .motion = input.motion};
     const LevelContact contact =
         find_contact(surface, input.proxy, input.next_tip(), input.stiffness,
                      [&](const LevelContact& found) { return strength_of(found, settings); });
