@@ -271,9 +271,9 @@ vec3 momentum(const Fluid& fluid) {
 }
 
 double energy(const Fluid& fluid) {
-    double sum = 0;
-    for (const Samples& u : fluid.now.velocity) sum += dot(fluid.lattice, u, u);
-    return 0.5 * volume_of_cell(fluid.lattice) * sum;
+    const auto* shares = fluid.work->staggered ? fluid.work->staggered->energy_shares() : nullptr;
+    return volume_of_cell(fluid.lattice) *
+           velocity_norms(whole_rows(fluid.lattice), fluid.now.velocity, shares).half_square;
 }
 
 double amount(const Fluid& fluid, std::size_t substance) {

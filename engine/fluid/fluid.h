@@ -163,7 +163,8 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
 void refresh_after_edit(Fluid& fluid);
 
 /// Total momentum (m^4/s) and kinetic energy (m^5/s^2) per unit of density, summed in double in a fixed
-/// order.
+/// order. In the energy, a face at a solid along which the fluid slips counts by its
+/// open share.
 vec3 momentum(const Fluid& fluid);
 double energy(const Fluid& fluid);
 /// Total amount of a substance (m^3).

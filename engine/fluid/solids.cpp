@@ -10,10 +10,6 @@
 namespace thaum::fluid {
 namespace {
 
-// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this
-// loss was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller
-// openings do not add iterations to the pressure solve.
-constexpr double open_least = 0.02;
 // Extra term of the preconditioner for a mostly closed cell with sum d of open shares: own_part h^2 (1
 // / d - 1 / own_below). With these values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
@@ -50,7 +46,8 @@ void fill_round(const Rows& rows, Samples& potential) {
 
 }  // namespace
 
-Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(lattice), box_(lattice, 2) {
+Solids::Solids(const Lattice& lattice, const SolidShare& solid, double least_share)
+    : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
     // Eight more values, so that the last row may be read past its end.
@@ -61,7 +58,7 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(latti
         open_[axis] = make_samples(lattice);
         each_cell(lattice, [&](int i, int j, int k, std::size_t at) {
             const OpenPart part = open_part(solid, lattice.h * vec3(i, j, k), axis, lattice.h);
-            if (part.share < open_least) return;
+            if (part.share < least_share) return;
             open_[axis][at] = static_cast<float>(part.share);
             if (part.share < 1) cut_faces_[axis].push_back({at, part.middle});
         });

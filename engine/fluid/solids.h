@@ -25,10 +25,19 @@ struct CutFace {
     vec3 middle{};     ///< centre of the open part (m)
 };
 
+/// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this loss was 8 to 10 %
+/// of the squared error of a flow in a bowl, and more on finer grids. Smaller openings do not add iterations to the
+/// pressure solve.
+inline constexpr double open_least = 0.02;
+/// The same where the fluid slips along solids, so that the flow beside them is as fast as elsewhere. The pressure sends
+/// what is lost through other small openings: with 0.02 a flow that turns as a rigid body was off by 1.7 times as much
+/// at 48 cells, and hardly less at 64.
+inline constexpr double open_least_where_slipping = 0.002;
+
 /// Solids on one lattice: open shares of faces, and the projection that removes divergence.
 class Solids {
 public:
-    Solids(const Lattice& lattice, const SolidShare& solid);
+    Solids(const Lattice& lattice, const SolidShare& solid, double least_share = open_least);
 
     /// Open shares of the faces of each component, 0 to 1, including ghosts; 0 on walls.
     const std::array<Samples, 3>& open() const { return open_; }

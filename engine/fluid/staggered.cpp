@@ -73,7 +73,10 @@ double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) 
 StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattice)
     : lattice_(lattice),
       order_(settings.solid ? 2 : settings.order),
-      solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
+      solids_(settings.solid ? std::make_unique<Solids>(
+                                   lattice, settings.solid,
+                                   settings.no_slip_at_solids ? open_least : open_least_where_slipping)
+                             : nullptr),
       rows_(solids_ ? solids_->rows() : whole_rows(lattice)),
       pressure_(lattice, order_),
       momentum_(lattice, order_, solids_.get()),
@@ -121,10 +124,24 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
 }
 
 /// Number of sub-steps of equal length that keeps the distance per sub-step within carried_most.
-double StaggeredSolver::substeps_wanted(const Settings& settings, double dt) const {
-    double carried = start_norms_.sum_of_largest + std::abs(settings.lid);
-    if (has_force_) carried += dt * sum_of_largest(rows_, force_);
-    return std::ceil(carried * dt / (lattice_.h * carried_most));
+///
+/// Where the fluid slips along solids, advection reads continued velocities on cut faces. A face then counts by its
+/// open share. A small opening may be much faster than the flow around it, or under a force that would make it so,
+/// and would ask for sub-steps that nothing needs.
+double StaggeredSolver::substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const {
+    const auto wanted = [&](double flow, double push) {
+        const double carried = flow + std::abs(settings.lid) + dt * push;
+        return std::ceil(carried * dt / (lattice_.h * carried_most));
+    };
+    const double most = wanted(start_norms_.sum_of_largest, has_force_ ? sum_of_largest(rows_, force_) : 0);
+    if (most <= 1 || !continuation_) return most;
+    double flow = 0, push = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Samples& open = solids_->open()[axis];
+        flow += largest_product(rows_, open, velocity[axis]);
+        if (has_force_) push += largest_product(rows_, open, force_[axis]);
+    }
+    return wanted(flow, push);
 }
 
 /// Sums all forces. `share` turns the queued velocity changes into an acceleration (1/s).
@@ -262,7 +279,8 @@ double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocit
     if (!now.pushed) return 0;
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        work += dot(pushed_rows_[axis], now.push[axis], velocity[axis]);
+        work += continuation_ ? dot(pushed_rows_[axis], now.push[axis], velocity[axis], solids_->open()[axis])
+                              : dot(pushed_rows_[axis], now.push[axis], velocity[axis]);
     return work;
 }
 
@@ -277,7 +295,7 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
                                    StepReport& report) {
     current_norms_.reset();
     if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
-    const VelocityNorms found = velocity_norms(rows_, now.velocity);
+    const VelocityNorms found = velocity_norms(rows_, now.velocity, energy_shares());
     const double is = found.half_square;
     const double most =
         std::max(0.0, start_norms_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
@@ -390,7 +408,7 @@ void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, doub
     const double before = start_norms_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->clear_closed_faces(sum_);
-    const double after = velocity_norms(rows_, sum_).half_square;
+    const double after = velocity_norms(rows_, sum_, energy_shares()).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -446,15 +464,15 @@ void StaggeredSolver::clear_divergence(const Settings& settings, State& now, Ste
 /// Gathers the forces and returns how many sub-steps the remaining time needs, at least 1.
 double StaggeredSolver::plan_substeps(const Settings& settings, State& now, double left, double whole,
                                       int allowed) {
-    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
+    start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity, energy_shares());
     gather_forces(settings, now, 1 / whole);
-    const double wanted = std::max(1.0, substeps_wanted(settings, left));
+    const double wanted = std::max(1.0, substeps_wanted(settings, now.velocity, left));
     if (!solids_ || wanted <= allowed) return wanted;
     // A collision within a shorter step left a pressure that would push much too hard over a longer step.
     // Without it the step is of first order, and stable.
     std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
     gather_forces(settings, now, 1 / whole);
-    return std::max(1.0, substeps_wanted(settings, left));
+    return std::max(1.0, substeps_wanted(settings, now.velocity, left));
 }
 
 StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
@@ -482,7 +500,8 @@ StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt
     }
     clear_pushes(now);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    const VelocityNorms is = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
+    const VelocityNorms is =
+        current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity, energy_shares());
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
     if (!solids_) clear_divergence(settings, now, report);

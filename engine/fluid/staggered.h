@@ -32,6 +32,9 @@ public:
     void carry_substances(const Settings& settings, State& now, double dt);
     /// Null if there are no solids inside the box.
     const Solids* solids() const { return solids_.get(); }
+    /// Shares by which faces count in the energy: the open ones where the fluid slips along solids. Null: all count
+    /// alike.
+    const std::array<Samples, 3>* energy_shares() const { return continuation_ ? &solids_->open() : nullptr; }
     /// Writes the ghosts, and 0 on walls and in solids.
     void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
 
@@ -41,7 +44,7 @@ private:
     void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
     bool viscosity_varies(const Settings& settings) const;
     static bool has_weight(const Settings& settings);
-    double substeps_wanted(const Settings& settings, double dt) const;
+    double substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const;
     double plan_substeps(const Settings& settings, State& now, double left, double whole, int allowed);
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);

@@ -40,13 +40,16 @@ double product(const auto& where, const Samples& a, const Samples& b) {
 std::uint32_t size_of(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
 double of_size(std::uint32_t size) { return static_cast<double>(std::bit_cast<float>(size)); }
 
-double most_of(const auto& where, const Samples& samples) {
+double most_over(const auto& where, auto&& term) {
     std::uint32_t most = 0;
     each_whole_row(where, [&](Row row) {
-        const float* value = samples.data() + row.at;
-        for (std::ptrdiff_t i = 0; i < row.count; ++i) most = std::max(most, size_of(value[i]));
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i) most = std::max(most, size_of(term(i)));
     });
     return of_size(most);
+}
+
+double most_of(const auto& where, const Samples& samples) {
+    return most_over(where, [value = samples.data()](std::ptrdiff_t i) { return value[i]; });
 }
 
 }  // namespace
@@ -59,12 +62,22 @@ double total(const Lattice& lattice, const Samples& samples) {
 double dot(const Lattice& lattice, const Samples& a, const Samples& b) { return product(lattice, a, b); }
 double dot(const Rows& rows, const Samples& a, const Samples& b) { return product(rows, a, b); }
 
+double dot(const Rows& rows, const Samples& a, const Samples& b, const Samples& weight) {
+    return sum_over(rows, [x = a.data(), y = b.data(), w = weight.data()](std::ptrdiff_t i) {
+        return static_cast<double>(w[i]) * static_cast<double>(x[i]) * static_cast<double>(y[i]);
+    });
+}
+
 double largest(const Lattice& lattice, const Samples& samples) { return most_of(lattice, samples); }
 double largest(const Rows& rows, const Samples& samples) { return most_of(rows, samples); }
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double most = 0;
     for (const Samples& component : velocity) most = std::max(most, largest(rows, component));
     return most;
+}
+
+double largest_product(const Rows& rows, const Samples& a, const Samples& b) {
+    return most_over(rows, [x = a.data(), y = b.data()](std::ptrdiff_t i) { return x[i] * y[i]; });
 }
 
 double segregation(const Rows& rows, double cells, const Samples& density) {
@@ -93,15 +106,23 @@ double segregation(const Rows& rows, double cells, const Samples& density) {
     return of_body > 0 ? std::max(0.0, square / cells - mean * mean) / of_body : 0;
 }
 
-VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity) {
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
+                             const std::array<Samples, 3>* shares) {
     VelocityNorms result;
     double sum = 0;
-    for (const Samples& component : velocity) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         std::uint32_t most = 0;
-        sum += sum_over(rows, [&, u = component.data()](std::ptrdiff_t i) {
+        const float* u = velocity[axis].data();
+        const auto square_at = [&](std::ptrdiff_t i) {
             most = std::max(most, size_of(u[i]));
             return static_cast<double>(u[i]) * static_cast<double>(u[i]);
-        });
+        };
+        if (shares == nullptr)
+            sum += sum_over(rows, square_at);
+        else
+            sum += sum_over(rows, [&, share = (*shares)[axis].data()](std::ptrdiff_t i) {
+                return static_cast<double>(share[i]) * square_at(i);
+            });
         result.largest = std::max(result.largest, of_size(most));
         result.sum_of_largest += of_size(most);
     }

@@ -143,8 +143,9 @@ TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
 }
 
 TEST(FluidAccuracy, ATurningFluidSlipsAlongABowl) {
-    // When advection read closed faces as fluid at rest: 0.306 and 0.287.
-    for (const auto& [n, most] : {std::pair{16, 0.021}, std::pair{32, 0.0125}}) {
+    // When advection read closed faces as fluid at rest: 0.306 and 0.287. When small openings were missed or closed:
+    // 0.022 and 0.012, and 0.016 at 48.
+    for (const auto& [n, most] : {std::pair{16, 0.0115}, std::pair{32, 0.005}}) {
         auto fluid = flows::slipping_bowl(n);
         ASSERT_TRUE(fluid.has_value());
         for (const double dt : flows::steps_until(1)) {

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
+#include "fluid/cuts.h"
 #include "fluid/fluid.h"
 #include "fluid/separable.h"
 #include "fluid/solids.h"
 #include "fluid/sums.h"
 #include "fluid/viscosity.h"
-#include "tests/scenes/fluid_flows.h"
+#include "tests/scenes/fluid_bowls.h"
 
 namespace thaum::fluid {
 namespace {
@@ -63,7 +64,7 @@ TEST(FluidSolids, AProjectionRemovesGradientsAndKeepsSolenoidalFlow) {
     const double before = square(lattice, velocity);
     solids.project(velocity, potential, 1e-6, 100);
     const double free = square(lattice, velocity);
-    EXPECT_LT(free, 0.9 * before);
+    EXPECT_LT(free, 0.8 * before);
     auto again = velocity;
     solids.project(again, potential, 1e-6, 100);
     EXPECT_NEAR(square(lattice, again), free, 1e-5 * free);
@@ -109,6 +110,67 @@ TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
         });
         EXPECT_LE(iterations(bad, flow), without + 2) << size;
     }
+}
+
+TEST(FluidSolids, OpeningsOfAnySizeHaveTheirAreaAndTheirCentre) {
+    const double h = 0.1;
+    const vec3 low(0.3, -0.2, 0.7);
+    Random random = random_stream(9, 0);
+    for (int i = 0; i < 200; ++i) {
+        // A wall cuts off a corner, whose sides are these shares of the edges.
+        const double a = random.uniform(0.01, 0.5), b = random.uniform(0.01, 0.5);
+        const bool far = i % 2 == 1;
+        const auto solid = [&](vec3 place) {
+            const vec3 at = (place - low) / h;
+            const double x = far ? 1 - at.x : at.x;
+            return x / a + at.y / b < 1 ? 0.0 : 1.0;
+        };
+        const OpenPart part = open_part(solid, low, 2, h);
+        EXPECT_NEAR(part.share, 0.5 * a * b, 1e-5) << a << ' ' << b;
+        const vec3 middle = low + h * vec3(far ? 1 - a / 3 : a / 3, b / 3, 0);
+        EXPECT_LE(glm::distance(part.middle, middle), 1e-3 * h) << a << ' ' << b;
+    }
+}
+
+/// Sum of squares of the velocity, each face counted by its open share.
+double square_in_openings(const Fluid& fluid, const Solids& solids) {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Samples &u = fluid.now.velocity[axis], &open = solids.open()[axis];
+        for (std::size_t i = 0; i < u.size(); ++i) sum += double{open[i]} * double{u[i]} * double{u[i]};
+    }
+    return sum;
+}
+
+TEST(FluidSolids, AFastTurningFluidKeepsItsEnergyAlongASlippingBowl) {
+    // When small openings counted as whole ones, they asked for more sub-steps than there are. The pressure was
+    // then left out, and a sixth of the energy was lost.
+    auto fluid = flows::slipping_bowl(24);
+    ASSERT_TRUE(fluid.has_value());
+    set_velocity(*fluid, [](vec3 place) { return 12.0 * flows::rigid_turn(place); });
+    const double before = energy(*fluid);
+    for (int step = 0; step < 10; ++step) EXPECT_FALSE(advance(*fluid, 0.016).fell_back);
+    EXPECT_GE(energy(*fluid), 0.98 * before);
+}
+
+TEST(FluidSolids, AStirredBowlWithoutFrictionKeepsMostOfItsEnergy) {
+    // When the energy of small openings counted as that of whole faces, the whole flow was slowed for it, and kept
+    // two thirds.
+    auto fluid = flows::slipping_bowl(24);
+    ASSERT_TRUE(fluid.has_value());
+    const Solids solids(fluid->lattice, fluid->settings.solid, open_least_where_slipping);
+    Random random = random_stream(1, 0);
+    const auto anywhere = [&] {
+        return vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    };
+    for (int i = 0; i < 20; ++i) {
+        push(*fluid, {flows::bowl_centre + 0.2 * anywhere(), 0.15, 0.004 * anywhere()});
+        advance(*fluid, 0.016);
+    }
+    const double before = square_in_openings(*fluid, solids);
+    for (int i = 0; i < 50; ++i) advance(*fluid, 0.016);
+    EXPECT_GE(square_in_openings(*fluid, solids), 0.8 * before);
+    EXPECT_LE(square_in_openings(*fluid, solids), before);
 }
 
 Fluid brew(int n) {
