@@ -48,8 +48,9 @@ public:
     /// The first divergence that was seen. Whatever follows it in the log differs from the recorded match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
-    /// One line that says why agreeing hashes do not prove the whole replay: the log has no hashes, or lacks
-    /// one of every 128th tick or of the last tick. Empty if the hashes prove the replay.
+    /// One line that says why agreeing hashes do not prove the replay: the log has no hashes, or lacks one of every
+    /// 128th tick, or was closed properly and lacks that of its last tick. Empty if the hashes prove the replay, that of
+    /// a log that was cut off up to its last hash.
     std::string missing_hashes() const;
     /// One line if the result stored in a log that was closed properly differs from the match's result now;
     /// else empty.

@@ -59,6 +59,11 @@ head -c $((second + 50)) "$log" >cut.thaumlog
 said=$("$thaum" replay cut.thaumlog --verify 2>line) || fail "a cut-off log: $said"
 [[ $said == "512 ticks, 4 state hashes agree, the last at tick 512"* && $(cat line) == *"cut off after tick 512"* ]] ||
     fail "a cut-off log: $said, $(cat line)"
+# A log that lacks a part of its end block alone, as on a full disk, has all ticks, but no hash of the last one.
+head -c -1 "$log" >endless.thaumlog
+said=$("$thaum" replay endless.thaumlog --verify 2>line) || fail "a log without its end: $said"
+[[ $said == "3300 ticks, 25 state hashes agree, the last at tick 3200"* && $(cat line) == *"cut off after tick 3300"* ]] ||
+    fail "a log without its end: $said, $(cat line)"
 head -c "$first" "$log" >header.thaumlog
 said=$("$thaum" replay header.thaumlog --verify 2>/dev/null)
 [[ $? == 1 && $said == *"nothing was compared"* ]] || fail "a header alone: $said"
