@@ -313,6 +313,11 @@ TEST(CoreConfig, SlipsInNumbersAreExplained) {
                       {"x = 1.2.3", 2, "one point"},
                       {"x = 1e", 2, "digits after its 'e'"},
                       {"x = 03", 2, "does not begin with a zero"},
+                      {"x = -03", 2, "does not begin with a zero"},
+                      {"x = 99999999999999999999", 2, "is at most 9223372036854775807"},
+                      {"x = -9223372036854775809", 2, "is at most 9223372036854775807"},
+                      {"x = 1e400", 2, "is below 1.8e308"},
+                      {"x = -1.5E+400", 2, "is below 1.8e308"},
                       {"x = \u22123", 2, "write '-'"},
                       {"x = \uff13", 2, "write '3'"}});
 }

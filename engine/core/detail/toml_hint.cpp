@@ -132,6 +132,19 @@ std::string hint_after_number(std::string_view number, std::string_view rest) {
     return text("after the number only a comment may stand, which begins with '#'; a number has no unit");
 }
 
+/// True if a number has a zero before another digit.
+bool is_zero_first(std::string_view number) {
+    const auto first = number.find_first_of("0123456789");
+    return first + 1 < number.size() && number[first] == '0';
+}
+
+/// True for words such as "e400" or "E+07".
+bool is_exponent(std::string_view word) {
+    if (word[0] != 'e' && word[0] != 'E') return false;
+    const auto number = word.substr(1);
+    return !number.empty() && digits_of(number) == number.size() && is_digit(number.back());
+}
+
 /// A word that begins as a number and is none.
 std::string hint_of_number(std::string_view word) {
     if (begins_with_one_of(word, {"0x", "0X"})) return "a hexadecimal number is 0x and digits 0-9, a-f";
@@ -141,12 +154,15 @@ std::string hint_of_number(std::string_view word) {
     if (word[0] == '.' || word.ends_with('.')) return "a number has digits before and after its point";
     if (std::ranges::count(word, '.') > 1) return "a number has one point";
     const auto digits = digits_of(word);
-    if (digits == word.size()) return "a number does not begin with a zero";
+    if (digits == word.size())
+        return is_zero_first(word) ? "a number does not begin with a zero"
+                                   : "a whole number is at most 9223372036854775807 in size";
     if (digits == 0) return "a number has digits after its sign";
     if (word[digits] == '\'' || word[digits] == '_')
         return "write the digits of a number without a sign between them";
     if (is_one_of(word.substr(word.size() - 1), {"e"})) return "a number has digits after its 'e'";
     const auto end = word.find_first_not_of("0123456789.", digits);
+    if (end != word.npos && is_exponent(word.substr(end))) return "a number is below 1.8e308 in size";
     if (end == word.npos || word[end] == '-') return "";
     return text("a number has no unit: write ", shown(word.substr(0, end)));
 }
