@@ -26,6 +26,8 @@ bright() {
 }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 seat_taken() { bright "$1" 127 45 100; }  # the bar at the left of a seat has its team's light colour
+# quits: leaves the start screen by its last row.
+quits() { choose Quit Up && presses Return; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
 has_logs() { [ "$(logs)" -ge "$1" ]; }
 pad() { echo "$@" >&4; }
@@ -44,7 +46,7 @@ game=$!
 exec 4>"$folder/pad"
 eventually "no start screen" drawn
 # S and W move through the rows and do not join. Back on the first row, the keyboard joins.
-presses s s w w
+moves_on s s w w
 ! seat_taken 213 || fail "a key that moves has joined"
 presses x
 eventually "the keyboard did not join" seat_taken 213
@@ -109,14 +111,12 @@ choose Flow
 presses Return
 eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
-presses Escape Escape Escape Escape
-eventually "Esc did not go on" no_pause_menu
+until no_pause_menu; do moves_on Escape; done
 presses Escape
 eventually "no second pause" pause_menu
 presses q
 eventually "no start screen after the match" seat_taken 213
-# Quit is the last row. Both players have joined, so the first Esc gives up the seat.
-presses Escape Escape Return
+quits
 exec 4>&-
 wait "$game" || fail "the program's exit code"
 seen=$("$probe" "$(find "$matches" -name '*.thaumlog')")
@@ -155,13 +155,14 @@ eventually "no start screen with broken settings" drawn
 choose Settings
 moves_on Return Right Escape
 choose 'Duel: press any button to join' Up
-presses Return Return
+moves_on Return
+presses Return
 eventually "no match with broken settings" has_logs 2
 presses Escape
 eventually "no pause" pause_menu
 presses q
 eventually "no start screen after the match" seat_taken 213
-presses Escape Escape Return
+quits
 wait "$game" || fail "the exit code with broken settings"
 cmp "$settings" "$folder/kept" || fail "the broken settings were written over"
 [ "$(grep -c . "$folder/said")" = 1 ] && grep -q 'kept as it is' "$folder/said" || fail "said: $(cat "$folder/said")"
