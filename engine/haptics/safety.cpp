@@ -192,8 +192,10 @@ double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
         burst = std::min(burst, before);
         kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
+    // A cap that is lowered lowers the burst. The force comes down to both alike.
+    const double falling = glm::length(state.output) - cap_slew * tick_seconds;
     const double at_most = std::sqrt(left / tick_seconds);  // stays within the budget in this tick
-    return std::min({std::max(burst, kept_up), at_most, limits.cap});
+    return std::min({std::max({burst, kept_up, falling}), at_most, limits.cap});
 }
 
 void add_heat(SafetyState& state, vec3 force) {

@@ -383,6 +383,21 @@ TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
     }
 }
 
+TEST(HapticsSafety, ALowerCapOnWarmMotorsMakesNoJump) {
+    for (int ticks = 1300; ticks <= 1440; ticks += 20) {
+        Stage stage;
+        stage.feel(vec3(0));
+        double before = stage.feel({.wanted = {2.2, 0, 0}}, ticks).x;
+        stage.limits = with_share(stage.limits, 0.35);
+        for (int tick = 0; tick < 20; ++tick) {
+            const double force = stage.feel({2.2, 0, 0}).x;
+            EXPECT_LE(before - force, cap_slew * tick_seconds + 1e-12) << ticks << " and " << tick;
+            before = force;
+        }
+        EXPECT_LE(before, stage.limits.cap);
+    }
+}
+
 TEST(HapticsSafety, WhoLetsGoAndRestsHasABurstAgain) {
     Stage stage;
     stage.feel(vec3(0));
