@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "field/block_averages.h"
 #include "haptics/level_contact.h"
+#include "haptics/volume_feel.h"
 #include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {
@@ -261,6 +262,32 @@ TEST(DrawnBody, TheNormalTurnsOverTheEdgeOfACutWithoutAJump) {
         before = normal;
         if (i == -300) EXPECT_LE(glm::distance(normal, vec3(0, 0, 1)), 1e-12);
         if (i == 299) EXPECT_LE(glm::distance(normal, out), 0.06);
+    }
+}
+
+/// A proxy is where the tip was a tick ago, and so behind a tip that comes. Nothing holds it there.
+TEST(DrawnBody, ATipInFrontOfABodyMeetsNoFriction) {
+    const Body ball({24, 24, 24}, vec3(fine), ball_at(vec3(0), 0.007, fine));
+    const SmoothGrid felt = ball.felt();
+    auto hand = hand_on(felt);
+    hand.uses[0].settings.friction = field::constant(0.3);
+    const VolumeFeel feel{.density = field_of<Scalar>(felt),
+                          .walls = {{{.density = level, .strength = 50, .friction = 0.3, .reach = 2 * fine}}},
+                          .wall_count = 1};
+    for (const double radius : {0.0085, 0.008, 0.0072, 0.0069}) {
+        const vec3 out = glm::normalize(vec3(1, 2, -0.5));
+        const ModeInput input{.proxy = (radius + 1e-4) * out, .tip = radius * out, .stiffness = stiffness};
+        PrimitiveSet mode, wall;
+        add_modes(hand.uses, input, mode);
+        add_volume_feel(feel, input, wall);
+        const double of_mode = mode.items()[2].strength, of_wall = wall.items()[3].strength;
+        if (radius > 0.007) {
+            EXPECT_EQ(of_mode, 0) << radius;
+            EXPECT_EQ(of_wall, 0) << radius;
+        } else {
+            EXPECT_GT(of_mode, 0.02);
+            EXPECT_GT(of_wall, 0.02);
+        }
     }
 }
 
