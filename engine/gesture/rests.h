@@ -78,8 +78,10 @@ public:
         return rest;
     }
 
-    /// The rest without the approach to its place and the departure from it.
-    Rest without_motion(Rest rest) const {
+    /// The rest without the approach to its place and the departure from it, and with all points from `begin` on before and
+    /// after it in which the hand only trembles. A run that begins in the approach may end there, by a point of tremor that
+    /// is far from its middle.
+    Rest without_motion(Rest rest, std::size_t begin) const {
         // Way from the middle, in root mean squares of that way, below which a point is tremor and no motion. Points
         // that differ by rounding alone are no motion either.
         constexpr auto tremor_reach = static_cast<Real>(2.5), rounding = static_cast<Real>(1e-9);
@@ -93,6 +95,14 @@ public:
         const Real near = tremor_reach * tremor_reach * squares / points + rounding * square_;
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
+        const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
+        const std::size_t end = stroke_.size();  // of two neighbours, one may be noise
+        while (rest.first > begin &&
+               (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))
+            --rest.first;
+        while (rest.last + 1 < end &&
+               (trembles(rest.last + 1) || (rest.last + 2 < end && trembles(rest.last + 2))))
+            ++rest.last;
         return rest;
     }
 
@@ -144,14 +154,14 @@ MovingParts moving_parts(const Stroke& stroke, double extent) {
         const auto found = runs.next_rest(from);
         if (!found || (found->first == 0 && found->last == last)) break;
         auto& part = parts.items[parts.count - 1];
-        from = found->last + 1;
-        const auto rest = runs.without_motion(*found);
-        if (found->first == 0) {
+        const auto rest = runs.without_motion(*found, part.first);
+        from = std::max(found->last, rest.last) + 1;
+        if (found->first == 0 || rest.first == 0) {
             part.first = rest.last;
             continue;
         }
         part.last = rest.first;
-        if (found->last == last) break;
+        if (found->last == last || rest.last == last) break;
         const double left_out = std::max(runs.seconds(rest.first, rest.last) - longest_halt, 0.0);
         parts.items[parts.count++] = {rest.last, last, part.earlier + left_out};
     }

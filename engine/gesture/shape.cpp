@@ -275,23 +275,22 @@ Copied leave_out_rests(Points stroke, bool depth, const Copied& copied, ShapeSpa
         sign = halt_sign(space, copied.extent);
         if (sign.steps == 0 || !has_sign(space, sign)) return copied;
     }
-    const WholeStroke whole{stroke, depth};
-    auto parts = slow ? moving_parts(whole, whole.extent())
-                      : moving_parts(CopiedStroke{space, sign}, static_cast<double>(copied.extent));
-    const std::size_t points = parts.points();
-    if (points < 2 || points == (slow ? stroke.size() : space.count)) return copied;
-    space.paused = static_cast<float>(parts.items[parts.count - 1].earlier);
-    if (slow) return copy_moving(stroke, depth, parts, space);
     const std::size_t stride = stride_of(stroke.size());
-    if (stride == 1 || points >= enough_points) {
-        keep_moving(parts, space);
-        return {true, copied.plain && parts.count == 1, copied.extent};
+    if (!slow) {
+        const auto parts = moving_parts(CopiedStroke{space, sign}, static_cast<double>(copied.extent));
+        const std::size_t points = parts.points();
+        if (points < 2 || points == space.count) return copied;
+        if (stride == 1 || points >= enough_points) {
+            space.paused = static_cast<float>(parts.items[parts.count - 1].earlier);
+            keep_moving(parts, space);
+            return {true, copied.plain && parts.count == 1, copied.extent};
+        }
     }
-    const std::size_t begin = (stroke.size() - 1) % stride;  // first point that was copied
-    for (std::size_t k = 0; k < parts.count; ++k) {
-        parts.items[k].first = begin + stride * parts.items[k].first;
-        parts.items[k].last = begin + stride * parts.items[k].last;
-    }
+    const WholeStroke whole{stroke, depth};
+    const auto parts = moving_parts(whole, whole.extent());
+    const std::size_t points = parts.points();
+    if (points < 2 || points == stroke.size()) return copied;
+    space.paused = static_cast<float>(parts.items[parts.count - 1].earlier);
     return copy_moving(stroke, depth, parts, space);
 }
 

@@ -101,6 +101,18 @@ Course with_rests(const Course& stroke, double before, double within, double aft
     return result;
 }
 
+/// A rest that is found between two points of a thinned stroke, or only after its first tenths of a second, would leave
+/// tremor at the stroke's ends.
+TEST(GestureShape, ARestIsLeftOutFromItsFirstPointToItsLast) {
+    for (const auto& stroke : {vee(1001), ess(1001), circle(0, 1, 1001)}) {
+        for (const double s : {1.0, 12.0}) {
+            const auto rested = shape_of(with_rests(stroke, s, 0, s, 0.008));
+            EXPECT_NEAR(rested.start_t, s, 0.025) << s;
+            EXPECT_NEAR(rested.end_t, s + 1, 0.025) << s;
+        }
+    }
+}
+
 TEST(GestureShape, RestsOfATremblingHandHaveNoEffect) {
     for (const std::size_t points : {61U, 126U, 1001U}) {
         for (const auto& stroke : {vee(points), ess(points)}) {
