@@ -12,8 +12,10 @@ constexpr float lowest_score = -1e30F;
 constexpr float farthest_possible = 1e9F;  ///< distance of a gesture none of whose templates was compared
 /// Weight of the second nearest template of a gesture, as a share of that of the nearest.
 constexpr float second_weight = 0.5F;
-// Twins are told apart by odds, in which the ratio of the distances counts by this power.
+// Twins are told apart by odds, in which the ratio of the distances counts by this power. A common part is added to both
+// distances: below it their ratio tells which template happens to be alike, and not which gesture was meant.
 constexpr double twin_distance_power = 4;
+constexpr float twin_common_distance = 0.1F;
 
 /// Sums of the eight lanes of four vectors, neighbours first.
 Floats4 sums_of(Floats8 p, Floats8 q, Floats8 r, Floats8 s) {
@@ -310,7 +312,8 @@ std::uint32_t Recogniser::twin_by_force(std::uint32_t gesture, double mean_force
 /// choice.
 double Recogniser::by_twins(float force, float farthest, const RecogniserSpace& space, Recognition& r) const {
     const auto oddness = [&](std::uint32_t g) {
-        const auto ratio = static_cast<double>(distance_of(g, farthest, space) / std::max(r.distance, 1e-4F));
+        const auto ratio = static_cast<double>((distance_of(g, farthest, space) + twin_common_distance) /
+                                               (r.distance + twin_common_distance));
         return force_oddness(static_cast<double>(force), template_force_[g]) +
                twin_distance_power * det::log(std::max(ratio, 1.0));
     };
