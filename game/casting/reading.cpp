@@ -172,7 +172,7 @@ Reading read_drawn(const GestureSet& gestures, const DrawnStroke& trace, Reading
     const auto stroke = put_points(trace, space);
     const auto found = recognise_drawn(gestures.recogniser(), stroke, space.recogniser);
     Reading reading{.stroke = {.force = mean_force_along(stroke)}, .nearest = found.gesture};
-    // A stroke that was not read may well have meant nothing.
+    // A stroke that was not read may well have meant nothing. Players are shown no number of it.
     reading.stroke.probability = found.accepted ? found.probability : found.even_probability;
     if (!found.accepted) return reading;
     reading.stroke.gesture = found.gesture;

@@ -33,7 +33,8 @@ std::string words_of_miss(const CastingPicture& casting) {
     const auto* why = is_too_fast(*casting.rules, reading.force) ? "too fast" : "not read";
     const bool is_like_none = whole_percent(reading.probability) == 0;
     if (is_like_none || shown_gesture(casting, reading.nearest).empty()) return why;
-    return text(why, "; nearest: ", gesture_and_percent(casting, reading.nearest));
+    // Without a number: how likely it was meant depends on how often this player scribbles.
+    return text(why, "; nearest: ", shown_gesture(casting, reading.nearest));
 }
 
 /// The key of a chord: "[1]".

@@ -1,5 +1,5 @@
 // game/hud/stroke_words.h: the caption after a stroke. It says what was read, how sure that is, and what came of it:
-// "Circle 97 %: Shield, gentle", "not read; nearest: S 31 %", "Circle 97 %: Shield needs 12 more focus". A key
+// "Circle 97 %: Shield, gentle", "not read; nearest: S", "Circle 97 %: Shield needs 12 more focus". A key
 // chord draws nothing, so its caption has the key: "[1] Shield, gentle". A stroke that is too small or too quick is not
 // read, and says so. A hand without a button has a caption where it nearly cast something.
 #pragma once

@@ -116,13 +116,13 @@ void GestureWall::read(const game::Simulation& match) {
         return;
     }
     chosen_ = static_cast<int>(number);
-    if (number == reading.nearest && score > 0) scores_[number] = score;
+    scores_[number] = meant ? score : -1;  // see words_of_miss in game/hud/stroke_words.cpp
     const auto& shown = (*gestures_)[number];
     if (meant)
         lines_.push_back(text(shown.spell.empty() ? shown.name : shown.spell, ", ", score, " % sure, ",
                               words_of_force(rules, reading.force)));
     else if (number == reading.nearest && score > 0)
-        lines_.push_back(text("not sure: the nearest is ", shown.name, ", ", score, " %"));
+        lines_.push_back(text("not sure: the nearest is ", shown.name));
     else
         lines_.push_back(text("not read, but it has the shape of ", shown.name));
     if (chord_) return lines_.emplace_back("a key chord: nothing was drawn"), void();

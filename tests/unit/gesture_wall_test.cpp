@@ -62,7 +62,7 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
     const auto& gestures = *range.data().match->gestures;
     ess = gestures.gestures()[*gestures.number("s")].strokes.front();
     std::reverse(ess.begin(), ess.end());
-    player.draw(1500, [](int t) {
+    const auto along_ess = [](int t) {
         const auto place = [](int at) {
             const double u = at / 1500.0 * static_cast<double>(ess.size() - 1);
             const auto i = std::min(static_cast<std::size_t>(u), ess.size() - 2);
@@ -70,9 +70,18 @@ TEST(GestureWallOfTheRange, TheWallTellsAStrokeFromTheWrongEndAndOneLikeNone) {
             return vec2(std::round(1e4 * at_u.x), std::round(1e4 * at_u.y));
         };
         return place(t + 1) - place(t);
-    });
+    };
+    std::reverse(ess.begin(), ess.end());
+    player.draw(1500, along_ess);
     auto wall = wall_of(practice);
+    ASSERT_GE(wall.chosen, 0);
+    EXPECT_GT(wall.scores[static_cast<std::size_t>(wall.chosen)], 0);
+    std::reverse(ess.begin(), ess.end());
+    player.play(3000);  // until the spell that it cast has gone by
+    player.draw(1500, along_ess);
+    wall = wall_of(practice);
     ASSERT_GE(wall.lines.size(), 2U);
+    EXPECT_LT(wall.scores[static_cast<std::size_t>(wall.chosen)], 0) << "a refused stroke has no score";
     EXPECT_EQ((*wall.gestures)[static_cast<std::size_t>(wall.chosen)].name, "S");
     EXPECT_EQ(wall.lines[0], "not read, but it has the shape of S");
     EXPECT_EQ(wall.lines[1], "draw it from the other end");

@@ -97,7 +97,7 @@ TEST(StrokeWords, TellWhyAStrokeDidNothing) {
     EXPECT_TRUE(stroke_caption(casting, *picture.shown).failed);
     casting.reading = reading_of(casting, StrokeOutcome::unread, "s", 0.31, 0.6);
     casting.reading.gesture = no_gesture;
-    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read; nearest: S 31 %");
+    EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read; nearest: S");
     casting.reading.probability = 0.004;
     EXPECT_EQ(stroke_caption(casting, *picture.shown).words, "not read") << "0 % is near to nothing";
     casting.reading.nearest = no_gesture;
