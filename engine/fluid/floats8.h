@@ -21,6 +21,9 @@ inline Floats8 load(const float* from) {
 
 inline void store(float* to, const Floats8& values) { std::memcpy(to, &values, sizeof values); }
 
+inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
+inline Floats8 smaller(const Floats8& a, const Floats8& b) { return a < b ? a : b; }
+
 /// Copies at least `count` values, rounded up to a multiple of eight.
 inline void copy_by_8(const float* from, float* to, std::ptrdiff_t count) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) store(to + i, load(from + i));
@@ -33,6 +36,13 @@ inline Magnitudes8 magnitudes_of(const Floats8& values) {
     return std::bit_cast<Magnitudes8>(values) & std::numeric_limits<std::int32_t>::max();
 }
 inline Magnitudes8 larger_magnitudes(const Magnitudes8& a, const Magnitudes8& b) { return a > b ? a : b; }
+
+/// Whether a comparison holds in some lane.
+inline bool any_of(const Magnitudes8& lanes) {
+    int any = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) any |= lanes[lane];
+    return any != 0;
+}
 
 inline double largest_of(const Magnitudes8& sizes) {
     std::int32_t most = 0;

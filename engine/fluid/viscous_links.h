@@ -6,14 +6,11 @@
 
 namespace thaum::fluid {
 
-inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
-inline Floats8 smaller(const Floats8& a, const Floats8& b) { return a < b ? a : b; }
-
 /// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
 /// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic mean, a
 /// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
-    const Floats8 low = a < b ? a : b, high = larger(a, b);
+    const Floats8 low = smaller(a, b), high = larger(a, b);
     // The order of the operations keeps equal coefficients as they are, to the bit.
     const Floats8 both = low * ((high + high) / (low + high + 1e-30F));
     const Floats8 one = holds ? larger(high, zero8) : zero8;
@@ -57,12 +54,6 @@ inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i)
     const Floats8 uneven = step_beyond(before, load(rows[0] + i)) + step_beyond(after, load(rows[3] + i));
     const Floats8 low = smaller(before, after), high = larger(before, after);
     return (low >= zero8) & (high > layers_from * low) & (100.0F * uneven < high - low);
-}
-
-inline bool any_of(const Magnitudes8& lanes) {
-    int any = 0;
-    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) any |= lanes[lane];
-    return any != 0;
 }
 
 /// Resistance of the half of a place that faces a neighbour. If the place holds an interface, its coefficient tells

@@ -8,7 +8,7 @@
 // much the recorded strokes of a gesture agree. One stroke of each says nothing about that. Nor do durations where the force
 // is the answer of a viscous field, because a hand is slow or fast there on purpose, for a gentle or a harsh stroke.
 //
-// Of several recorded strokes of a gesture all count, the nearest most.
+// Where several strokes of a gesture were recorded, the distances to all of them count, and the nearest counts most.
 //
 // Strokes of closed gestures may start anywhere, so beginnings are cut from several starts. A gesture that is not
 // sensitive to direction has those of its strokes drawn backwards as well. Rotations are not tried.

@@ -135,7 +135,7 @@ TEST(LikelySpell, HasAColourUnlikeTheOthersAndTheTeams) {
     }
 }
 
-TEST(LikelySpell, IsOnAPlateInItsPanelAndTheStrokeOnItsPage) {
+TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;
     for (const auto& spell : picture.shown->spells) {
