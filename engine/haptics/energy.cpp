@@ -124,12 +124,14 @@ void forgive(PassivityObserver& observer, bool springs_pull) {
     if (!springs_pull) observer.created -= std::max(0.0, observer.created) * (tick_seconds / slowly);
 }
 
-void release_if_covered(PassivityObserver& observer, double held, double force, double stiffness) {
+void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness) {
     if (observer.held_back == 0 || !(stiffness > 0)) return;
     // A spring of the device's stiffness receives a little less than it holds, a tick's motion times its force.
     constexpr double nearly = 0.8, settled = 1e-6;
-    const double owed = std::max(held - energy_slack, nearly * force * force / (2 * stiffness));
-    if (force > 0 ? observer.created + owed > 0 : observer.created > settled) return;
+    const double pull = springs.pull;
+    const double owed = std::max(springs.energy - energy_slack, nearly * pull * pull / (2 * stiffness));
+    const bool may_push = springs.may_lie_ahead || observer.created > settled;
+    if (pull > 0 ? observer.created + owed > 0 : may_push) return;
     observer.held_back = 0;
     observer.reserve = 0;
 }

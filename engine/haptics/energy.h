@@ -14,6 +14,9 @@
 // account `created`, which a switch does not reset. So many switches together give no more than one. What was created is
 // forgotten in the course of time only.
 //
+// A hand in the midst of a body that has just appeared feels nothing. The force comes when it leaves. So where a field
+// decides on the springs, the reserve lasts until the hand has pressed them.
+//
 // A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
 // the device then measures.
 #pragma once
@@ -131,9 +134,17 @@ void hold_back(PassivityObserver& observer);
 /// as by a device that lost its place, and slowly all of it, if the springs do not pull at all.
 void forgive(PassivityObserver& observer, bool springs_pull);
 
-/// Ends it once the springs hold no more than they received, or pull no more and nothing is owed. `held` is the energy
-/// that they hold (J), `force` their force (N) and `stiffness` the device's largest (N/m).
-void release_if_covered(PassivityObserver& observer, double held, double force, double stiffness);
+/// Springs after a switch.
+struct HeldSprings {
+    double energy{};  ///< energy that they hold (J)
+    double pull{};    ///< their force (N)
+    /// true: they may push as soon as the hand moves, though they pull nothing here: within a body of even density.
+    bool may_lie_ahead{};
+};
+
+/// Ends it once the springs hold no more than they received, or pull no more, owe nothing and lie nowhere ahead.
+/// `stiffness` is the device's largest (N/m).
+void release_if_covered(PassivityObserver& observer, const HeldSprings& springs, double stiffness);
 
 /// Largest force of the springs that the reserve allows (N); infinite if they are not held back. `outward` is the motion
 /// of the tip along their force in a tick (m), `pending` their work that has yet to act (J), `stiffness` the device's

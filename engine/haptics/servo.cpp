@@ -368,7 +368,12 @@ EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticMo
         forgive(state.energy, pull > 0);
         const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
         if (!may_give && !fades)
-            release_if_covered(state.energy, stored - fluid.stored, pull, servo.most_stiffness);
+            release_if_covered(
+                state.energy,
+                {.energy = stored - fluid.stored,
+                 .pull = pull,
+                 .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)},
+                servo.most_stiffness);
     }
     const double taken =
         energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));

@@ -458,6 +458,36 @@ TEST(BodyFeel, GoesByThePicturesOpacity) {
     EXPECT_EQ(inside(0), std::pair(0.0, 0.0)) << "what cannot be seen is not felt in this way";
 }
 
+/// In the midst of the new ball the hand feels nothing. All that the ball could give comes as the hand leaves.
+TEST(BodyFeel, ABallThatAppearsAroundAHandGivesItLittleAsItLeaves) {
+    const field::Tool ball{.name = "ball",
+                           .operations = {{.method = field::Method::constant,
+                                           .extent = {.shape = field::ExtentShape::sphere, .half = vec3(11)},
+                                           .changes = {.density = true},
+                                           .density = 1}}};
+    for (const char* device : {"premium", "omega3"}) {
+        auto empty = *field::make_volume("sphere", 40, 3);
+        std::ranges::fill(empty.samples, 0.0F);
+        empty.samples[0] = 1;
+        auto lab = lab_of(std::move(empty), device);
+        lab.data.tools = {ball};
+        lab.servo.limits = haptics::safety_limits(lab.data.device, 1);
+        feel_as(lab, {part("opacity", {1.5 * lab.data.device.peak_force, 1.0})}, field::window(0, 1, 0, 1));
+        rest_hand(lab, vec3(0));
+        double least = 0, given = 0, most = 0;
+        for (int i = 0; i < 1100; ++i) {
+            const double way = 0.45 * lab.data.device.workspace.y * std::clamp((i - 200) / 400.0, 0.0, 1.0);
+            const vec3 from = lab.hand.position;
+            step_volume_lab(lab, {.target = {0, way, 0}, .carve = i >= 100 && i < 108});
+            given += glm::dot(lab.hand.force, lab.hand.position - from);
+            least = std::min(least, given);
+            most = std::max(most, given - least);
+        }
+        EXPECT_TRUE(lab.edited);
+        EXPECT_LE(most, 0.02) << device;
+    }
+}
+
 TEST(BodyFeel, PartsThatDoNotFitAreRefusedByName) {
     const auto refusal = [](auto&& result) { return result ? std::string() : result.error().message; };
     const std::vector<double> few{1}, bad{5, 4, 1}, minus{1, -1};
