@@ -120,10 +120,16 @@ bool detect_patch_jump(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Returns true if the space became viscous or free.
-bool detect_viscosity_switch(ServoState& state, const HapticModel& model) {
-    const bool jumped = (model.viscosity > 0) != (state.viscosity > 0);
-    state.viscosity = model.viscosity;
+/// Share of the device's damping by which the viscosity of a space changes in a tick. Beside each other, two materials may
+/// differ tenfold, and which of them is at the tip is known by whole voxels.
+constexpr double viscosity_pace = 1.0 / 32;
+
+/// Leads the viscosity to that of the space. Returns true if the space became viscous or free.
+bool follow_viscosity(const Servo& servo, ServoState& state, const HapticModel& model) {
+    const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.most_damping) : 0;
+    const bool jumped = (wanted > 0) != (state.viscosity > 0);
+    const double pace = viscosity_pace * servo.most_damping, before = state.viscosity;
+    state.viscosity = jumped ? wanted : std::clamp(wanted, before - pace, before + pace);
     return jumped;
 }
 
@@ -133,13 +139,13 @@ struct Switches {
     bool any{};    ///< true: there is at least one
 };
 
-Switches detect_switches(ServoState& state, const HapticModel& model) {
+Switches detect_switches(const Servo& servo, ServoState& state, const HapticModel& model) {
     const bool set = detect_set_switch(state, model);
     const bool source = detect_source_switch(state, model);
     const bool lost = has_lost_body(model.patch, state.surface);
     const bool patch = detect_patch_jump(state, model);
     const bool fluid = detect_fluid_switch(state.fluid, model.fluid);
-    const bool viscosity = detect_viscosity_switch(state, model);
+    const bool viscosity = follow_viscosity(servo, state, model);
     return {.patch = patch, .any = set || source || lost || patch || fluid || viscosity};
 }
 
@@ -185,9 +191,7 @@ void add_primitives(ServoState& state, const HapticModel& model, const Tip& tip,
 /// Adds the forces of a viscous space and of a stirred fluid to the sources. Returns the latter.
 FluidForces add_fluid(const Servo& servo, ServoState& state, const HapticModel& model,
                       const ServoSample& sample, vec3 velocity, Sources& sources) {
-    if (model.viscosity > 0)
-        sources.passive -=
-            std::min(model.viscosity, servo.most_damping) * prompt_velocity(state, servo.quantum);
+    if (state.viscosity > 0) sources.passive -= state.viscosity * prompt_velocity(state, servo.quantum);
     if (state.fluid.number == 0) return {};
     const FluidForces fluid = feel_fluid(model.fluid, state.fluid,
                                          {sample.position, velocity, sample.model_age, servo.most_damping});
@@ -501,7 +505,7 @@ vec3 servo_step(const Servo& device, ServoState& state, const HapticModel& model
     servo.limits = limits_of(device, model.force_percent);
     const vec3 velocity = store_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
-    const Switches switches = detect_switches(state, model);
+    const Switches switches = detect_switches(servo, state, model);
     const SurfaceForces surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, switches.patch});
     const Tether tether = moved_on(model.tether, sample.model_age);

@@ -166,7 +166,7 @@ struct ServoState {
     vec3 contact_offset{};
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
-    double viscosity{};   ///< viscosity of the space in the last tick (N s/m)
+    double viscosity{};   ///< viscosity of the space that acted in the last tick (N s/m)
     Settling settling{};  ///< way of the proxy of the primitives
     SeenBodies seen{};
 };

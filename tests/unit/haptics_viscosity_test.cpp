@@ -81,6 +81,25 @@ TEST(Viscosity, CreatesNoEnergyForAnyHandAndDevice) {
     }
 }
 
+TEST(Viscosity, ABorderBetweenTwoSpacesMakesNoJump) {
+    for (const auto& spec : shipped_devices()) {
+        const Servo servo = servo_of(spec, 1);
+        ServoState state;
+        HapticModel model{.viscosity = spec.max_damping};
+        const double speed = std::min(0.1, 0.5 * spec.peak_force / spec.max_damping);
+        double before = 0;
+        for (int tick = 0; tick < 1000; ++tick) {
+            if (tick % 100 == 0) model.viscosity = (tick % 200 == 0 ? 1 : 0.1) * spec.max_damping;
+            const vec3 tip(speed * tick_seconds * tick, 0, 0);
+            const double force = servo_step(servo, state, model, {tip, 0}).x;
+            if (tick > 200) EXPECT_LE(std::abs(force - before), 0.2) << spec.name << " at " << tick;
+            if (tick > 200 && tick % 100 == 99)
+                EXPECT_NEAR(force, -model.viscosity * speed, 1e-6) << spec.name << " at " << tick;
+            before = force;
+        }
+    }
+}
+
 TEST(Viscosity, ABadPlaceGivesNoForce) {
     const Servo servo = servo_of(shipped_devices().front(), 1);
     ServoState state;
