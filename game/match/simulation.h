@@ -19,7 +19,7 @@ namespace thaum::game {
 
 /// Version of the rules. It changes whenever the same input would lead to another state. The history of this
 /// file in version control gives the reasons.
-inline constexpr std::uint32_t rules_version = 26;
+inline constexpr std::uint32_t rules_version = 27;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
