@@ -5,7 +5,7 @@
 
 #include "game/bots/aim.h"
 #include "game/components/cauldron.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 
 namespace thaum::game {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "game/context/fog.h"
 #include "game/context/hand_forces.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 
 namespace thaum::game {
 namespace {

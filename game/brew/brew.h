@@ -5,116 +5,17 @@
 //                   \               /
 //                    \_____________/         the box of cells reaches down to the bowl's lowest inside point
 #pragma once
-#include <cmath>
+#include <array>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "core/config.h"
-#include "core/units.h"
+#include "core/error.h"
 #include "fluid/fluid.h"
 #include "fluid/spring_surface.h"
-#include "game/arena/solids.h"
+#include "game/arena/basin.h"
 #include "game/components/ingredient.h"
+#include "game/data/cauldron_rules.h"
 
 namespace thaum::game {
-
-/// How an ingredient lies in its niche and in a hand, so that nobody needs its colour.
-enum class IngredientShape : std::uint8_t { heap, crystals, ingots, drops, feathers, cloud, cushion };
-inline constexpr std::size_t ingredient_shapes = 7;
-
-/// A kind of stuff that a player can drop into the brew. The colour is linear light, 0 to 1.
-struct Ingredient {
-    std::string name;
-    vec3 colour{};
-    IngredientShape shape{};  ///< for pictures only
-    fluid::Substance substance{};
-};
-
-/// The ladle and its coupling to the hand.
-struct LadleRules {
-    double radius{};           ///< radius of the ball of fluid that the ladle carries along (m)
-    double viscous{}, form{};  ///< drag coefficients, haptics/fluid_touch.h, eq. 1 to 3 (m, m^3/s)
-    double height{};           ///< length of the part that dips into the brew (m)
-    double mass{};             ///< mass of the ladle itself (kg)
-    double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
-    double damping{};    ///< damping of the same spring and wall (N s/m)
-    double metres_per_metre{};    ///< distance that the ladle moves for each metre of the hand
-    double newtons_per_newton{};  ///< force on the hand for each newton on the ladle
-    /// Position of the ladle while the hand rests: distance from the middle towards the wizard, and depth below
-    /// the level (m).
-    double in{}, below{};
-    double reach{};  ///< greatest distance from the rim at which a wizard can stir (m)
-};
-
-/// Effects of the brew on wizards near it and on players who stir it.
-struct AuraRules {
-    double radius{};  ///< distance from the middle within which the effects act (m)
-    /// A brew is thick above this multiple of the pure brew's viscosity. Near a thick brew a wizard walks at
-    /// this share of the full speed.
-    double thick_above{}, thick_pace{};
-    /// A brew is light below this share of the pure brew's density. Near a light brew a wizard keeps this share
-    /// of the weight.
-    double light_below{}, light_gravity{};
-    double refill{};        ///< energy that each wand gains while its wizard stirs with the flow (1/s)
-    double refill_speed{};  ///< least speed of the flow that refills wands (m/s)
-};
-
-/// Reward for a brew that is kept well mixed. Each brew gives it once.
-struct BoonRules {
-    double mixed{};    ///< mixing number from which the brew is well mixed, 0 to 1
-    Tick after{};      ///< time for which one owner must keep it well mixed (ticks)
-    Tick lasts{};      ///< time for which it heals (ticks)
-    double healing{};  ///< health that the owner gains near the bowl, up to the start value (HP/s)
-};
-
-/// Settings from assets/cauldron.toml.
-struct CauldronRules {
-    int cells_across{};
-    fluid::Solver solver{};
-    double filled{};                         ///< level of the brew, as a share of the bowl's height
-    double density{};                        ///< density of the pure brew, for momentum (kg/m^3)
-    double viscosity{};                      ///< kinematic viscosity of the base fluid (m^2/s)
-    vec3 colour{};                           ///< colour of the base fluid, linear light, 0 to 1
-    fluid::SpringSurfaceSettings surface{};  ///< spring surface; `side` is computed from the bowl
-    LadleRules ladle{};
-    AuraRules aura{};
-    BoonRules boon{};
-    double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
-    double recoil{};                      ///< momentum that a dropped ingredient gives to the ladle (N s)
-    Tick recoil_length{};
-    double burst{};                     ///< downward momentum of a lob that bursts at the brew (N s)
-    double wrest_least{};               ///< least work of a ladle that can wrest the brew, within 1.5 s (J)
-    Tick spoils_after{};                ///< time from the first ingredient to boiling over
-    Tick useless_spoils_after{};        ///< the same for a brew of which no potion can come any more
-    double spoil_push{}, spoil_harm{};  ///< effect of boiling over on wizards at the rim (m/s, HP)
-    double niche_radius{};              ///< greatest distance at which a wizard picks up an ingredient (m)
-    Tick niche_again{};
-    Tick put_back{};  ///< time after which an ingredient that was put away is back in its niche (ticks)
-    std::vector<Ingredient> ingredients;
-};
-
-CauldronRules read_cauldron_rules(const Config& file);
-
-/// The inside of a bowl below the level of its contents.
-struct Basin {
-    double radius{};  ///< greatest radius (m)
-    double depth{};   ///< greatest depth (m)
-    /// Points (radius, height) from the level at height 0 down to the middle (m). Heights are zero or negative.
-    std::vector<vec2> profile;
-};
-
-/// Height of the contents' level above the bowl's middle (m).
-inline double level_of(const BowlSize& bowl, double filled) { return bowl.height * (filled - 0.5); }
-
-Basin basin_of(const BowlSize& bowl, double filled);
-
-/// Horizontal length of a vector (m).
-inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.z); }
-
-/// Radius of the basin at a height (m). Negative heights are below the level. Returns 0 below the floor, and
-/// the radius at the level for heights above it.
-double width_at(const Basin& basin, double height);
 
 /// Ingredient in each substance.
 using Contents = std::array<std::uint32_t, fluid::substances_most>;
@@ -128,13 +29,7 @@ struct Brew {
     vec3 corner{};
 };
 
-/// Settings for make_brew. The rules must have been checked.
-fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
-fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basin& basin);
-
-/// Checks that make_brew succeeds, without its work. The error names the setting that the solver rejects.
-Expected<void> check_brew(const CauldronRules& rules, const Basin& basin);
-/// Makes a brew at rest without ingredients. The error is that of check_brew.
+/// Makes a brew at rest without ingredients. The error is that of check_brew (data/cauldron_rules.h).
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
 /// Returns the substance that holds the ingredient, or else the first free one; std::nullopt if all are in

@@ -6,6 +6,7 @@
 #include "game/context/aim.h"
 #include "game/context/arms.h"
 #include "game/context/fog.h"
+#include "game/data/wand_slots.h"
 
 namespace thaum::game {
 namespace {

@@ -496,12 +496,6 @@ std::vector<std::string> match_lengths(const std::filesystem::path& assets) {
     return names;
 }
 
-const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
-    const auto found = std::find_if(data.wands.begin(), data.wands.end(),
-                                    [&](const auto& w) { return w.stats.slot == slot; });
-    return found == data.wands.end() ? nullptr : &*found;
-}
-
 namespace {
 
 /// Refuses names that select no data.

@@ -8,13 +8,13 @@
 
 #include "game/arena/arena.h"
 #include "game/arena/look.h"
-#include "game/brew/brew.h"
-#include "game/brew/recipe.h"
 #include "game/data/casting_rules.h"
+#include "game/data/cauldron_rules.h"
 #include "game/data/crystal_rules.h"
 #include "game/data/gesture_set.h"
 #include "game/data/orb_rules.h"
 #include "game/data/presentation.h"
+#include "game/data/recipe.h"
 #include "game/data/rules.h"
 #include "game/data/spell.h"
 #include "game/data/wand.h"
@@ -58,9 +58,6 @@ struct MatchData {
     /// All files that decide a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;
 };
-
-/// The wand in a slot; null if the slot is empty.
-const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
 
 /// Name of a data file in messages: that of its folder and its own, "assets/wands/bolt.toml".
 std::string shown_path(const std::filesystem::path& assets, std::string_view name);

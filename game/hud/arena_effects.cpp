@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
-#include "game/hud/figures.h"
 
 namespace thaum::game {
 

@@ -2,8 +2,10 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
 #include "game/hud/figures.h"
+#include "game/hud/force_colour.h"
 
 namespace thaum::game {
 

@@ -3,8 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <span>
 
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
-#include "game/hud/figures.h"
 #include "game/hud/furniture.h"
 
 namespace thaum::game {

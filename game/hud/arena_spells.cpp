@@ -4,9 +4,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "game/data/spell.h"
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
-#include "game/hud/figures.h"
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_pieces.h"
 
 namespace thaum::game {
 

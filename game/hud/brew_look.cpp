@@ -6,7 +6,7 @@
 
 #include "game/hud/brew_flow.h"
 #include "game/hud/brew_texels.h"
-#include "game/hud/figures.h"
+#include "game/hud/force_colour.h"
 
 namespace thaum::game {
 namespace {

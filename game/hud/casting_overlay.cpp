@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "game/hud/likely_spell.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_pieces.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
 

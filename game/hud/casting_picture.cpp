@@ -7,8 +7,8 @@
 #include "game/cauldron/ladle.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
+#include "game/data/event_words.h"
 #include "game/data/presentation.h"
-#include "game/hud/event_words.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {

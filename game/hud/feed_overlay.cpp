@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "game/hud/event_words.h"
-#include "game/hud/figures.h"
+#include "game/data/event_words.h"
+#include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
 namespace thaum::game {

@@ -1,11 +1,13 @@
 #include "game/hud/figures.h"
+#include "game/data/teams.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
-#include <string_view>
 
+#include "game/data/teams.h"
+#include "game/data/wand.h"
 #include "render/colour.h"
 
 namespace thaum::game {
@@ -219,19 +221,6 @@ void add_part(MeshData& mesh, LookPart part, std::uint32_t team) {
 
 }  // namespace
 
-const TeamColours& team_colours(std::uint32_t team) {
-    static const std::array teams{
-        TeamColours{colour(0xD8541C), colour(0x7A2410), colour(0xFFC070), colour(0xFF8A30)},
-        TeamColours{colour(0x2470C8), colour(0x143468), colour(0x9AD8FF), colour(0x40A8FF)}};
-    return teams[team == 1 ? 1 : 0];
-}
-
-std::string_view team_name(std::uint32_t team) { return team == 0 ? "Ember" : "Tide"; }
-
-std::string_view name_of(const PlayerNames& names, std::uint32_t player) {
-    return names[player].empty() ? team_name(player) : std::string_view(names[player]);
-}
-
 MeshData wizard_figure(std::uint32_t number) {
     const auto& team = team_colours(number);
     MeshData mesh;
@@ -292,12 +281,6 @@ fmat4 wand_in_own_hand() { return held(own_hand); }
 
 MeshData wand_spark(std::uint32_t number) {
     return render::sphere(0.014F, 8, glm::mix(team_colours(number).glow, fvec3(1), 0.35F));
-}
-
-fvec3 force_colour(double share) {
-    const fvec3 green(0.25F, 0.85F, 0.35F), yellow(0.95F, 0.85F, 0.25F), crimson(1.0F, 0.29F, 0.23F);
-    const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
-    return s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, crimson, 2 * s - 1);
 }
 
 MeshData beam_of_light() {

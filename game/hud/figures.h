@@ -1,30 +1,12 @@
-// game/hud/figures.h: the meshes of wizards and their wands. Colour, mark (ring or triangle) and robe pattern
-// each identify a team, so colour vision is not needed.
+// game/hud/figures.h: the meshes of wizards and their wands.
 #pragma once
-#include <string_view>
+#include <cstdint>
 
 #include "core/maths.h"
-#include "game/data/wand.h"
 #include "game/data/wand_look.h"
 #include "render/mesh.h"
 
 namespace thaum::game {
-
-/// Colours of a team: 0 is ember, 1 is tide.
-struct TeamColours {
-    fvec3 cloth, dark, light;  ///< linear light
-    fvec3 glow;                ///< colour of bolts and of the light that they give
-};
-const TeamColours& team_colours(std::uint32_t team);
-/// Colour of a force by its share of the strongest force: green, yellow, red.
-fvec3 force_colour(double share);
-/// Name of a team: "Ember" or "Tide".
-std::string_view team_name(std::uint32_t team);
-
-/// Names of the players on the screen; an empty name stands for the team's.
-using PlayerNames = std::array<std::string, players>;
-/// Returns a player's name on the screen.
-std::string_view name_of(const PlayerNames& names, std::uint32_t player);
 
 /// Robe, head and hat. The feet are at the origin, the face looks along -z, and the brim is 1.8 m up.
 render::MeshData wizard_figure(std::uint32_t team);

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "render/colour.h"
 
 namespace thaum::game {

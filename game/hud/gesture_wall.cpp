@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_lines.h"
 
 namespace thaum::game {
 namespace {

@@ -10,34 +10,14 @@
 //     Shield, 97 % sure, gentle   what was read
 //     end where you began         what to do better
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "game/hud/gesture_wall_picture.h"
 #include "game/hud/panel.h"
-#include "gesture/stroke.h"
 #include "render/scene.h"
 
 namespace thaum::game {
-
-/// A gesture of the wall.
-struct WallGesture {
-    std::string name;   ///< as the screen has it: "Circle"
-    std::string spell;  ///< name of the spell that it casts; empty: none
-    std::vector<gesture::StrokePoint> ghost;
-    bool own = false;  ///< true: drawn by the player
-};
-
-struct GestureWallPicture {
-    bool on = false;
-    std::shared_ptr<const std::vector<WallGesture>> gestures{};
-    std::vector<int> scores{};  ///< newest score of each gesture (%), -1: none yet
-    int chosen = -1;            ///< gesture that the newest stroke belongs to; -1: none
-    std::vector<gesture::StrokePoint> stroke{};
-    bool drawing = false;  ///< true: the stroke has not ended
-    /// Lines below the cells: what was read, and what to do better. Controls are in braces (game/data/control_words.h).
-    std::vector<std::string> lines{};
-};
 
 /// Adds the wall in its box. `lines` are those of the wall with the names of controls. `unit` is the length of a HUD
 /// unit (px).

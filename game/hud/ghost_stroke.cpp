@@ -2,8 +2,8 @@
 // is a ball of light, and another one runs along it.
 #include <cmath>
 
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
-#include "game/hud/figures.h"
 
 namespace thaum::game {
 namespace {

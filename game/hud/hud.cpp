@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/hud/figures.h"
-
 namespace thaum::game {
 namespace {
 

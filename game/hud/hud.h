@@ -3,8 +3,9 @@
 #pragma once
 #include <limits>
 
+#include "game/data/control_names.h"
+#include "game/data/teams.h"
 #include "game/hud/arena_scene.h"
-#include "game/hud/figures.h"
 #include "game/hud/prompts.h"
 #include "game/hud/replay_bar.h"
 #include "game/sound/heard.h"

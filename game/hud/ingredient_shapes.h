@@ -1,7 +1,7 @@
 // game/hud/ingredient_shapes.h: the meshes of ingredients. Each shape has an outline of its own, so that nobody
 // needs its colour.
 #pragma once
-#include "game/brew/brew.h"
+#include "game/data/cauldron_rules.h"
 #include "render/mesh.h"
 
 namespace thaum::game {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/data/teams.h"
 #include "game/hud/body_figure.h"
-#include "game/hud/figures.h"
 #include "game/hud/layout.h"
 #include "game/hud/overlay.h"
 

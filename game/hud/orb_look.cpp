@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "game/data/teams.h"
 #include "game/hud/brew_look.h"
-#include "game/hud/figures.h"
 #include "game/hud/furniture.h"
 #include "game/orb/orb.h"
 #include "render/colour.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 
 namespace thaum::game {
 

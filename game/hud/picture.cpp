@@ -8,9 +8,9 @@
 #include "game/components/fog.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
+#include "game/data/wand_slots.h"
 #include "game/tactile/felt_source.h"
-#include "game/wands/belt.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

@@ -14,7 +14,7 @@
 #include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
 #include "game/hud/casting_picture.h"
-#include "game/hud/gesture_wall.h"
+#include "game/hud/gesture_wall_picture.h"
 #include "game/hud/recipe_picture.h"
 #include "game/hud/station_picture.h"
 #include "game/match/result.h"

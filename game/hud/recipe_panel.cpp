@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/hud/overlay.h"
 
 namespace thaum::game {

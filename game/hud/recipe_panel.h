@@ -3,8 +3,9 @@
 #pragma once
 #include <string>
 
+#include "game/data/control_names.h"
+#include "game/hud/panel.h"
 #include "game/hud/picture.h"
-#include "game/hud/prompts.h"
 #include "render/scene.h"
 
 namespace thaum::game {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "ecs/world.h"
-#include "game/brew/recipe.h"
+#include "game/data/recipe.h"
 
 namespace thaum::game {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
 namespace thaum::game {

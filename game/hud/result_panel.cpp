@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "game/hud/overlay.h"
 
 namespace thaum::game {

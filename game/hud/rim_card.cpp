@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/event_words.h"
-#include "game/hud/figures.h"
+#include "game/data/event_words.h"
+#include "game/data/teams.h"
 #include "game/hud/overlay.h"
 #include "game/hud/recipe_panel.h"
 

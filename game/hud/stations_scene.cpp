@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include "game/data/teams.h"
 #include "game/hud/arena_parts.h"
-#include "game/hud/figures.h"
 #include "render/colour.h"
 
 namespace thaum::game {

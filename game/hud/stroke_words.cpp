@@ -5,8 +5,8 @@
 
 #include "core/text.h"
 #include "game/casting/reading.h"
+#include "game/data/event_words.h"
 #include "game/data/spell.h"
-#include "game/hud/event_words.h"
 
 namespace thaum::game {
 namespace {

@@ -5,9 +5,9 @@
 #pragma once
 #include <string>
 
+#include "game/data/control_names.h"
 #include "game/data/presentation.h"
 #include "game/hud/casting_picture.h"
-#include "game/hud/prompts.h"
 
 namespace thaum::game {
 

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "game/data/event_words.h"
+#include "game/data/teams.h"
 #include "game/hud/body_figure.h"
 #include "game/hud/casting_overlay.h"
-#include "game/hud/event_words.h"
 #include "game/hud/feed_overlay.h"
-#include "game/hud/figures.h"
+#include "game/hud/force_colour.h"
 #include "game/hud/overlay.h"
 #include "game/hud/rim_card.h"
 #include "game/hud/station_card.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/hud/overlay.h"
 #include "render/colour.h"
 

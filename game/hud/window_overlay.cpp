@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
+#include "game/hud/gesture_wall.h"
 #include "game/hud/overlay.h"
 #include "game/hud/result_panel.h"
 #include "game/hud/station_card.h"

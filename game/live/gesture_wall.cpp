@@ -9,7 +9,7 @@
 #include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/hud/stroke_words.h"
 #include "gesture/comparison.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "game/hud/gesture_wall.h"
+#include "game/hud/gesture_wall_picture.h"
 #include "game/match/simulation.h"
 
 namespace thaum::app {

@@ -1,7 +1,7 @@
 #include "game/live/live_pause.h"
 
 #include "core/text.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/live/live_hands.h"
 
 namespace thaum::app {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "game/components/match.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 
 namespace thaum::app {
 

@@ -6,7 +6,7 @@
 
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/settings/control_names.h"

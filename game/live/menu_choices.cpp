@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 
 namespace thaum::app {
 namespace {

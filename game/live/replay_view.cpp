@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "game/settings/settings.h"
 
 namespace thaum::app {

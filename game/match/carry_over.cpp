@@ -9,12 +9,12 @@
 #include "game/components/hand_state.h"
 #include "game/components/potions.h"
 #include "game/context/hand_forces.h"
+#include "game/data/wand_slots.h"
 #include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
 #include "game/match/haptic_setup.h"
 #include "game/orb/worn_modes.h"
 #include "game/player/walk.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

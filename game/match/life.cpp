@@ -5,8 +5,8 @@
 #include "game/cauldron/potions.h"
 #include "game/components/casting.h"
 #include "game/crystal/chisel.h"
+#include "game/data/wand_slots.h"
 #include "game/player/walk.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

@@ -6,12 +6,12 @@
 #include "game/components/casting.h"
 #include "game/context/hand_forces.h"
 #include "game/data/stroke_reading.h"
+#include "game/data/wand_slots.h"
 #include "game/hand/arm_system.h"
 #include "game/match/great_work.h"
 #include "game/match/haptic_setup.h"
 #include "game/orb/orb.h"
 #include "game/player/walk.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

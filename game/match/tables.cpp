@@ -7,8 +7,8 @@
 #include "game/components/power_up.h"
 #include "game/context/arms.h"
 #include "game/data/brew_words.h"
+#include "game/data/wand_slots.h"
 #include "game/match/haptic_setup.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

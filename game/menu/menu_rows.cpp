@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/bots/dummy.h"
 #include "game/bots/range.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/hud/layout.h"
 
 namespace thaum::app {

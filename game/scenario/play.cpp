@@ -10,6 +10,7 @@
 #include "game/bots/bot.h"
 #include "game/components/hand_state.h"
 #include "game/components/station.h"
+#include "game/data/wand_slots.h"
 #include "game/hand/arm_system.h"
 #include "game/match/own_gestures.h"
 #include "game/match/tables.h"
@@ -18,7 +19,6 @@
 #include "game/scenario/match_options.h"
 #include "game/scenario/play_senses.h"
 #include "game/scenario/script_arm.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

@@ -9,6 +9,7 @@
 #include "game/components/cauldron.h"
 #include "game/components/free_hand.h"
 #include "game/components/hand_state.h"
+#include "game/data/wand_slots.h"
 #include "game/match/haptic_setup.h"
 #include "game/match/own_gestures.h"
 #include "game/match/simulation.h"
@@ -18,7 +19,6 @@
 #include "game/scenario/detail/verb.h"
 #include "game/scenario/match_options.h"
 #include "game/scenario/script_arm.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 
 namespace thaum::game {
 namespace {

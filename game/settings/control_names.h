@@ -1,6 +1,6 @@
 // game/settings/control_names.h: how a player's controls are called on the screen.
 #pragma once
-#include "game/hud/prompts.h"
+#include "game/data/control_names.h"
 #include "game/settings/settings.h"
 
 namespace thaum::app {

@@ -1,6 +1,6 @@
 // game/settings/recorded_names.h: names of a recorded match's players, as its players saw them on the screen.
 #pragma once
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "input/log.h"
 
 namespace thaum::app {

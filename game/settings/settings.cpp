@@ -12,7 +12,7 @@
 #include "core/file.h"
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 #include "game/settings/jacket_settings.h"
 #include "game/settings/player_name.h"
 #include "input/log.h"

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "core/error.h"
-#include "game/hud/prompts.h"
+#include "game/data/control_names.h"
 #include "game/settings/body_faders.h"
 #include "game/settings/faders.h"
+#include "game/sound/heard.h"
 #include "game/tactile/felt_sound.h"
 #include "input/bindings.h"
 #include "input/stick.h"

@@ -3,8 +3,8 @@
 
 #include "game/components/crystal.h"
 #include "game/context/aim.h"
+#include "game/data/wand_slots.h"
 #include "game/sound/scene_parts.h"
-#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {

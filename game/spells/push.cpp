@@ -5,7 +5,7 @@
 
 #include "game/context/shove.h"
 #include "game/data/spell.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

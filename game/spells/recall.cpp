@@ -7,7 +7,7 @@
 #include "game/components/casting.h"
 #include "game/context/shove.h"
 #include "game/data/spell.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

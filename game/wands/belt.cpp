@@ -1,4 +1,5 @@
 #include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 
 #include <algorithm>
 
@@ -11,16 +12,6 @@ namespace thaum::game {
 namespace {
 
 using input::Button;
-
-/// The next slot that holds a wand. A `step` of wand_slots - 1 searches backwards.
-std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
-    auto slot = from;
-    for (std::size_t i = 0; i < wand_slots; ++i) {
-        slot = static_cast<std::uint32_t>((slot + step) % wand_slots);
-        if (wand_in_slot(data, slot) != nullptr) return slot;
-    }
-    return from;
-}
 
 bool needs_wheel(const ecs::World& world, ecs::Entity wizard, const LoadedWand* wand) {
     return wand != nullptr && wand->rules->moves_by_wheel() && wand->rules->held_at(world, wizard);
@@ -65,22 +56,6 @@ void use_wands(MatchContext& context, ecs::Entity wizard, const Controls& contro
 void put_away_wand(MatchContext& context, ecs::Entity wizard, Tick tick) {
     const auto& belt = std::as_const(context.world).get<WandBelt>(wizard);
     put_away(context, wizard, wand_in_hand(context.data, belt), tick);
-}
-
-const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt) {
-    return wand_in_slot(data, belt.selected);
-}
-
-double energy_in_hand(const MatchData& data, const WandBelt& belt) {
-    const auto* wand = wand_in_hand(data, belt);
-    return wand == nullptr ? 0 : belt.energy[wand->stats.energy_slot];
-}
-
-WandBelt full_belt(const MatchData& data) {
-    WandBelt belt;
-    for (const auto& wand : data.wands) belt.energy[wand.stats.energy_slot] = wand.stats.energy_cap;
-    belt.selected = next_slot(data, wand_slots - 1, 1);
-    return belt;
 }
 
 void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {

@@ -16,13 +16,4 @@ void add_missile_systems(MatchContext& context, ecs::Schedule& schedule);
 /// Ends the use of the wand in hand, such as a charge or a hold. Writes what all wands write.
 void put_away_wand(MatchContext& context, ecs::Entity wizard, Tick tick);
 
-/// The wand in hand; null if the selected slot is empty.
-const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt);
-
-/// Energy of the wand in hand; 0 if the selected slot is empty.
-double energy_in_hand(const MatchData& data, const WandBelt& belt);
-
-/// A belt with full energy and the first wand selected.
-WandBelt full_belt(const MatchData& data);
-
 }  // namespace thaum::game

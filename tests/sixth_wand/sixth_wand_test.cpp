@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "game/bots/duel.h"
 #include "game/bots/league.h"
+#include "game/data/teams.h"
 #include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "game/live/menu_choices.h"

@@ -8,8 +8,8 @@
 
 #include "game/arena/spawn.h"
 #include "game/components/body.h"
+#include "game/data/wand_slots.h"
 #include "game/player/walk.h"
-#include "game/wands/belt.h"
 #include "haptics/safety_audit.h"
 #include "unit/game_duel.h"
 

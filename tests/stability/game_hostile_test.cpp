@@ -1,7 +1,7 @@
 // Matches with random input: the state must stay finite and within bounds. Also logs that this program must
 // refuse to play.
+#include "game/data/wand_slots.h"
 #include "game/match/playback.h"
-#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

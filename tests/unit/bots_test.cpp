@@ -4,7 +4,7 @@
 #include "game/bots/aim.h"
 #include "game/bots/league.h"
 #include "game/bots/swinging.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

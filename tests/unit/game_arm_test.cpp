@@ -5,8 +5,8 @@
 
 #include "game/components/orb.h"
 #include "game/context/arms.h"
+#include "game/data/wand_slots.h"
 #include "game/hand/arm_system.h"
-#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -1,7 +1,7 @@
 #include "ecs/snapshot.h"
+#include "game/data/wand_slots.h"
 #include "game/match/power_ups.h"
 #include "game/match/result.h"
-#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

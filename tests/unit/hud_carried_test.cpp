@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "game/context/match_context.h"
+#include "game/hud/figures.h"
 #include "game/hud/ingredient_shapes.h"
 #include "unit/hud_rig.h"
 

@@ -2,7 +2,7 @@
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_pieces.h"
 #include "game/hud/stroke_words.h"
 #include "unit/casting_rig.h"
 

@@ -7,7 +7,7 @@
 #include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/context/hand_forces.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/hud/layout.h"
 #include "game/tactile/felt_source.h"
 #include "unit/hud_rig.h"

@@ -11,7 +11,6 @@
 #include "core/text.h"
 #include "game/bots/bot.h"
 #include "game/hud/brew_look.h"
-#include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "render/context.h"
 #include "render/perceptual.h"

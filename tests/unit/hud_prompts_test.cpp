@@ -1,4 +1,5 @@
 // Tests of prompts: they name the bound control of what can be done, and fade as it is done.
+#include "game/data/control_names.h"
 #include "game/hud/prompts.h"
 
 #include "unit/hud_rig.h"

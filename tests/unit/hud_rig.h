@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "game/bots/bot.h"
-#include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "render/context.h"
 

@@ -7,6 +7,7 @@
 #include "game/components/crystal.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
+#include "game/data/control_names.h"
 #include "game/hud/layout.h"
 #include "game/hud/prompts.h"
 #include "render/font.h"

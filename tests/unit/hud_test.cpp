@@ -1,4 +1,5 @@
 // Tests of drawn pictures: both views, meshes, positions of drawn things, results and captions.
+#include "game/hud/figures.h"
 #include "game/hud/layout.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "render/context.h"
 #include "unit/hud_rig.h"
 

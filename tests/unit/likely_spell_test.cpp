@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "game/data/teams.h"
 #include "game/hud/casting_overlay.h"
-#include "game/hud/figures.h"
 #include "gesture/generated_users.h"
 #include "unit/casting_rig.h"
 

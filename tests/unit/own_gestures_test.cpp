@@ -10,7 +10,7 @@
 #include "game/bots/range.h"
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 #include "game/match/playback.h"
 #include "game/settings/own_gestures.h"
 #include "game/settings/player_name.h"

@@ -8,7 +8,6 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/range_files.h"
-#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

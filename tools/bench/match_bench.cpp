@@ -7,7 +7,7 @@
 #include "game/cauldron/cauldron.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
-#include "game/wands/belt.h"
+#include "game/data/wand_slots.h"
 #include "tests/scenes/carving_hands.h"
 #include "tests/scenes/searching_hands.h"
 #include "tests/scenes/stirring_hands.h"

@@ -8,7 +8,7 @@
 #include "game/app/with_renderer.h"
 #include "game/data/match_data.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_lines.h"
 #include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "gesture/gesture.h"

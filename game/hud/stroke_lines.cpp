@@ -1,9 +1,10 @@
-#include "game/hud/stroke_picture.h"
+#include "game/hud/stroke_lines.h"
 
 #include <algorithm>
 
-#include "game/hud/figures.h"
+#include "game/hud/force_colour.h"
 #include "game/hud/overlay.h"
+#include "game/hud/stroke_pieces.h"
 #include "gesture/generated_users.h"
 
 namespace thaum::game {

@@ -1,4 +1,4 @@
-// game/brew/recipe.h: the recipes of potions, read from assets/potions. Each file there is one potion.
+// game/data/recipe.h: the recipes of potions, read from assets/potions. Each file there is one potion.
 //
 // A recipe is an order of ingredients and then an order of strokes. Its moments are told by one number, the share of
 // the brew that the newest ingredient has reached (Cauldron::reached): 0 right after the drop, 1 once it is everywhere.
@@ -11,7 +11,8 @@
 
 #include "core/config.h"
 #include "core/units.h"
-#include "game/brew/brew.h"
+#include "game/components/ingredient.h"
+#include "game/data/cauldron_rules.h"
 
 namespace thaum::game {
 

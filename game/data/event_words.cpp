@@ -1,4 +1,4 @@
-#include "game/hud/event_words.h"
+#include "game/data/event_words.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "game/brew/recipe.h"
+#include "game/data/recipe.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-// game/hud/event_words.h: words of events for players, made from the patterns of their rows.
+// game/data/event_words.h: words of events for players, made from the patterns of their rows.
 #pragma once
 #include <string>
 #include <string_view>
 
 #include "game/components/match.h"
 #include "game/data/presentation.h"
-#include "game/hud/figures.h"
+#include "game/data/teams.h"
 
 namespace thaum::game {
 

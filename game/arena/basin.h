@@ -1,0 +1,30 @@
+// game/arena/basin.h: the inside of a bowl below the level of what fills it.
+#pragma once
+#include <cmath>
+#include <vector>
+
+#include "game/arena/solids.h"
+
+namespace thaum::game {
+
+/// The inside of a bowl below the level of its contents.
+struct Basin {
+    double radius{};  ///< greatest radius (m)
+    double depth{};   ///< greatest depth (m)
+    /// Points (radius, height) from the level at height 0 down to the middle (m). Heights are zero or negative.
+    std::vector<vec2> profile;
+};
+
+/// Height of the contents' level above the bowl's middle (m).
+inline double level_of(const BowlSize& bowl, double filled) { return bowl.height * (filled - 0.5); }
+
+Basin basin_of(const BowlSize& bowl, double filled);
+
+/// Horizontal length of a vector (m).
+inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.z); }
+
+/// Radius of the basin at a height (m). Negative heights are below the level. Returns 0 below the floor, and
+/// the radius at the level for heights above it.
+double width_at(const Basin& basin, double height);
+
+}  // namespace thaum::game

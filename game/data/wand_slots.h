@@ -1,0 +1,23 @@
+// game/data/wand_slots.h: the wands of a match by their slots, and the wand that a wizard has in hand.
+#pragma once
+#include "game/components/wizard.h"
+#include "game/data/match_data.h"
+
+namespace thaum::game {
+
+/// The wand in a slot; null if the slot is empty.
+const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot);
+
+/// The next slot that holds a wand. A `step` of wand_slots - 1 searches backwards.
+std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step);
+
+/// The wand in hand; null if the selected slot is empty.
+const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt);
+
+/// Energy of the wand in hand; 0 if the selected slot is empty.
+double energy_in_hand(const MatchData& data, const WandBelt& belt);
+
+/// A belt with full energy and the first wand selected.
+WandBelt full_belt(const MatchData& data);
+
+}  // namespace thaum::game
