@@ -115,4 +115,10 @@ std::string in_one_line(std::string_view message) {
     return printable(line, most);
 }
 
+std::string capitalised(std::string_view name) {
+    std::string out(name);
+    if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+    return out;
+}
+
 }  // namespace thaum

@@ -62,4 +62,7 @@ std::string clock_text(unsigned long long seconds);
 /// Formats `value` as 16 lower-case hexadecimal digits.
 std::string hex(unsigned long long value);
 
+/// A name with its first letter large, if that is one of a to z.
+std::string capitalised(std::string_view name);
+
 }  // namespace thaum

@@ -34,6 +34,9 @@ Command sounds_command();
 Command gesture_command();
 Command bench_command();
 
+/// Exit code of a session in a window.
+inline int exit_code_of(const Expected<void>& played) { return played ? done : refuse(played.error()); }
+
 /// Runs the command whose name is the first word with the other words, or play if the first word is an option or
 /// missing. A command of Thaum that is not among `commands` is left to the program `others` in the same folder; if that
 /// is empty, there is no such command. `help` and --version are answered here. Returns the exit code.

@@ -184,7 +184,10 @@ Finding input_to_picture(const std::filesystem::path& assets, const Expected<Dat
     plan.seats = {Seat{.kind = SeatKind::keyboard_mouse}, Seat{.kind = SeatKind::bot}};
     for (const double duration : {3.0, 60.0}) {
         plan.seconds = duration;
-        if (run_live(plan) != done) return {what, State::note, "not measured: no window", ""};
+        if (const auto played = run_live(plan); !played) {
+            refuse(played.error());
+            return {what, State::note, "not measured: no window", ""};
+        }
         if (report.inputs != 0) break;
     }
     if (report.inputs == 0) return {what, State::note, "not measured: no movement reached a picture", ""};

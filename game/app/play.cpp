@@ -198,7 +198,7 @@ int play_in_window(const PlayOptions& options) {
     plan.start_fault = std::move(start_fault);
     plan.read_all_data = [assets] { return short_words(check_content(assets)); };
     plan.settings_file = settings_file();
-    return run_live(plan);
+    return exit_code_of(run_live(plan));
 }
 
 int run_play(const std::vector<std::string>& words) {

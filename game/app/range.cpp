@@ -129,7 +129,7 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
     plan.start_fault = std::move(start_fault);
     plan.read_all_data = [assets] { return short_words(check_content(assets)); };
     plan.settings_file = settings_file();
-    return run_live(plan);
+    return exit_code_of(run_live(plan));
 }
 
 int run_range(const std::vector<std::string>& words) {

@@ -41,7 +41,7 @@ int run_with_index(const LivePlan& plan, const game::Playback& playback, game::R
         tell_user(text("thaum: jumps ahead will be slow: ", filling.error().message));
         index.give_up();
     }
-    const int result = run_live(plan);
+    const int result = exit_code_of(run_live(plan));
     stop = true;
     return result;
 }

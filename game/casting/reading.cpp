@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/context/match_context.h"
+#include "game/data/periods.h"
 
 namespace thaum::game {
 namespace {

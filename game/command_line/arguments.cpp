@@ -1,8 +1,6 @@
 #include "game/command_line/arguments.h"
 
 #include <algorithm>
-#include <charconv>
-#include <type_traits>
 
 #include "core/near_name.h"
 #include "core/text.h"
@@ -10,17 +8,6 @@
 
 namespace thaum::app {
 namespace {
-
-template <class T>
-Expected<T> parse_value(std::string_view word, std::string_view what, T low, T high) {
-    T value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    const bool whole_word = error == std::errc{} && end == word.data() + word.size();
-    if (whole_word && value >= low && value <= high) return value;
-    const bool in_digits = !std::is_integral_v<T> || whole_word;
-    return fail(text(what, " '", word, "': must be a number from ", low, " to ", high,
-                     in_digits ? "" : ", in digits alone"));
-}
 
 using Given = std::map<std::string, std::vector<std::string>>;
 
@@ -143,15 +130,6 @@ std::vector<std::string> parts_of(std::string_view word, char between) {
         from = end + 1;
     }
     return parts;
-}
-
-Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,
-                                    std::uint64_t high) {
-    return parse_value<std::uint64_t>(word, what, low, high);
-}
-
-Expected<double> parse_number(std::string_view word, std::string_view what, double low, double high) {
-    return parse_value<double>(word, what, low, high);
 }
 
 Expected<render::Size> parse_size(std::string_view word, std::string_view what) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/parse.h"
 #include "render/context.h"
 
 namespace thaum::app {
@@ -55,10 +56,6 @@ private:
 /// Parts of a word between commas or the like: "a,b" -> "a", "b". There is always one part, which may be empty.
 std::vector<std::string> parts_of(std::string_view word, char between = ',');
 
-/// Parses a whole number: "12" -> 12. The error says what is wrong with `word` and calls the number `what`.
-Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,
-                                    std::uint64_t high);
-Expected<double> parse_number(std::string_view word, std::string_view what, double low, double high);
 /// Parses a size in pixels such as "1280x720".
 Expected<render::Size> parse_size(std::string_view word, std::string_view what);
 

@@ -12,16 +12,11 @@
 #include "game/components/power_up.h"
 #include "game/context/resources.h"
 #include "game/data/match_data.h"
+#include "game/data/periods.h"
 #include "haptics/simulated.h"
 #include "input/frame.h"
 
 namespace thaum::game {
-
-/// Periods of physics and gameplay systems, in ticks (architecture.md, "One tick").
-inline constexpr Tick physics_period = 1;
-inline constexpr Tick gameplay_period = 8;
-inline constexpr double physics_dt = seconds(physics_period);
-inline constexpr double gameplay_dt = seconds(gameplay_period);
 
 /// Haptic setup of a match: the simulated device, and the limits and settings of each player. The state of
 /// simulated devices and servo steps is in the component HandState.

@@ -5,7 +5,6 @@
 
 #include "core/assert.h"
 #include "core/hash.h"
-#include "game/arena/arena.h"
 #include "game/crystal/crystal_shape.h"
 
 namespace thaum::game {

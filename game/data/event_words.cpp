@@ -76,10 +76,4 @@ std::string event_words(const std::string& pattern, const Event& event, const Pl
     return out;
 }
 
-std::string capitalised(std::string_view name) {
-    std::string out(name);
-    if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
-    return out;
-}
-
 }  // namespace thaum::game

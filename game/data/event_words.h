@@ -19,7 +19,4 @@ bool is_alone(const Event& event);
 /// The feed's pattern for an event: of another player's deed, of nobody's, or of a mere fall.
 const std::string& feed_pattern(const EventRow& row, const Event& event);
 
-/// A name with its first letter large.
-std::string capitalised(std::string_view name);
-
 }  // namespace thaum::game

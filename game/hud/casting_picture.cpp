@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "core/text.h"
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
 #include "game/cauldron/ladle.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
-#include "game/data/event_words.h"
 #include "game/data/presentation.h"
 #include "game/match/simulation.h"
 

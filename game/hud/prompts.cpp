@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "game/data/event_words.h"
 
 namespace thaum::game {
 namespace {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/data/event_words.h"
 #include "game/data/teams.h"
 #include "game/hud/overlay.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/data/event_words.h"
 #include "game/hud/overlay.h"
 #include "render/colour.h"
 

@@ -9,7 +9,6 @@
 #include "game/casting/reading.h"
 #include "game/components/casting.h"
 #include "game/context/match_context.h"
-#include "game/data/event_words.h"
 #include "game/hud/stroke_words.h"
 #include "gesture/comparison.h"
 
@@ -56,7 +55,7 @@ void GestureWall::list(const game::Simulation& match) {
     if (set != nullptr) {
         const auto& profile = match.setup().profile;
         for (const auto& g : set->gestures())
-            gestures.push_back({.name = game::capitalised(g.name),
+            gestures.push_back({.name = capitalised(g.name),
                                 .spell = spell_shown(match.data(), g.name),
                                 .ghost = g.strokes.front(),
                                 .own = std::any_of(profile.begin(), profile.end(), [&](const auto& item) {
@@ -141,7 +140,7 @@ void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture
 
 /// Says which stroke of the recorded gesture comes next, and how to give up.
 void GestureWall::tell_recording() {
-    lines_.push_back(text("Your own ", game::capitalised(recording_.name), ": draw stroke ",
+    lines_.push_back(text("Your own ", capitalised(recording_.name), ": draw stroke ",
                           recording_.strokes.size() + 1, " of ", recorded_strokes));
     lines_.emplace_back(recording_.strokes.empty() ? "in any shape" : "the same way each time");
     lines_.emplace_back("to give up: {pause}, then Give up drawing");
@@ -159,7 +158,7 @@ void GestureWall::keep(const game::Simulation& match) {
     recording_.strokes.push_back(stroke_);
     if (recording_.strokes.size() < recorded_strokes) return tell_recording();
     if (!match.data().gestures->number(recording_.name)) {  // its file was deleted meanwhile
-        lines_ = {text("there is no gesture ", game::capitalised(recording_.name), " any more")};
+        lines_ = {text("there is no gesture ", capitalised(recording_.name), " any more")};
         return record({});
     }
     recording_.options = {.rotation = 15 * radians_per_degree, .planar = true};
@@ -188,7 +187,7 @@ void GestureWall::draw_again(std::vector<std::string> why) {
 
 void GestureWall::give_up(const game::Simulation& match) {
     if (!records()) return;
-    const auto name = game::capitalised(recording_.name);
+    const auto name = capitalised(recording_.name);
     recorded_.reset();
     record({});
     say(match, {text("given up: ", name, " is as it was before")});

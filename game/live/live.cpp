@@ -8,7 +8,6 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "core/threads.h"
-#include "game/command_line/exit_code.h"
 #include "game/live/end_watch.h"
 #include "game/live/live_replay.h"
 #include "game/live/live_window.h"
@@ -194,25 +193,25 @@ std::string told(const input::TickReport& arm) {
                 fixed(arm.answer_p99, 0), " us, ", fixed(arm.answer_worst, 0), " us");
 }
 
-int run_live(const LivePlan& plan) {
+Expected<void> run_live(const LivePlan& plan) {
     // Begins first, since its look for pads runs beside all that follows.
     auto own_pads = load_own_pads(own_pads_file(plan.settings_file));
     input::PadReader pads(std::move(own_pads.mappings));
     // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
     // hangs.
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
-    if (!window) return refuse(window.error());
+    if (!window) return window.error();
     const EndWatch watch;
     LiveShared shared;
     auto arms = open_arms_of(plan);
-    if (!arms) return refuse(arms.error());
+    if (!arms) return arms.error();
     shared.arms = std::move(*arms);
     audio::prepare_openal();
     shared.body = load_body(plan.assets);
     load_own_layouts(plan, shared);
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared, *window); });
-    if (!drawing) return refuse(drawing.error());
+    if (!drawing) return drawing.error();
     auto reading = start_thread([&] { look_at_data(plan, shared, *window); });
     // Sounds are made while the other thread makes the arena's scene.
     shared.sound = LiveSound::start(plan.assets, plan.settings);
@@ -225,11 +224,11 @@ int run_live(const LivePlan& plan) {
     if (plan.report != nullptr) fill_report(shared, *plan.report);
     follow_arms(shared.arms);  // tells of changes during the last wait for events
     for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);
-    if (!played) return refuse(played.error());
-    if (shared.render_error) return refuse(*shared.render_error);
-    if (shared.simulation_error) return refuse(*shared.simulation_error);
+    if (!played) return played.error();
+    if (shared.render_error) return *shared.render_error;
+    if (shared.simulation_error) return *shared.simulation_error;
     tell_end_by_signal();
-    return done;
+    return {};
 }
 
 }  // namespace thaum::app

@@ -127,8 +127,7 @@ struct LivePlan {
     LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };
 
-/// Plays until the window is closed or the players quit. Prints errors to standard error in one line. Returns
-/// an exit code.
-int run_live(const LivePlan& plan);
+/// Plays until the window is closed or the players quit. The error says why it could not go on.
+Expected<void> run_live(const LivePlan& plan);
 
 }  // namespace thaum::app

@@ -1,7 +1,6 @@
 #include "game/live/live_pause.h"
 
 #include "core/text.h"
-#include "game/data/event_words.h"
 #include "game/live/live_hands.h"
 
 namespace thaum::app {
@@ -27,12 +26,12 @@ PauseWords pause_words(const PauseFacts& facts) {
     if (facts.heir_of_half < game::players) words.half_for = game::name_of(facts.names, facts.heir_of_half);
     if (!words.missing.empty()) {
         const auto half = facts.key_for_half.empty() ? std::string() : text(", or ", facts.key_for_half);
-        words.head = game::capitalised(words.missing);
+        words.head = capitalised(words.missing);
         words.line = text(how_to_rejoin, half, half.empty() ? "" : " for half of the keyboard");
         return words;
     }
     if (const auto back = lost_pads(facts, true, "plugged in again"); !back.empty()) {
-        words.head = game::capitalised(back);
+        words.head = capitalised(back);
         words.line = press_to_rejoin;
         return words;
     }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parse.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
 #include "game/bots/range.h"
-#include "game/command_line/arguments.h"
 
 namespace thaum::app {
 

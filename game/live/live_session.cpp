@@ -6,7 +6,6 @@
 
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "game/data/event_words.h"
 #include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/settings/control_names.h"
@@ -350,8 +349,7 @@ std::filesystem::path LiveSession::folder_of_gestures() const {
 void LiveSession::take_drawn_gesture() {
     const auto drawn = shared_.progress.drawn_gesture.take();
     if (!drawn) return;
-    std::vector<std::string> words{
-        text("saved: this is your ", game::capitalised(drawn->name), " from now on")};
+    std::vector<std::string> words{text("saved: this is your ", capitalised(drawn->name), " from now on")};
     const auto fits = check_own_gesture(*drawn, *next_.data(), profile_, game::practising);
     if (!fits) {
         words = {text("not saved, since ", fits.error().message)};
@@ -374,9 +372,9 @@ void LiveSession::forget_gesture() {
     const auto& name = names[menu_.state().gesture % names.size()];
     const bool had = forget_own_gesture(folder_of_gestures(), name);
     load_profile();
-    shared_.requests.own_gestures.put({profile_,
-                                       {text(had ? "the game's " : "you have no own ",
-                                             game::capitalised(name), had ? " counts again" : "")}});
+    shared_.requests.own_gestures.put(
+        {profile_,
+         {text(had ? "the game's " : "you have no own ", capitalised(name), had ? " counts again" : "")}});
 }
 
 /// Plays the effect that somebody on the mixer's page wants to feel.

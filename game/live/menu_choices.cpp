@@ -6,7 +6,6 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
-#include "game/data/event_words.h"
 
 namespace thaum::app {
 namespace {
@@ -97,7 +96,7 @@ MenuContext find_menu_context(const LivePlan& plan) {
                         .ends_match = plan.start_screen,
                         .start_fault = plan.start_fault};
     for (const auto& wand : plan.data->wands)
-        context.wands.at(wand.stats.slot) = game::capitalised(wand.kind->name);
+        context.wands.at(wand.stats.slot) = capitalised(wand.kind->name);
     for (int level = game::easiest_bot; level <= game::hardest_bot; ++level) {
         const auto skill = game::load_bot_skill(plan.assets, level);
         if (skill)

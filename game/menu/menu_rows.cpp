@@ -5,7 +5,6 @@
 #include "core/text.h"
 #include "game/bots/dummy.h"
 #include "game/bots/range.h"
-#include "game/data/event_words.h"
 #include "game/hud/layout.h"
 
 namespace thaum::app {
@@ -185,7 +184,7 @@ void add_range_rows(const MenuState& s, Rows& rows) {
 void add_gesture_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
     if (context.gestures.empty()) return;
     std::vector<std::string> names;
-    for (const auto& gesture : context.gestures) names.push_back(game::capitalised(gesture));
+    for (const auto& gesture : context.gestures) names.push_back(capitalised(gesture));
     const auto& name = names[s.gesture % names.size()];
     if (context.drawn_gesture > 0 && context.drawn_gesture <= names.size())
         rows.push_back({RowKind::stop_drawing,

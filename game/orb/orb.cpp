@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "game/arena/arena.h"
 
 namespace thaum::game {
 namespace {

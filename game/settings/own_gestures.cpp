@@ -7,7 +7,6 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/casting/reading.h"
-#include "game/data/event_words.h"
 #include "game/settings/player_name.h"
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
@@ -115,7 +114,7 @@ Expected<void> check_own_gesture(const gesture::Gesture& gesture, const game::Ma
         const auto &a = set[pair.a].name, &b = set[pair.b].name;
         const bool first = a == gesture.name;
         if (pair.collides() && (first || b == gesture.name))
-            return fail(text("it is too like ", words_of(pair, first, game::capitalised(first ? b : a))));
+            return fail(text("it is too like ", words_of(pair, first, capitalised(first ? b : a))));
     }
     return {};
 }

@@ -45,7 +45,8 @@ int main(int argc, char** argv) {
     plan.seats = {seat_of(argc > 4 ? argv[3] : "bot"), seat_of(argc > 4 ? argv[4] : "bot")};
     plan.probe = argc > 4 && std::string_view(argv[3]) == "probe";
     if (argc > 7) plan.stall = {thread_of(argv[5]), std::atoi(argv[6]), std::atoi(argv[7])};
-    const int result = run_live(plan);
+    const auto played = run_live(plan);
+    if (!played) std::fprintf(stderr, "%s\n", played.error().message.c_str());
     std::printf(
         "ticks %llu, skipped %llu, frames %llu, matches %llu\n",
         static_cast<unsigned long long>(report.ticks), static_cast<unsigned long long>(report.skipped),
@@ -58,5 +59,5 @@ int main(int argc, char** argv) {
         std::string(render::quality_names[static_cast<std::size_t>(report.quality)]).c_str());
     std::printf("input ms: median %.1f, p99 %.1f of %llu\n", report.input_ms_median, report.input_ms_p99,
                 static_cast<unsigned long long>(report.inputs));
-    return result;
+    return played ? 0 : 2;
 }

@@ -10,7 +10,6 @@
 #include "game/bots/range.h"
 #include "game/casting/casting.h"
 #include "game/casting/reading.h"
-#include "game/data/event_words.h"
 #include "game/match/playback.h"
 #include "game/settings/own_gestures.h"
 #include "game/settings/player_name.h"
@@ -149,7 +148,7 @@ TEST(OwnGestures, ACopyOfAnotherGestureIsRefusedWithTheReason) {
         for (const auto& other : shipped) {
             if (one.name == other.name) continue;
             const auto words = refusal(renamed(one, other.name), {});
-            EXPECT_EQ(words.find(text("it is too like ", game::capitalised(one.name), ": ")), 0U)
+            EXPECT_EQ(words.find(text("it is too like ", capitalised(one.name), ": ")), 0U)
                 << one.name << " drawn for " << other.name << ": " << words;
         }
     }

@@ -1,0 +1,15 @@
+// core/parse.h: numbers that people write.
+#pragma once
+#include <cstdint>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace thaum {
+
+/// Parses a whole number: "12" -> 12. The error says what is wrong with `word` and calls the number `what`.
+Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,
+                                    std::uint64_t high);
+Expected<double> parse_number(std::string_view word, std::string_view what, double low, double high);
+
+}  // namespace thaum

@@ -1,0 +1,13 @@
+// game/data/periods.h: how often the systems of a match run.
+#pragma once
+#include "core/units.h"
+
+namespace thaum::game {
+
+/// Periods of physics and gameplay systems, in ticks (architecture.md, "One tick").
+inline constexpr Tick physics_period = 1;
+inline constexpr Tick gameplay_period = 8;
+inline constexpr double physics_dt = seconds(physics_period);
+inline constexpr double gameplay_dt = seconds(gameplay_period);
+
+}  // namespace thaum::game
