@@ -11,7 +11,7 @@ thaum_test(test_crystal
     NOT_SANITIZED CrystalShape.KeysOfAThousand* Crystal.CarvingUnderTheHand*)
 thaum_test(test_free_casting
     SOURCES unit/free_casting_test.cpp unit/free_idling_test.cpp
-    LINK thaum_duel thaum_strokes
+    LINK thaum_duel
     NOT_SANITIZED FreeIdling.* FreeCasting.TenMinutes* FreeCasting.FindsTheStrokes*
     LONG FreeCasting.TenMinutesOfBots*)
 thaum_test(test_game_threads

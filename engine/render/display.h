@@ -8,6 +8,9 @@ namespace thaum::render {
 /// window system that the installed GLFW speaks.
 std::string display_for_windows();
 
+/// Whether a desktop is there to open a window on.
+inline bool display_there() { return !display_for_windows().empty(); }
+
 /// A Wayland display if GLFW does not speak Wayland, as VARIABLE=VALUE; else empty. No window opens on it.
 std::string display_not_spoken();
 

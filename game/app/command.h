@@ -8,16 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "game/command_line/exit_code.h"
+#include "game/command_line/command.h"
 
 namespace thaum::app {
-
-struct Command {
-    std::string_view name;
-    /// Text of `thaum WORD --help`; fits a screen. Empty if `run` prints it.
-    std::string_view help;
-    int (*run)(const std::vector<std::string>& words);
-};
 
 Command play_command();
 Command range_command();
@@ -34,9 +27,6 @@ Command sounds_command();
 Command gesture_command();
 Command bench_command();
 
-/// Exit code of a session in a window.
-inline int exit_code_of(const Expected<void>& played) { return played ? done : refuse(played.error()); }
-
 /// Runs the command whose name is the first word with the other words, or play if the first word is an option or
 /// missing. A command of Thaum that is not among `commands` is left to the program `others` in the same folder; if that
 /// is empty, there is no such command. `help` and --version are answered here. Returns the exit code.
@@ -45,8 +35,5 @@ int dispatch(const std::vector<Command>& commands, std::vector<std::string> word
 /// Runs a program of ours that stands in the same folder, such as thaum-bench, instead of this one. Returns only if it
 /// cannot be started: the exit code, after one line that says why.
 int become(std::string_view program, const std::vector<std::string>& words);
-
-/// Tests whether a desktop is there to open a window on.
-bool display_there();
 
 }  // namespace thaum::app

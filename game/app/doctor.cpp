@@ -177,7 +177,7 @@ Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) 
 /// if the machine is so busy that no movement reached a picture.
 Finding input_to_picture(const std::filesystem::path& assets, const Expected<Data>& data) {
     const std::string what = "input delay";
-    if (!data || !display_there())
+    if (!data || !render::display_there())
         return {what, State::note, "not measured without data files and display", ""};
     LiveReport report;
     LivePlan plan{.data = *data, .assets = assets, .probe = true, .report = &report};

@@ -204,7 +204,7 @@ int play_in_window(const PlayOptions& options) {
 int run_play(const std::vector<std::string>& words) {
     const auto options = read_play_options(words);
     if (!options) return refuse(options.error());
-    if (!options->headless && !display_there()) {
+    if (!options->headless && !render::display_there()) {
         if (options->solo) return refuse({"--solo needs a display; without one: thaum --headless"});
         std::printf("no display%s: two bots play off-screen\n",
                     render::display_not_spoken().empty() ? "" : " (Wayland alone; windows need X11)");

@@ -85,11 +85,4 @@ void protect_inputs(std::string_view command) {
     }
 }
 
-bool asks_for_help(const std::vector<std::string>& words) {
-    for (const auto& word : words) {
-        if (word == "--help" || word == "-h") return true;
-    }
-    return false;
-}
-
 }  // namespace thaum::app

@@ -18,7 +18,4 @@ int run_program(int argc, char** argv, Dispatch dispatch);
 /// menu, which is where they are changed.
 void protect_inputs(std::string_view command);
 
-/// Whether the words contain --help or -h.
-bool asks_for_help(const std::vector<std::string>& words);
-
 }  // namespace thaum::app

@@ -9,6 +9,7 @@
 #include "game/bots/range.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
+#include "render/display.h"
 
 namespace thaum::app {
 namespace {
@@ -135,7 +136,7 @@ int practise_in_window(const RangeOptions& options, const game::RangeData& data)
 int run_range(const std::vector<std::string>& words) {
     const auto options = read_range_options(words);
     if (!options) return refuse(options.error());
-    if (!options->headless && !display_there())
+    if (!options->headless && !render::display_there())
         return refuse({"range needs a display; without one: thaum range --headless"});
     const auto data = game::load_range(game::find_assets(), options->data);
     if (!data) return refuse(data.error());

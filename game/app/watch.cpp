@@ -8,6 +8,7 @@
 #include "game/app/still.h"
 #include "game/live/live.h"
 #include "game/settings/recorded_names.h"
+#include "render/display.h"
 #include "render/priority.h"
 
 namespace thaum::app {
@@ -84,7 +85,7 @@ int leave_picture(game::Playback& playback, const WatchPlan& plan) {
 }  // namespace
 
 int watch(game::Playback playback, const WatchPlan& plan) {
-    if (!display_there()) return leave_picture(playback, plan);
+    if (!render::display_there()) return leave_picture(playback, plan);
     return watch_in_window(std::move(playback), plan);
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/table.h"
-#include "game/arena/basin.h"
+#include "game/brew/brew.h"
 
 namespace thaum::game {
 

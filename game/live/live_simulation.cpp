@@ -5,7 +5,6 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
-#include "game/casting/casting.h"
 #include "game/hand/arm_system.h"
 #include "game/live/arm_pace.h"
 #include "game/live/live_practice.h"

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "game/app/gesture/stroke_files.h"
 #include "gesture/evaluation.h"
 #include "gesture/spotting.h"
+#include "gesture/stroke_files.h"
 
 namespace thaum::gesture {
 namespace {
@@ -19,7 +19,7 @@ protected:
     }
 
     static StrokeSet strokes(const char* file) {
-        auto set = app::load_strokes(data / file);
+        auto set = gesture::load_strokes(data / file);
         EXPECT_TRUE(set) << (set ? "" : set.error().message);
         return std::move(*set);
     }
@@ -133,11 +133,11 @@ TEST_F(GesturePublicData, ProbabilitiesHoldWithoutStrokesOfUsers) {
 
 TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto set = strokes("machete-mouse.csv.gz");
-    const auto sessions = app::load_sessions(data / "machete-mouse-sessions.csv.gz");
-    const auto labels = app::load_labels(data / "machete-mouse-sessions.labels.csv");
+    const auto sessions = gesture::load_sessions(data / "machete-mouse-sessions.csv.gz");
+    const auto labels = gesture::load_labels(data / "machete-mouse-sessions.labels.csv");
     ASSERT_TRUE(sessions && labels);
-    const auto ignored =
-        app::load_labels(std::filesystem::path(THAUM_SOURCE_DIR) / "tests/accuracy/unlabelled_strokes.csv");
+    const auto ignored = gesture::load_labels(std::filesystem::path(THAUM_SOURCE_DIR) /
+                                              "tests/accuracy/unlabelled_strokes.csv");
     ASSERT_TRUE(ignored);
     SpottingSettings settings{.templates = 3, .repeats = 1};
     const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings);

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "game/app/gesture/stroke_files.h"
 #include "game/casting/casting.h"
 #include "gesture/generated_users.h"
+#include "gesture/stroke_files.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game {
@@ -357,8 +357,8 @@ TEST(FreeCasting, TenMinutesOfAimingCastAtMostOnce) {
 /// Motion of real mice between gestures (public data beside the source tree): what lies within a label is left out.
 std::vector<fvec2> recorded_places(Tick most) {
     const auto folder = std::filesystem::path(THAUM_SOURCE_DIR) / "../shared/data/gestures";
-    const auto sessions = app::load_sessions(folder / "machete-mouse-sessions.csv.gz");
-    const auto marked = app::load_labels(folder / "machete-mouse-sessions.labels.csv");
+    const auto sessions = gesture::load_sessions(folder / "machete-mouse-sessions.csv.gz");
+    const auto marked = gesture::load_labels(folder / "machete-mouse-sessions.labels.csv");
     std::vector<fvec2> places;
     if (!sessions || !marked) return places;
     fvec2 at(0);

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "game/app/gesture/stroke_files.h"
 #include "game/casting/free_reading.h"
+#include "gesture/stroke_files.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game {
@@ -157,9 +157,9 @@ private:
 /// 50 minutes in places that are a gameplay tick apart (m).
 std::vector<fvec2> recorded_motion() {
     const auto source = std::filesystem::path(THAUM_SOURCE_DIR), folder = source / "../shared/data/gestures";
-    const auto sessions = app::load_sessions(folder / "machete-mouse-sessions.csv.gz");
-    auto strokes = app::load_labels(folder / "machete-mouse-sessions.labels.csv");
-    const auto attempts = app::load_labels(source / "tests/accuracy/unlabelled_strokes.csv");
+    const auto sessions = gesture::load_sessions(folder / "machete-mouse-sessions.csv.gz");
+    auto strokes = gesture::load_labels(folder / "machete-mouse-sessions.labels.csv");
+    const auto attempts = gesture::load_labels(source / "tests/accuracy/unlabelled_strokes.csv");
     std::vector<fvec2> places;
     if (!sessions || !strokes || !attempts) return places;
     strokes->insert(strokes->end(), attempts->begin(), attempts->end());

@@ -8,9 +8,9 @@
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
 #include "game/app/gesture/gesture_report.h"
-#include "game/app/gesture/stroke_files.h"
 #include "game/command_line/arguments.h"
 #include "gesture/prefix.h"
+#include "gesture/stroke_files.h"
 
 namespace thaum::app {
 
@@ -188,7 +188,7 @@ int run_gesture_eval(const std::vector<std::string>& words) {
         if (!out || *out == "-") continue;
         if (const auto free = check_output(*out); !free) return refuse(free.error());
     }
-    const auto set = load_strokes(plan->file);
+    const auto set = gesture::load_strokes(plan->file);
     if (!set) return refuse(set.error());
     const auto channels = choose_channels(plan->channels, set->has_depth, set->has_force);
     if (!channels) return refuse(channels.error());

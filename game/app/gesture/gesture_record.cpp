@@ -7,13 +7,13 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
-#include "game/app/gesture/stroke_files.h"
 #include "game/app/gesture/stroke_window.h"
 #include "game/command_line/arguments.h"
 #include "game/components/hand_state.h"
 #include "game/match/playback.h"
 #include "gesture/gesture_file.h"
 #include "gesture/recogniser.h"
+#include "gesture/stroke_files.h"
 #include "gesture/stroke_recorder.h"
 
 namespace thaum::app {
@@ -71,7 +71,7 @@ Expected<Courses> strokes_of_log(const std::string& path, std::uint32_t player) 
 
 /// The newest strokes of a gesture in a file, at most `count`.
 Expected<Courses> strokes_of_file(const std::string& path, const std::string& name, std::size_t count) {
-    const auto set = load_strokes(path);
+    const auto set = gesture::load_strokes(path);
     if (!set) return set.error();
     Courses courses;
     for (auto stroke = set->strokes.rbegin(); stroke != set->strokes.rend(); ++stroke) {

@@ -9,9 +9,9 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
-#include "game/app/gesture/stroke_files.h"
 #include "game/command_line/arguments.h"
 #include "gesture/spotting.h"
+#include "gesture/stroke_files.h"
 
 namespace thaum::app {
 
@@ -145,16 +145,16 @@ void tell_unused_labels(const std::vector<gesture::SessionLabel>& labels, const 
 }
 
 Expected<gesture::Spotting> measure_spotting(SpotPlan& plan) {
-    const auto sessions = load_sessions(plan.sessions);
+    const auto sessions = gesture::load_sessions(plan.sessions);
     if (!sessions) return sessions.error();
-    const auto labels = load_labels(plan.labels);
+    const auto labels = gesture::load_labels(plan.labels);
     if (!labels) return labels.error();
     if (plan.ignored) {
-        auto ignored = load_labels(*plan.ignored);
+        auto ignored = gesture::load_labels(*plan.ignored);
         if (!ignored) return ignored.error();
         plan.settings.ignored = std::move(*ignored);
     }
-    const auto strokes = load_strokes(plan.strokes);
+    const auto strokes = gesture::load_strokes(plan.strokes);
     if (!strokes) return strokes.error();
     tell_unused_labels(*labels, *sessions, strokes->strokes);
     const auto channels = choose_channels(plan.channels, sessions->has_depth && strokes->has_depth,

@@ -5,14 +5,15 @@
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/command.h"
-#include "game/app/with_renderer.h"
 #include "game/data/match_data.h"
 #include "game/hud/overlay.h"
 #include "game/hud/stroke_lines.h"
 #include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "gesture/gesture.h"
+#include "render/display.h"
 #include "render/renderer.h"
+#include "render/with_renderer.h"
 
 namespace thaum::app {
 namespace {
@@ -151,7 +152,7 @@ std::string StrokeDesk::advice() const {
 }
 
 Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const StrokeWish& wish) {
-    if (!display_there())
+    if (!render::display_there())
         return fail("drawing strokes needs a display; --log and --strokes take recorded ones without it");
     const auto assets = game::find_assets();
     const auto settings = settings_to_play_with(settings_file(), assets).settings;
@@ -164,7 +165,7 @@ Expected<std::vector<std::vector<gesture::StrokePoint>>> draw_strokes(const Stro
     StrokeDesk desk(wish, data->casting
                               ? LeastStroke{data->casting->smallest, seconds(data->casting->shortest)}
                               : LeastStroke{});
-    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+    const auto went = render::with_renderer(*window, assets, [&](render::Renderer& renderer) {
         return run(desk, **hand, settings.frames_per_second, *window, renderer);
     });
     if (!went) return went.error();

@@ -9,14 +9,14 @@
 #include "core/file.h"
 #include "core/hash.h"
 #include "core/text.h"
-#include "game/app/command.h"
 #include "game/app/lab/volume_lab.h"
-#include "game/app/program.h"
 #include "game/command_line/arguments.h"
+#include "game/command_line/command.h"
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
 #include "game/live/end_watch.h"
+#include "render/display.h"
 
 namespace thaum::app {
 
@@ -280,7 +280,7 @@ int run_headless(LabPlan plan) {
 int run_brew_lab(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, lab_options);
     if (!arguments) return refuse(arguments.error());
-    if (!arguments->has("--headless") && !display_there())
+    if (!arguments->has("--headless") && !render::display_there())
         return refuse({"lab needs a display; without one: thaum lab --fluid --headless"});
     auto plan = read_plan(*arguments);
     if (!plan) return refuse(plan.error());

@@ -9,17 +9,17 @@
 #include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
-#include "game/app/command.h"
 #include "game/app/lab/lab.h"
 #include "game/app/lab/lab_picture.h"
 #include "game/app/lab/view_controls.h"
-#include "game/app/with_renderer.h"
+#include "game/command_line/command.h"
 #include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
 #include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "render/pace.h"
+#include "render/with_renderer.h"
 
 namespace thaum::app {
 namespace {
@@ -301,7 +301,7 @@ int run_lab_window(LabPlan plan) {
     session.page.hands.settings = session.plan.lab.settings;
     session.page.text_scale = settings.text_scale;
     session.height = -0.35 * session.plan.lab.basin.depth;
-    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+    const auto went = render::with_renderer(*window, assets, [&](render::Renderer& renderer) {
         return run(session, settings.frames_per_second, *window, renderer);
     });
     if (!went) return refuse(went.error());

@@ -13,13 +13,14 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "field/volume_file.h"
-#include "game/app/command.h"
 #include "game/app/lab/volume_lab_files.h"
 #include "game/command_line/arguments.h"
+#include "game/command_line/command.h"
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
 #include "game/live/end_watch.h"
+#include "render/display.h"
 
 namespace thaum::app {
 namespace {
@@ -533,7 +534,7 @@ int run_volume_lab(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1 && !arguments->has("--session"))
         return refuse({"lab takes one volume, or --fluid; `thaum lab --help` says more"});
-    if (!arguments->has("--headless") && !display_there())
+    if (!arguments->has("--headless") && !render::display_there())
         return refuse({"lab needs a display; without one: thaum lab VOLUME --headless"});
     auto plan = read_volume_plan(*arguments);
     if (!plan) return refuse(plan.error());

@@ -10,18 +10,18 @@
 #include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
-#include "game/app/command.h"
 #include "game/app/lab/panels.h"
 #include "game/app/lab/view_controls.h"
 #include "game/app/lab/volume_lab.h"
 #include "game/app/lab/volume_panels.h"
-#include "game/app/with_renderer.h"
+#include "game/command_line/command.h"
 #include "game/data/match_data.h"
 #include "game/lab/saved_body.h"
 #include "game/lab/volume_trace.h"
 #include "game/live/end_watch.h"
 #include "game/settings/settings.h"
 #include "render/pace.h"
+#include "render/with_renderer.h"
 
 namespace thaum::app {
 namespace {
@@ -359,7 +359,7 @@ int run_volume_window(VolumeLabPlan plan) {
     if (session.plan.by_mouse) put_hand_before(session);
     session.panels.device = session.plan.device;
     session.panels.tool = usual_tool(session.plan.lab);
-    const auto went = with_renderer(*window, assets, [&](render::Renderer& renderer) {
+    const auto went = render::with_renderer(*window, assets, [&](render::Renderer& renderer) {
         return run(session, settings.frames_per_second, *window, renderer);
     });
     if (!went) return refuse(went.error());

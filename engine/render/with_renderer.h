@@ -1,4 +1,4 @@
-// game/app/with_renderer.h: runs what draws in a window of a command.
+// render/with_renderer.h: runs what draws in a window.
 #pragma once
 #include <filesystem>
 #include <utility>
@@ -6,20 +6,20 @@
 #include "render/context.h"
 #include "render/renderer.h"
 
-namespace thaum::app {
+namespace thaum::render {
 
 /// Makes the window's OpenGL current, and calls the function with a renderer, which ends before OpenGL is released.
 /// Returns the function's error, or why there is no renderer.
 template <class Run>
-Expected<void> with_renderer(render::Window& window, const std::filesystem::path& assets, Run&& run) {
+Expected<void> with_renderer(Window& window, const std::filesystem::path& assets, Run&& run) {
     window.make_current();
     Expected<void> went;
     {
-        auto renderer = render::Renderer::create(assets);
+        auto renderer = Renderer::create(assets);
         went = renderer ? std::forward<Run>(run)(*renderer) : renderer.error();
     }
     window.release_current();
     return went;
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::render

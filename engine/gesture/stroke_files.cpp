@@ -1,10 +1,10 @@
-#include "game/app/gesture/stroke_files.h"
+#include "gesture/stroke_files.h"
 
 #include "core/file.h"
 #include "core/gzip.h"
 #include "core/text.h"
 
-namespace thaum::app {
+namespace thaum::gesture {
 namespace {
 
 Error in_file(const std::filesystem::path& path, const Error& error) {
@@ -23,22 +23,22 @@ Expected<std::string> load_text(const std::filesystem::path& path) {
     return unpacked;
 }
 
-Expected<gesture::StrokeSet> load_strokes(const std::filesystem::path& path) {
+Expected<StrokeSet> load_strokes(const std::filesystem::path& path) {
     const auto csv = load_text(path);
     if (!csv) return csv.error();
-    return gesture::read_strokes(*csv, path.string());
+    return read_strokes(*csv, path.string());
 }
 
-Expected<gesture::SessionSet> load_sessions(const std::filesystem::path& path) {
+Expected<SessionSet> load_sessions(const std::filesystem::path& path) {
     const auto csv = load_text(path);
     if (!csv) return csv.error();
-    return gesture::read_sessions(*csv, path.string());
+    return read_sessions(*csv, path.string());
 }
 
-Expected<std::vector<gesture::SessionLabel>> load_labels(const std::filesystem::path& path) {
+Expected<std::vector<SessionLabel>> load_labels(const std::filesystem::path& path) {
     const auto csv = load_text(path);
     if (!csv) return csv.error();
-    return gesture::read_labels(*csv, path.string());
+    return read_labels(*csv, path.string());
 }
 
-}  // namespace thaum::app
+}  // namespace thaum::gesture

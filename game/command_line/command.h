@@ -1,0 +1,21 @@
+// game/command_line/command.h: a command of a program, `thaum WORD ...`.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/command_line/exit_code.h"
+
+namespace thaum::app {
+
+struct Command {
+    std::string_view name;
+    /// Text of `thaum WORD --help`; fits a screen. Empty if `run` prints it.
+    std::string_view help;
+    int (*run)(const std::vector<std::string>& words);
+};
+
+/// Whether the words contain --help or -h.
+bool asks_for_help(const std::vector<std::string>& words);
+
+}  // namespace thaum::app
