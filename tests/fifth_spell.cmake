@@ -1,6 +1,6 @@
 # A spell that only these tests have: one .cpp, one data file and the file of its gesture (fifth_spell/mend.*, w.toml).
 add_library(spell_mend OBJECT fifth_spell/mend.cpp)
-target_link_libraries(spell_mend PRIVATE thaum_flags thaum_game)
+target_link_libraries(spell_mend PRIVATE thaum_flags thaum_wand_parts)
 thaum_test(test_fifth_spell
     SOURCES fifth_spell/fifth_spell_test.cpp $<TARGET_OBJECTS:spell_mend>
     LINK thaum_live

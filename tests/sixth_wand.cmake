@@ -1,6 +1,6 @@
 # A wand that only these tests have: one .cpp and one data file (sixth_wand/hail.*).
 add_library(wand_hail OBJECT sixth_wand/hail.cpp)
-target_link_libraries(wand_hail PRIVATE thaum_flags thaum_game)
+target_link_libraries(wand_hail PRIVATE thaum_flags thaum_wand_parts)
 thaum_test(test_sixth_wand
     SOURCES sixth_wand/sixth_wand_test.cpp $<TARGET_OBJECTS:wand_hail>
     LINK thaum_live
@@ -17,7 +17,7 @@ set(wand_objects ${THAUM_WANDS} $<TARGET_OBJECTS:wand_hail>)
 foreach(order forward reverse)
     add_executable(wands_${order} sixth_wand/link_order.cpp ${wand_objects})
     target_compile_definitions(wands_${order} PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_link_libraries(wands_${order} PRIVATE thaum_flags thaum_game)
+    target_link_libraries(wands_${order} PRIVATE thaum_flags thaum_wand_parts thaum_bots)
     list(REVERSE wand_objects)
 endforeach()
 add_test(NAME sixth_wand.link_order COMMAND ${timed} ${CMAKE_CURRENT_SOURCE_DIR}/sixth_wand/same_output.sh

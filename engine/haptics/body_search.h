@@ -87,7 +87,7 @@ private:
     const field::SampleBox& box_;
     LevelContact& contact_;
     vec3 motion_{};  ///< motion of the tip in a tick (m)
-    vec3 half_{};  ///< half of the box's extent (m)
+    vec3 half_{};    ///< half of the box's extent (m)
     vec3 samples_per_metre_{};
     double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
     double fine_{};       ///< smallest distance between samples (m)

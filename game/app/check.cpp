@@ -7,9 +7,9 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/content.h"
-#include "game/app/still.h"
 #include "game/command_line/arguments.h"
 #include "game/data/match_data.h"
+#include "game/hud/still.h"
 
 namespace thaum::app {
 namespace {

@@ -6,9 +6,9 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "game/app/command.h"
-#include "game/app/highlight.h"
-#include "game/app/still.h"
 #include "game/bots/duel.h"
+#include "game/hud/still.h"
+#include "game/match/highlight.h"
 #include "game/match/record.h"
 #include "game/match/result.h"
 

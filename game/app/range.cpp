@@ -6,9 +6,9 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/content.h"
-#include "game/bots/range.h"
 #include "game/command_line/arguments.h"
 #include "game/live/live.h"
+#include "game/range/range.h"
 #include "render/display.h"
 
 namespace thaum::app {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "game/live/body.h"
 #include "game/live/body_sound.h"
-#include "game/live/live_body.h"
 
 namespace thaum::app {
 

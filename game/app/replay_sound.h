@@ -5,7 +5,7 @@
 
 #include "audio/mixer.h"
 #include "audio/wav.h"
-#include "game/sound/sound_scene.h"
+#include "game/senses/sound/sound_scene.h"
 
 namespace thaum::app {
 

@@ -9,8 +9,8 @@
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
-#include "game/app/still.h"
 #include "game/command_line/arguments.h"
+#include "game/hud/still.h"
 #include "game/scenario/runner.h"
 
 namespace thaum::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "game/app/still.h"
+#include "game/hud/still.h"
 #include "game/match/playback.h"
 
 namespace thaum::app {

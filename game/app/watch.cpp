@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/app/command.h"
-#include "game/app/still.h"
+#include "game/hud/still.h"
 #include "game/live/live.h"
 #include "game/settings/recorded_names.h"
 #include "render/display.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/casting/casting.h"
-#include "game/cauldron/potions.h"
+#include "game/stations/cauldron/potions.h"
 
 namespace thaum::game {
 namespace {

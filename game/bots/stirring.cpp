@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "game/bots/brewing.h"
-#include "game/cauldron/ladle.h"
-#include "game/cauldron/potions.h"
+#include "game/stations/cauldron/ladle.h"
+#include "game/stations/cauldron/potions.h"
 
 namespace thaum::game {
 namespace {

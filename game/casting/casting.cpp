@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "game/casting/reading.h"
-#include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
 #include "game/components/crystal.h"
 #include "game/components/hand_state.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
+#include "game/data/reading.h"
+#include "game/stations/cauldron/potions.h"
 
 namespace thaum::game {
 namespace {

@@ -7,10 +7,10 @@
 // A press of a wand's key while Trace is held is a key chord. It takes the stroke's place: the spell of that slot is
 // cast, harsh if fire is held too. So everything can be cast by keys alone.
 #pragma once
-#include "game/casting/reading.h"
 #include "game/components/casting.h"
+#include "game/components/stroke_reading.h"
 #include "game/context/match_context.h"
-#include "game/data/stroke_reading.h"
+#include "game/data/reading.h"
 
 namespace thaum::game {
 

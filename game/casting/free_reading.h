@@ -6,8 +6,8 @@
 #pragma once
 #include <optional>
 
-#include "game/casting/reading.h"
 #include "game/components/free_hand.h"
+#include "game/data/reading.h"
 
 namespace thaum::game {
 

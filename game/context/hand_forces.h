@@ -1,5 +1,5 @@
 // game/context/hand_forces.h: forces that the game sets on a wizard's hand, and the position of the wand's tip. The
-// servo step of game/hand/hand_system.h applies the forces.
+// servo step of game/match/hand/hand_system.h applies the forces.
 #pragma once
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"

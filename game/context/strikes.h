@@ -1,5 +1,5 @@
 // game/context/strikes.h: hits on crystals by shots, bursts and loose things. A hit is noted when it happens. The crystal
-// is chipped later in the same tick (game/crystal/chips.h), so that wands need not know of voxels.
+// is chipped later in the same tick (game/stations/crystal/chips.h), so that wands need not know of voxels.
 #pragma once
 #include "game/context/match_context.h"
 

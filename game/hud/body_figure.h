@@ -5,7 +5,7 @@
 
 #include "game/hud/overlay.h"
 #include "game/hud/panel.h"
-#include "game/hud/picture.h"
+#include "game/picture/picture.h"
 
 namespace thaum::game {
 

@@ -7,9 +7,9 @@
 #include "game/data/teams.h"
 #include "game/hud/likely_spell.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_pieces.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
+#include "game/picture/stroke_pieces.h"
 
 namespace thaum::game {
 namespace {

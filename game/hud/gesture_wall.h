@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "game/hud/gesture_wall_picture.h"
 #include "game/hud/panel.h"
+#include "game/picture/gesture_wall_picture.h"
 #include "render/scene.h"
 
 namespace thaum::game {

@@ -5,10 +5,10 @@
 
 #include "game/data/control_names.h"
 #include "game/data/teams.h"
-#include "game/hud/arena_scene.h"
 #include "game/hud/prompts.h"
 #include "game/hud/replay_bar.h"
-#include "game/sound/heard.h"
+#include "game/scene/arena_scene.h"
+#include "game/senses/sound/heard.h"
 #include "render/context.h"
 
 namespace thaum::game {

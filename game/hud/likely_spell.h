@@ -2,7 +2,7 @@
 // the release of Trace decides, and nothing of this is part of a match.
 #pragma once
 #include "game/data/presentation.h"
-#include "game/hud/casting_picture.h"
+#include "game/picture/casting_picture.h"
 
 namespace thaum::game {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "game/hud/hud.h"
-#include "game/hud/picture.h"
+#include "game/picture/picture.h"
 
 namespace thaum::game {
 
@@ -37,7 +37,7 @@ struct MenuPicture {
     std::size_t middle = 0;  ///< row about which the rows are shown if not all fit
     std::string note;        ///< report of the last action
     std::string hint;        ///< help on the keys
-    /// Cells of a figure of the body beside the title, 0 to 1 (game/hud/picture.h); std::nullopt: no figure.
+    /// Cells of a figure of the body beside the title, 0 to 1 (game/picture/picture.h); std::nullopt: no figure.
     std::optional<std::array<float, figure_cells>> figure{};
     bool operator==(const MenuPicture&) const = default;
 };

@@ -7,7 +7,7 @@
 
 #include "game/components/station.h"
 #include "game/data/control_names.h"
-#include "game/hud/picture.h"
+#include "game/picture/picture.h"
 
 namespace thaum::game {
 

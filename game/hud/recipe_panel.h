@@ -5,7 +5,7 @@
 
 #include "game/data/control_names.h"
 #include "game/hud/panel.h"
-#include "game/hud/picture.h"
+#include "game/picture/picture.h"
 #include "render/scene.h"
 
 namespace thaum::game {

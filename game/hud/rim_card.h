@@ -11,7 +11,7 @@
 #include <string>
 
 #include "game/hud/layout.h"
-#include "game/hud/picture.h"
+#include "game/picture/picture.h"
 #include "render/scene.h"
 
 namespace thaum::game {

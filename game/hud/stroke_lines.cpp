@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "game/hud/force_colour.h"
 #include "game/hud/overlay.h"
-#include "game/hud/stroke_pieces.h"
+#include "game/picture/force_colour.h"
+#include "game/picture/stroke_pieces.h"
 #include "gesture/generated_users.h"
 
 namespace thaum::game {

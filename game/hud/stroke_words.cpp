@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "game/casting/reading.h"
 #include "game/data/event_words.h"
+#include "game/data/reading.h"
 #include "game/data/spell.h"
 
 namespace thaum::game {

@@ -7,7 +7,7 @@
 
 #include "game/data/control_names.h"
 #include "game/data/presentation.h"
-#include "game/hud/casting_picture.h"
+#include "game/picture/casting_picture.h"
 
 namespace thaum::game {
 

@@ -9,13 +9,13 @@
 #include "game/hud/body_figure.h"
 #include "game/hud/casting_overlay.h"
 #include "game/hud/feed_overlay.h"
-#include "game/hud/force_colour.h"
 #include "game/hud/overlay.h"
 #include "game/hud/rim_card.h"
 #include "game/hud/station_card.h"
 #include "game/hud/station_strip.h"
 #include "game/hud/stroke_words.h"
 #include "game/hud/wand_icon.h"
+#include "game/picture/force_colour.h"
 
 namespace thaum::game {
 namespace {

@@ -49,7 +49,7 @@ struct SessionVolume {
     std::int64_t moment = 1;  ///< moment of a file with time, from 1 on
 };
 
-/// Place of the eye (game/app/lab/volume_lab_picture.h).
+/// Place of the eye (game/lab/window/volume_lab_picture.h).
 struct SessionView {
     double yaw{}, pitch{};  ///< turn and height of the eye (rad)
     double away{1};         ///< distance of the eye, in lengths of the volume's diagonal

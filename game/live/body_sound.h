@@ -2,8 +2,8 @@
 // itself, apart from the loudspeakers: so it is the same in a session and in `thaum replay --tactile`, at any loudness
 // and without a sound device.
 #pragma once
-#include "game/sound/sound_scene.h"
-#include "game/tactile/felt_sound.h"
+#include "game/senses/sound/sound_scene.h"
+#include "game/senses/tactile/felt_sound.h"
 
 namespace thaum::app {
 

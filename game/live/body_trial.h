@@ -4,7 +4,7 @@
 #pragma once
 #include <memory>
 
-#include "game/live/live_body.h"
+#include "game/live/body.h"
 
 namespace thaum::app {
 

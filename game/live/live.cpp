@@ -9,8 +9,8 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/live/end_watch.h"
-#include "game/live/live_replay.h"
-#include "game/live/live_window.h"
+#include "game/live/replay.h"
+#include "game/live/window.h"
 #include "game/settings/own_pads.h"
 
 namespace thaum::app {

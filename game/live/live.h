@@ -17,8 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "game/bots/dummy.h"
 #include "game/match/replay_index.h"
+#include "game/range/dummy.h"
 #include "game/settings/settings.h"
 #include "input/tick_times.h"
 

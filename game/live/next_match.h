@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "game/bots/apprentice.h"
-#include "game/bots/range_files.h"
+#include "game/range/apprentice.h"
+#include "game/range/range_files.h"
 
 namespace thaum::app {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <set>
 
-#include "game/live/live_menu.h"
+#include "game/live/menu.h"
 #include "input/locked_sticks.h"
 #include "input/pad_assignment.h"
 

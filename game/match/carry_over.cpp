@@ -10,11 +10,11 @@
 #include "game/components/potions.h"
 #include "game/context/hand_forces.h"
 #include "game/data/wand_slots.h"
-#include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
+#include "game/match/hand/arm_system.h"
 #include "game/match/haptic_setup.h"
-#include "game/orb/worn_modes.h"
-#include "game/player/walk.h"
+#include "game/match/player/walk.h"
+#include "game/stations/orb/worn_modes.h"
 
 namespace thaum::game {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "game/cauldron/potions.h"
 #include "game/components/casting.h"
-#include "game/crystal/chisel.h"
 #include "game/data/wand_slots.h"
-#include "game/player/walk.h"
+#include "game/match/player/walk.h"
+#include "game/stations/cauldron/potions.h"
+#include "game/stations/crystal/chisel.h"
 
 namespace thaum::game {
 namespace {

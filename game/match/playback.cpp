@@ -73,7 +73,8 @@ std::string Playback::missing_hashes() const {
     }
     if (log_->hashes().empty()) return text("the log has no hashes: nothing was compared");
     // A log that was cut off has no block with the hash of its last tick. Its hashes hold as far as they go.
-    if (log_->ended_cleanly() && !log_->hash_at(last)) return text("tick ", last, ": the log has no hash of its last state");
+    if (log_->ended_cleanly() && !log_->hash_at(last))
+        return text("tick ", last, ": the log has no hash of its last state");
     return {};
 }
 

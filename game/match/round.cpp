@@ -1,17 +1,17 @@
 #include "game/match/round.h"
 #include "game/casting/free_casting.h"
 
-#include "game/arena/spawn.h"
-#include "game/cauldron/brewing.h"
 #include "game/components/casting.h"
+#include "game/components/stroke_reading.h"
 #include "game/context/hand_forces.h"
-#include "game/data/stroke_reading.h"
 #include "game/data/wand_slots.h"
-#include "game/hand/arm_system.h"
 #include "game/match/great_work.h"
+#include "game/match/hand/arm_system.h"
 #include "game/match/haptic_setup.h"
-#include "game/orb/orb.h"
-#include "game/player/walk.h"
+#include "game/match/player/walk.h"
+#include "game/match/spawn.h"
+#include "game/stations/cauldron/brewing.h"
+#include "game/stations/orb/orb.h"
 
 namespace thaum::game {
 namespace {

@@ -1,7 +1,7 @@
 // game/match/round.h: begins and ends the rounds of a match and decides who has won.
 #pragma once
-#include "game/cauldron/cauldron.h"
-#include "game/crystal/crystal.h"
+#include "game/stations/cauldron/cauldron.h"
+#include "game/stations/crystal/crystal.h"
 
 namespace thaum::game {
 

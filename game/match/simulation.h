@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "core/bytes.h"
-#include "game/cauldron/cauldron.h"
-#include "game/crystal/crystal.h"
+#include "game/stations/cauldron/cauldron.h"
+#include "game/stations/crystal/crystal.h"
 
 namespace thaum::game {
 
@@ -68,10 +68,10 @@ public:
     /// Magnitude of the force on a player's hand (N). Tick t of play is at index t modulo the size.
     const ForceTrace& felt(std::uint32_t player) const;
     const HapticSetup& haptic_setup() const;
-    /// The part that computes the cauldron's brew (game/cauldron/cauldron.h); null if no player has touched
+    /// The part that computes the cauldron's brew (game/stations/cauldron/cauldron.h); null if no player has touched
     /// the brew.
     const BrewWork* brew() const;
-    /// What is known of the crystals beside their state: changed bricks and ghost keys (game/crystal/crystal.h).
+    /// What is known of the crystals beside their state: changed bricks and ghost keys (game/stations/crystal/crystal.h).
     const CrystalBodies& crystals() const;
     /// The same, for scenarios and tests that carve.
     CrystalBodies& crystals_to_change();

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/text.h"
-#include "game/bots/dummy.h"
 #include "game/menu/menu_rows.h"
+#include "game/range/dummy.h"
 #include "game/settings/player_name.h"
 
 namespace thaum::app {

@@ -1,13 +1,13 @@
 // game/menu/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
-// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.h)
+// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live/menu.h)
 // passes on MenuState::request and changed settings.
 #pragma once
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "game/bots/range.h"
 #include "game/hud/menu.h"
+#include "game/range/range.h"
 #include "game/settings/bindings.h"
 #include "game/settings/feel_profile.h"
 

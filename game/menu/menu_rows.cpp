@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "game/bots/dummy.h"
-#include "game/bots/range.h"
 #include "game/hud/layout.h"
+#include "game/range/dummy.h"
+#include "game/range/range.h"
 
 namespace thaum::app {
 

@@ -11,14 +11,14 @@
 #include "game/components/hand_state.h"
 #include "game/components/station.h"
 #include "game/data/wand_slots.h"
-#include "game/hand/arm_system.h"
+#include "game/match/hand/arm_system.h"
 #include "game/match/own_gestures.h"
 #include "game/match/tables.h"
-#include "game/orb/orb.h"
 #include "game/scenario/detail/part.h"
 #include "game/scenario/match_options.h"
 #include "game/scenario/play_senses.h"
 #include "game/scenario/script_arm.h"
+#include "game/stations/orb/orb.h"
 
 namespace thaum::game {
 namespace {

@@ -4,12 +4,12 @@
 #include "core/hash.h"
 #include "game/components/hand_state.h"
 #include "game/components/potions.h"
-#include "game/crystal/crystal.h"
-#include "game/crystal/crystal_shape.h"
 #include "game/match/great_work.h"
 #include "game/match/simulation.h"
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
+#include "game/stations/crystal/crystal.h"
+#include "game/stations/crystal/crystal_shape.h"
 
 namespace thaum::game {
 namespace {

@@ -6,7 +6,7 @@
 #include "audio/sound.h"
 #include "game/scenario/detail/verb.h"
 #include "game/scenario/play_senses.h"
-#include "game/sound/heard.h"
+#include "game/senses/sound/heard.h"
 #include "tactile/frame.h"
 #include "tactile/layout.h"
 #include "tactile/mixer.h"

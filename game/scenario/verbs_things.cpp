@@ -1,7 +1,7 @@
 // Verbs for loose things that a script adds to the arena.
 #include <algorithm>
 
-#include "game/arena/spawn.h"
+#include "game/match/spawn.h"
 #include "game/scenario/detail/part.h"
 #include "game/scenario/detail/verb.h"
 

@@ -1,5 +1,5 @@
 // game/senses/felt_words.h: what the hand and the body feel in words, beside the words of the sounds
-// (game/sound/heard.h): "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by
+// (game/senses/sound/heard.h): "weight pulls down", "brew pushes left", "bolt strikes from behind". What a sound tells by
 // itself is not told twice.
 #pragma once
 #include <array>
@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "game/sound/heard.h"
-#include "game/sound/sound_names.h"
-#include "game/tactile/felt_source.h"
-#include "game/tactile/tactile_scene.h"
+#include "game/senses/sound/heard.h"
+#include "game/senses/sound/sound_names.h"
+#include "game/senses/tactile/felt_source.h"
+#include "game/senses/tactile/tactile_scene.h"
 
 namespace thaum::game {
 

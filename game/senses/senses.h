@@ -6,8 +6,8 @@
 
 #include "audio/synth.h"
 #include "game/senses/felt_words.h"
-#include "game/sound/sound_scene.h"
-#include "game/tactile/tactile_scene.h"
+#include "game/senses/sound/sound_scene.h"
+#include "game/senses/tactile/tactile_scene.h"
 
 namespace thaum::game {
 

@@ -6,7 +6,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/casting/reading.h"
+#include "game/data/reading.h"
 #include "game/settings/player_name.h"
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"

@@ -12,7 +12,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 20U;
+constexpr std::size_t largest_mappings_file = std::size_t{1} << 20U;
 constexpr std::size_t most_faults_told = 5;
 constexpr std::string_view head =
     "# Mappings of pads that were set up in Thaum, as in SDL's gamecontrollerdb.txt. Lines may be added by "
@@ -38,7 +38,7 @@ bool has_content(std::string_view line) {
 Expected<std::string> content_of(const std::filesystem::path& file) {
     std::error_code error;
     if (file.empty() || !std::filesystem::exists(file, error)) return std::string();
-    return read_own_text_file(file, largest_file);
+    return read_own_text_file(file, largest_mappings_file);
 }
 
 /// Writes the file anew without the mappings of a model, and with a line at its end.

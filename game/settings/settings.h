@@ -12,10 +12,10 @@
 
 #include "core/error.h"
 #include "game/data/control_names.h"
+#include "game/senses/sound/heard.h"
+#include "game/senses/tactile/felt_sound.h"
 #include "game/settings/body_faders.h"
 #include "game/settings/faders.h"
-#include "game/sound/heard.h"
-#include "game/tactile/felt_sound.h"
 #include "input/bindings.h"
 #include "input/stick.h"
 #include "render/scene.h"
@@ -254,7 +254,7 @@ std::filesystem::path matches_folder();
 /// Path for the log of a match that starts now: a counter, date and time, in a folder that is made if
 /// missing. Deletes the oldest logs with such names, rematches included, until `kept` - 1 are left. Never
 /// deletes a log that is being recorded. Another program may take the name before its use: see create_beside
-/// in live_recording.cpp.
+/// in live/recording.cpp.
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept);
 
 }  // namespace thaum::app

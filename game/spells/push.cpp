@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/context/shot.h"
 #include "game/context/shove.h"
 #include "game/data/spell.h"
 #include "game/data/wand_slots.h"
-#include "game/wands/shot.h"
 
 namespace thaum::game {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "game/components/casting.h"
+#include "game/context/shot.h"
 #include "game/context/shove.h"
 #include "game/data/spell.h"
 #include "game/data/wand_slots.h"
-#include "game/wands/shot.h"
 
 namespace thaum::game {
 namespace {

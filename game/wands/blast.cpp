@@ -12,7 +12,7 @@
 
 #include "game/components/crystal.h"
 #include "game/context/hand_forces.h"
-#include "game/wands/shot.h"
+#include "game/context/shot.h"
 
 namespace thaum::game {
 namespace {

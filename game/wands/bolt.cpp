@@ -10,8 +10,8 @@
 #include "game/components/crystal.h"
 #include "game/context/hand_forces.h"
 #include "game/context/match_context.h"
+#include "game/context/shot.h"
 #include "game/context/strikes.h"
-#include "game/wands/shot.h"
 
 namespace thaum::game {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "game/components/casting.h"
 #include "game/context/hand_forces.h"
+#include "game/context/shot.h"
 #include "game/data/wand.h"
-#include "game/wands/shot.h"
 #include "game/wands/wand_coupling.h"
 
 namespace thaum::game {

@@ -18,7 +18,7 @@
 #include "game/components/hand_state.h"
 #include "game/context/arms.h"
 #include "game/context/hand_forces.h"
-#include "game/wands/shot.h"
+#include "game/context/shot.h"
 
 namespace thaum::game {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "game/context/hand_forces.h"
+#include "game/context/shot.h"
 #include "game/data/wand.h"
-#include "game/wands/shot.h"
 #include "game/wands/wand_coupling.h"
 
 namespace thaum::game {

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "core/clock.h"
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 #include "input/pads.h"
 
 namespace {

@@ -3,9 +3,9 @@
 
 #include "core/file.h"
 #include "fuzz/fuzz.h"
-#include "game/bots/apprentice.h"
 #include "game/bots/duel.h"
-#include "game/bots/range.h"
+#include "game/range/apprentice.h"
+#include "game/range/range.h"
 #include "game/settings/settings.h"
 
 namespace thaum::fuzz {

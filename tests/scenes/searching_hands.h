@@ -1,7 +1,7 @@
 // tests/scenes/searching_hands.h: two players who search the orb, for benchmarks and tests of a match.
 #pragma once
 #include "game/match/simulation.h"
-#include "game/orb/orb.h"
+#include "game/stations/orb/orb.h"
 #include "tests/scenes/standing.h"
 
 namespace thaum::bench {

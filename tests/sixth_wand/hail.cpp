@@ -4,7 +4,7 @@
 
 #include "game/components/hand_state.h"
 #include "game/context/match_context.h"
-#include "game/wands/shot.h"
+#include "game/context/shot.h"
 
 namespace thaum::game {
 namespace {

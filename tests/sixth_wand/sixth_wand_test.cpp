@@ -9,12 +9,12 @@
 #include "game/bots/duel.h"
 #include "game/bots/league.h"
 #include "game/data/teams.h"
-#include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/match/result.h"
 #include "game/match/tables.h"
+#include "game/scene/figures.h"
 #include "tests/sixth_wand/assets.h"
 
 namespace thaum::game::test {

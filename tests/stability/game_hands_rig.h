@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "game/arena/spawn.h"
 #include "game/components/body.h"
 #include "game/data/wand_slots.h"
-#include "game/player/walk.h"
+#include "game/match/player/walk.h"
+#include "game/match/spawn.h"
 #include "haptics/safety_audit.h"
 #include "unit/game_duel.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "core/text.h"
-#include "game/hand/arm_system.h"
+#include "game/match/hand/arm_system.h"
 #include "stability/game_hands_rig.h"
 
 namespace thaum::game::test {

@@ -72,8 +72,8 @@ TEST_F(Rules, RoomsOfTheGameHaveFloors) {
     EXPECT_EQ(
         arrow("game/context/a.h", "\"game/match/a.h\""),
         Faults{"game/context/a.h:2: game/context -> game/match/a.h: only lower floors may be included"});
-    EXPECT_EQ(arrow("game/cauldron/a.cpp", "\"game/wands/a.h\"").size(), 1);
-    EXPECT_EQ(arrow("game/wands/a.cpp", "\"game/player/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/stations/a.cpp", "\"game/wands/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/wands/a.cpp", "\"game/match/a.h\"").size(), 1);
     EXPECT_EQ(arrow("game/match/a.cpp", "\"game/hud/a.h\"").size(), 1);
     EXPECT_EQ(arrow("game/match/a.cpp", "\"game/attic/a.h\"").size(), 1);
     EXPECT_EQ(arrow("game/attic/a.cpp", "\"game/data/a.h\"").size(), 1);

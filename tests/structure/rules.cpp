@@ -21,30 +21,27 @@ const std::map<std::string, int, std::less<>> floors = {
     {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
 };
 
-/// Floor of each folder of the game. A folder may include itself and folders on lower floors.
+/// Floor of each room of the game, a folder with those in it. A room may include itself and rooms on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
     {"components", 0},                      // plain data of the World
     {"arena", 1},                           // shape of the arena
-    {"brew", 2},                            // the cauldron's fluid
-    {"data", 3},                            // contents of data files
-    {"context", 4},                         // shared by all systems
-    {"cauldron", 5},      {"crystal", 5},   // the cauldron and the crystal
-    {"wands", 6},         {"casting", 6},   // wands; strokes that are drawn and read
-    {"orb", 6},                             // the orb and its modes
-    {"spells", 7},        {"player", 7},    // spells; controls and walking
-    {"hand", 8},                            // forces on hands and arms
-    {"match", 9},                           // order of the systems, logs, results
-    {"sound", 10},        {"tactile", 10},  // sounds and touches of a match
-    {"senses", 11},                         // both together, in words and numbers
-    {"bots", 11},         {"hud", 11},      // opponents; the picture
-    {"lab", 11},                            // brew and volumes alone
-    {"scenario", 12},                       // Lua scenarios
-    {"command_line", 12},                   // a command's words, and how it ends
-    {"jackets", 12},                        // jackets of each maker
-    {"settings", 13},                       // the settings file, and folders of profiles and gestures
-    {"menu", 14},                           // start screen, pause and pages of settings
-    {"live", 15},                           // a match in real time: windows, devices, threads, sound
-    {"app", 16},                            // the program and its commands
+    {"data", 2},                            // contents of data files, and words made of them
+    {"brew", 3},          {"context", 3},   // the cauldron's liquid; what all systems share
+    {"stations", 4},      {"wands", 4},     // cauldron, crystal and orb; wands
+    {"spells", 4},                          // spells
+    {"casting", 5},                         // strokes that are drawn and read
+    {"match", 6},                           // players, hands, order of the systems, logs, results
+    {"senses", 7},        {"bots", 7},      // sounds and touches of a match; opponents
+    {"jackets", 7},                         // jackets of each maker
+    {"picture", 8},       {"scenario", 8},  // what a frame shows, as plain data; Lua scenarios
+    {"settings", 8},                        // the settings file, and folders of profiles and gestures
+    {"scene", 9},                           // meshes of the arena, wizards, brew, crystals and orb
+    {"hud", 10},                            // words, cards and menus over the scene
+    {"range", 11},                          // the practice range: dummy, lessons, gesture wall
+    {"menu", 12},                           // start screen, pause and pages of settings
+    {"live", 13},                           // a match in real time: windows, devices, threads, sound
+    {"command_line", 13},                   // a command's words, and how it ends
+    {"app", 14},          {"lab", 14},      // the program and its commands; brew and volumes alone
 };
 
 /// Allowed includes between parts on the same floor: from, to.

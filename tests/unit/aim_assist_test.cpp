@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <deque>
 
-#include "game/bots/range.h"
-#include "game/wands/shot.h"
+#include "game/context/shot.h"
+#include "game/range/range.h"
 #include "input/collector.h"
 #include "unit/game_duel.h"
 

@@ -9,7 +9,7 @@
 #include "game/bots/senses.h"
 #include "game/bots/stirring.h"
 #include "game/components/cauldron.h"
-#include "game/live/live_practice.h"
+#include "game/range/practice.h"
 
 namespace thaum::app {
 namespace {

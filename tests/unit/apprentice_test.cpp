@@ -1,5 +1,5 @@
 // Tests of the Apprentice: its file of lessons, and a scripted player who does the whole course with device samples.
-#include "game/bots/apprentice.h"
+#include "game/range/apprentice.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double ns_per_second = 1e9;
 constexpr std::int64_t ns_per_tick = 1'000'000;
 
-/// Simulates an arm and a live match, paced as in live_simulation.cpp, for some seconds.
+/// Simulates an arm and a live match, paced as in live/simulation.cpp, for some seconds.
 struct Rig {
     double arm_ticks_per_s = 1000;
     bool follows = true;

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "game/jackets/bhaptics_messages.h"
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 #include "unit/fake_bhaptics.h"
 #include "unit/jacket_rig.h"
 #include "unit/two_addresses.h"

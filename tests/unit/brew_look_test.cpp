@@ -1,5 +1,5 @@
 // Tests of the brew's look as numbers: colours, layers that follow the surface, arrows and streamlines.
-#include "game/hud/brew_look.h"
+#include "game/scene/brew_look.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/file.h"
-#include "game/hud/brew_flow.h"
-#include "game/hud/brew_texels.h"
+#include "game/scene/brew_flow.h"
+#include "game/scene/brew_texels.h"
 
 namespace thaum::game {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "game/casting/casting.h"
-#include "game/casting/reading.h"
 #include "game/components/hand_state.h"
+#include "game/data/reading.h"
 #include "gesture/generated_users.h"
 #include "unit/game_duel.h"
 

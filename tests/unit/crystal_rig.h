@@ -6,8 +6,8 @@
 #include "game/components/casting.h"
 #include "game/components/hand_state.h"
 #include "game/components/station.h"
-#include "game/crystal/crystal.h"
-#include "game/crystal/crystal_shape.h"
+#include "game/stations/crystal/crystal.h"
+#include "game/stations/crystal/crystal_shape.h"
 #include "tests/scenes/carving_hands.h"
 #include "unit/game_duel.h"
 

@@ -1,5 +1,5 @@
 // Tests of the keys and rough bodies of crystals, over many seeds.
-#include "game/crystal/crystal_shape.h"
+#include "game/stations/crystal/crystal_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "game/components/crystal.h"
-#include "game/crystal/chisel.h"
+#include "game/stations/crystal/chisel.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

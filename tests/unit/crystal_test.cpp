@@ -1,5 +1,5 @@
 // Tests of crystals in a match: touching, carving, chips, the Lens, rounds, restored states, and hostile input.
-#include "game/crystal/crystal.h"
+#include "game/stations/crystal/crystal.h"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +8,13 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/arena/spawn.h"
 #include "game/components/casting.h"
 #include "game/components/hand_state.h"
 #include "game/components/station.h"
-#include "game/crystal/crystal_shape.h"
+#include "game/context/shot.h"
 #include "game/match/round.h"
-#include "game/wands/shot.h"
+#include "game/match/spawn.h"
+#include "game/stations/crystal/crystal_shape.h"
 #include "tests/scenes/carving_hands.h"
 #include "unit/crystal_rig.h"
 

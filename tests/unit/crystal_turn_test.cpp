@@ -1,5 +1,5 @@
 // Tests of turning a crystal and of its grain.
-#include "game/crystal/grain.h"
+#include "game/stations/crystal/grain.h"
 
 #include <gtest/gtest.h>
 

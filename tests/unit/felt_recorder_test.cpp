@@ -11,7 +11,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/jackets/felt_rows.h"
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 #include "unit/jacket_rig.h"
 
 namespace thaum::app {

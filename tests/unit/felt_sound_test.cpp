@@ -1,5 +1,5 @@
 // Sounds as they are felt on a jacket: which row a tone lights, and its course; distance, walls and groups; silence.
-#include "game/tactile/felt_sound.h"
+#include "game/senses/tactile/felt_sound.h"
 
 #include <cmath>
 
@@ -7,8 +7,8 @@
 #include "audio/synth.h"
 #include "core/file.h"
 #include "core/hash.h"
-#include "game/sound/sound_scene.h"
-#include "game/tactile/tactile_scene.h"
+#include "game/senses/sound/sound_scene.h"
+#include "game/senses/tactile/tactile_scene.h"
 #include "unit/audio_recipes.h"
 #include "unit/game_duel.h"
 

@@ -6,7 +6,7 @@
 #include "game/components/orb.h"
 #include "game/context/arms.h"
 #include "game/data/wand_slots.h"
-#include "game/hand/arm_system.h"
+#include "game/match/hand/arm_system.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -1,12 +1,12 @@
 // Tests of the cauldron in a match: the same with any number of threads and after a restore, and absent if
 // the rule set has none.
-#include "game/cauldron/cauldron.h"
+#include "game/stations/cauldron/cauldron.h"
 
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
 #include "game/components/hand_state.h"
-#include "game/hand/arm_system.h"
+#include "game/match/hand/arm_system.h"
 #include "input/arm_servo.h"
 #include "tests/scenes/stirring_hands.h"
 #include "unit/game_duel.h"

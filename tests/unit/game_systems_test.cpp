@@ -2,8 +2,8 @@
 // and all systems keep to what they declare.
 #include <set>
 
-#include "game/cauldron/cauldron.h"
 #include "game/components/fog.h"
+#include "game/stations/cauldron/cauldron.h"
 #include "tests/scenes/carving_hands.h"
 #include "tests/scenes/searching_hands.h"
 #include "tests/scenes/stirring_hands.h"

@@ -2,7 +2,7 @@
 // runs this test, too.
 #include <thread>
 
-#include "game/cauldron/cauldron.h"
+#include "game/stations/cauldron/cauldron.h"
 #include "tests/scenes/stirring_hands.h"
 #include "unit/game_duel.h"
 

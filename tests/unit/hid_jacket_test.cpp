@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "game/jackets/hid_report.h"
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 #include "unit/jacket_rig.h"
 
 namespace thaum::app {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "game/context/match_context.h"
-#include "game/hud/figures.h"
-#include "game/hud/ingredient_shapes.h"
+#include "game/scene/figures.h"
+#include "game/scene/ingredient_shapes.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {

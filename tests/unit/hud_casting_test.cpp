@@ -2,8 +2,8 @@
 #include "game/hud/casting_overlay.h"
 
 #include "core/text.h"
-#include "game/hud/stroke_pieces.h"
 #include "game/hud/stroke_words.h"
+#include "game/picture/stroke_pieces.h"
 #include "unit/casting_rig.h"
 
 namespace thaum::game::hud_tests {

@@ -2,14 +2,14 @@
 // a drawn shot.
 #include <set>
 
-#include "game/cauldron/potions.h"
 #include "game/components/crystal.h"
 #include "game/components/orb.h"
 #include "game/components/station.h"
 #include "game/context/hand_forces.h"
 #include "game/data/event_words.h"
 #include "game/hud/layout.h"
-#include "game/tactile/felt_source.h"
+#include "game/senses/tactile/felt_source.h"
+#include "game/stations/cauldron/potions.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {

@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "core/text.h"
-#include "game/cauldron/potions.h"
 #include "game/components/cauldron.h"
 #include "game/components/orb.h"
 #include "game/hud/gesture_wall.h"
 #include "game/hud/layout.h"
 #include "game/hud/recipe_panel.h"
+#include "game/stations/cauldron/potions.h"
 #include "render/font.h"
 #include "unit/hud_busy.h"
 #include "unit/hud_rig.h"

@@ -1,6 +1,6 @@
 // Tests of drawn pictures: both views, meshes, positions of drawn things, results and captions.
-#include "game/hud/figures.h"
 #include "game/hud/layout.h"
+#include "game/scene/figures.h"
 
 #include <gtest/gtest.h>
 

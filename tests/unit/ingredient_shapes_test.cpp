@@ -1,5 +1,5 @@
 // Tests of the shapes of ingredients: nobody needs their colours.
-#include "game/hud/ingredient_shapes.h"
+#include "game/scene/ingredient_shapes.h"
 
 #include <bitset>
 #include <set>

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/text.h"
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 #include "input/detail/osc_message.h"
 #include "tactile/layout.h"
 #include "unit/felt_output_rig.h"

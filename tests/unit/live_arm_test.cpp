@@ -1,6 +1,6 @@
 // Words of --hands, the list of real arms that a live session opens for them, their players, and what is said
 // about arms that are lost.
-#include "game/live/live_arm.h"
+#include "game/live/arm.h"
 
 #include <gtest/gtest.h>
 

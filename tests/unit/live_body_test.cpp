@@ -1,5 +1,5 @@
 // What players of a session feel in a match: the figure, a jacket, and sounds on it, each only while it is wanted.
-#include "game/live/live_body.h"
+#include "game/live/body.h"
 
 #include <gtest/gtest.h>
 

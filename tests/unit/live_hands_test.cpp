@@ -1,5 +1,5 @@
 // Tests of the players' hands: pads that are unplugged and come back, half of the keyboard, and new bindings.
-#include "game/live/live_hands.h"
+#include "game/live/hands.h"
 
 #include <gtest/gtest.h>
 

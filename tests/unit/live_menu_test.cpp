@@ -1,5 +1,5 @@
 // Tests of the menu in a live session: held directions, the mouse, bindings, saved settings and requests.
-#include "game/live/live_menu.h"
+#include "game/live/menu.h"
 
 #include <gtest/gtest.h>
 

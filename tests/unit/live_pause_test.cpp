@@ -1,5 +1,5 @@
 // Tests of a lost focus, of the time after the round's end, and of the words on the pause.
-#include "game/live/live_pause.h"
+#include "game/live/pause.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Tests of where the logs of a session's matches lie, and of the data of the next match.
-#include "game/live/live_recording.h"
+#include "game/live/recording.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/text.h"
-#include "game/live/live_seats.h"
+#include "game/live/seats.h"
 
 namespace thaum::app::rig {
 

@@ -1,9 +1,9 @@
 // Tests of seats: which devices players get from the command line or the start screen, and what is taken.
-#include "game/live/live_seats.h"
+#include "game/live/seats.h"
 
 #include <gtest/gtest.h>
 
-#include "game/bots/range.h"
+#include "game/range/range.h"
 #include "unit/live_rig.h"
 
 namespace thaum::app {

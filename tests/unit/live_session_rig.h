@@ -3,7 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "game/live/live_session.h"
+#include "game/live/session.h"
 #include "unit/live_rig.h"
 
 namespace thaum::app {

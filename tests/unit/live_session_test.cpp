@@ -1,6 +1,6 @@
 // Tests of a whole session of the main thread, without window, threads and clock. The test acts as the
 // simulation thread: it sets the match's state and reads the requests to the match.
-#include "game/live/live_session.h"
+#include "game/live/session.h"
 
 #include <gtest/gtest.h>
 

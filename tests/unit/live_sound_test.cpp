@@ -1,5 +1,5 @@
 // Tests of the sound of a live session with a device of the test: menus, matches, words, and a device that goes.
-#include "game/live/live_sound.h"
+#include "game/live/sound.h"
 
 #include <unistd.h>
 
@@ -12,7 +12,7 @@
 #include "core/clock.h"
 #include "core/file.h"
 #include "core/text.h"
-#include "game/live/live_body.h"
+#include "game/live/body.h"
 #include "unit/game_duel.h"
 
 namespace thaum::app::live_tests {

@@ -1,6 +1,6 @@
 // The motors of the players' pads: who has which, how strong they are, and that they follow the seats of a session. The
 // motors are fakes. Tests wait for what the threads did, not for a time.
-#include "game/live/live_tactile.h"
+#include "game/live/tactile.h"
 
 #include <gtest/gtest.h>
 

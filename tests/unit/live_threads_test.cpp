@@ -5,7 +5,7 @@
 #include <semaphore>
 #include <thread>
 
-#include "game/live/live_session.h"
+#include "game/live/session.h"
 #include "game/match/playback.h"
 #include "game/match/record.h"
 #include "unit/live_rig.h"

@@ -6,8 +6,8 @@
 
 #include "game/components/orb.h"
 #include "game/components/station.h"
-#include "game/orb/orb.h"
-#include "game/orb/worn_modes.h"
+#include "game/stations/orb/orb.h"
+#include "game/stations/orb/worn_modes.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -1,6 +1,6 @@
 // Tests of the orb: where its core lies, who scries, what it costs, which modes are worn, and what the orb tells.
 #include <set>
-#include "game/orb/scrying.h"
+#include "game/stations/orb/scrying.h"
 
 #include "core/file.h"
 #include "unit/orb_rig.h"

@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "core/text.h"
-#include "game/bots/range.h"
 #include "game/casting/casting.h"
-#include "game/casting/reading.h"
+#include "game/data/reading.h"
 #include "game/match/playback.h"
+#include "game/range/range.h"
 #include "game/settings/own_gestures.h"
 #include "game/settings/player_name.h"
 #include "gesture/gesture_file.h"

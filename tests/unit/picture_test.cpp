@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "game/bots/range.h"
+#include "game/range/range.h"
 #include "unit/hud_rig.h"
 
 namespace thaum::game::hud_tests {

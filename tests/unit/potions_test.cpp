@@ -1,11 +1,11 @@
 // Tests of potions: recipes step by step, what comes of right and wrong steps, and what a potion does to its wizard.
-#include "game/cauldron/potions.h"
+#include "game/stations/cauldron/potions.h"
 
 #include <fstream>
 #include <set>
 
-#include "game/cauldron/brewing.h"
 #include "game/match/kind_tables.h"
+#include "game/stations/cauldron/brewing.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

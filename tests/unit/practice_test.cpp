@@ -1,6 +1,6 @@
 // Tests of the range in a live session: its files, which are read again when they change, the thread that
 // watches them, the messages on the screen, and that a recorded match has neither.
-#include "game/live/live_practice.h"
+#include "game/range/practice.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 #include "game/components/hand_state.h"
 #include "game/hud/layout.h"
 #include "game/hud/stroke_words.h"
-#include "game/live/live_shared.h"
+#include "game/live/shared.h"
 #include "unit/wall_player.h"
 
 namespace thaum::app {

@@ -7,7 +7,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/bots/range_files.h"
+#include "game/range/range_files.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

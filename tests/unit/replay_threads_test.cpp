@@ -2,8 +2,8 @@
 // fills the index.
 #include <thread>
 
-#include "game/live/live_replay.h"
-#include "game/live/live_session.h"
+#include "game/live/replay.h"
+#include "game/live/session.h"
 #include "unit/live_rig.h"
 #include "unit/replay_rig.h"
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "game/bots/bot.h"
-#include "game/live/live_practice.h"
+#include "game/range/practice.h"
 #include "unit/live_session_rig.h"
 #include "unit/screen_player.h"
 

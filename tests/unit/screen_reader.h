@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/live/live_shared.h"
+#include "game/live/shared.h"
 
 namespace thaum::app::screen {
 

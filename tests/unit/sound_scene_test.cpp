@@ -1,6 +1,6 @@
 // Tests of what is heard of a match: frames of sound from a duel of bots and from scripted scenes, and the words for
 // people who do not hear them.
-#include "game/sound/sound_scene.h"
+#include "game/senses/sound/sound_scene.h"
 
 #include <map>
 #include <set>
@@ -11,7 +11,7 @@
 #include "core/hash.h"
 #include "game/components/crystal.h"
 #include "game/components/orb.h"
-#include "game/sound/heard.h"
+#include "game/senses/sound/heard.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

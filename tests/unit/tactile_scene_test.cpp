@@ -1,5 +1,5 @@
 // Tests of what players feel on the body during a match.
-#include "game/tactile/tactile_scene.h"
+#include "game/senses/tactile/tactile_scene.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "game/live/live_practice.h"
+#include "game/range/practice.h"
 
 namespace thaum::app {
 

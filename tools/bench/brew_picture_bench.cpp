@@ -1,7 +1,7 @@
 // Benchmarks pictures of the brew: the same picture of the arena with and without the brew, in alternation,
 // seen from the start pads and from the rim. Also the making of texels and skin.
 #include "core/text.h"
-#include "game/hud/brew_look.h"
+#include "game/scene/brew_look.h"
 #include "render/perceptual.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/drawn_duel.h"

@@ -1,6 +1,6 @@
 // tools/bench/ecs_things.h: components, plain arrays and Worlds of the ECS benchmark.
 //
-// The entities are loose things, the most numerous entities of an arena. game/arena/spawn.cpp creates them
+// The entities are loose things, the most numerous entities of an arena. game/match/spawn.cpp creates them
 // from a Motion (120 bytes), a Look (4) and a Prop (16), and then adds a Body (96) to put them into the
 // physics. A wizard's death removes the Body. The benchmark makes the same calls. Other components with which
 // the game's systems are busy have sizes in between: Dead 8, Health and Pad 40, Controls 44, Stance 72,

@@ -3,8 +3,8 @@
 
 #include "audio/synth.h"
 #include "game/data/match_data.h"
-#include "game/sound/sound_scene.h"
-#include "game/tactile/tactile_scene.h"
+#include "game/senses/sound/sound_scene.h"
+#include "game/senses/tactile/tactile_scene.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/match_scene.h"

@@ -4,10 +4,10 @@
 
 #include "core/text.h"
 #include "ecs/snapshot.h"
-#include "game/cauldron/cauldron.h"
 #include "game/components/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/data/wand_slots.h"
+#include "game/stations/cauldron/cauldron.h"
 #include "tests/scenes/carving_hands.h"
 #include "tests/scenes/searching_hands.h"
 #include "tests/scenes/stirring_hands.h"

@@ -6,8 +6,8 @@
 #include "core/text.h"
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
-#include "game/casting/reading.h"
 #include "game/command_line/arguments.h"
+#include "game/data/reading.h"
 #include "gesture/collisions.h"
 #include "gesture/gesture_file.h"
 

@@ -1,0 +1,71 @@
+// game/context/shot.h: common parts of wands that shoot: the muzzle, the cost of a shot and its burst.
+#pragma once
+#include "game/context/match_context.h"
+#include "game/data/wand.h"
+
+namespace thaum::game {
+
+/// A number that grows linearly with the charge or draw of a wand, 0 to 1.
+struct GrowingValue {
+    double least{}, most{};
+    double at(double share) const { return least + (most - least) * share; }
+};
+/// Reads the least value from key `name` and the greatest from key `full`.
+GrowingValue read_growing(const ConfigTable& table, std::string_view name, std::string_view full,
+                          Range range);
+
+/// True while fire is held, and in the first gameplay tick after fire was pressed.
+bool holds_fire(const Controls& controls);
+
+/// Line of sight through the crosshair.
+struct Sight {
+    vec3 eye{};    ///< position of the eye (m, world)
+    vec3 ahead{};  ///< direction of view (unit, world)
+};
+/// Returns the wizard's line of sight. Reads Gaze and resource::Physics.
+Sight sight_of(const MatchContext& context, ecs::Entity wizard);
+
+/// Start and direction of a shot.
+struct Muzzle {
+    vec3 tip{};    ///< the wand's tip, or the eye if something stands between eye and tip (m, world)
+    vec3 ahead{};  ///< direction of view (unit, world)
+    vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
+};
+/// Muzzle for a missile with this radius (m). Reads Wizard, Gaze, Motion, HandState and resource::Physics.
+Muzzle muzzle_of(const WandUse& use, double radius);
+
+/// Turns the muzzle's aim by the help that the player has (context/aim_assist.h), for a straight shot of this
+/// speed (m/s). Reads Wizard, Dead, Arm and resource::Physics.
+void help_aim(const WandUse& use, double speed, Muzzle& muzzle);
+
+/// Records that a player pressed fire without enough energy for a shot. Writes EventLog and resource::Journal.
+void note_dry(const WandUse& use);
+/// Records a shot and ends the shooter's protection. `hit` is the kind of event of its hits. Writes WandBelt,
+/// Health, EventLog and resource::Journal.
+void note_shot(const WandUse& use, EventKind hit, vec3 tip);
+
+/// A burst hurts and pushes all bodies near it. The distance of a body is measured to its surface, on the
+/// straight line to its middle. For a wizard, the line goes to the nearest point of the capsule's axis. The
+/// effect falls linearly from its full value at distance zero to nothing at `radius`. A body behind another
+/// one is spared. The shooter's body gives others no cover and is not spared.
+struct Burst {
+    vec3 place{};             ///< middle of the missile (m, world)
+    double size{};            ///< radius of the missile (m); what the missile touches is at distance zero
+    double radius{};          ///< reach (m)
+    double damage{};          ///< harm at distance zero (HP)
+    double impulse{};         ///< impulse at distance zero (N s)
+    double fastest{};         ///< largest speed that a body gains (m/s)
+    std::uint32_t player{};   ///< player who shot
+    std::uint32_t shooter{};  ///< key of the shooter's body
+    EventKind how{};
+    std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
+    double struck_damage{};                  ///< harm to the struck body (HP)
+    bool pierces{};                          ///< shields do not stop the harm
+    double venom{};      ///< harm by poison to each wizard whom the burst hurts (HP/s); 0: none
+    Tick venom_lasts{};  ///< time for which the poison hurts
+};
+/// Applies and records a burst. Reads Body, Motion, Wizard, Dead and Crystal. Writes Health, Stance, EventLog,
+/// Prop, resource::Journal and resource::Physics.
+void burst(MatchContext& context, const Burst& burst, Tick tick);
+
+}  // namespace thaum::game

@@ -1,0 +1,36 @@
+// game/hud/still.h: single pictures of a match, drawn in memory, with or without a display.
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "game/hud/hud.h"
+#include "game/match/simulation.h"
+#include "game/senses/senses.h"
+#include "render/image.h"
+
+namespace thaum::app {
+
+class Still {
+public:
+    /// All pictures are of matches with this data. The error is one line: no OpenGL, no font, or a broken
+    /// shader.
+    static Expected<Still> create(const game::MatchData& data, const std::filesystem::path& assets,
+                                  render::Size size);
+    Still(Still&&) noexcept;
+    Still& operator=(Still&&) noexcept;
+    ~Still();
+
+    /// `senses`: what players have heard and felt of the match so far; null: nothing is shown of that.
+    render::Image draw(const game::Simulation& match, const game::HudSettings& settings,
+                       const game::Senses* senses = nullptr);
+    /// Draws the match and saves the picture as a PNG file.
+    Expected<void> save(const game::Simulation& match, const game::HudSettings& settings,
+                        const std::filesystem::path& file, const game::Senses* senses = nullptr);
+
+private:
+    struct State;
+    explicit Still(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,92 @@
+#include "game/lab/window/lab_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/scene/furniture.h"
+#include "render/colour.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr double pitch_least = -0.1, pitch_most = 1.5, away_least = 1.5, away_most = 12;
+constexpr double eye_middle = -0.25;  // height of the camera's target above the level surface (m)
+constexpr double handle = 1.3;        // length of the ladle's handle (m)
+constexpr double hand_newtons = 3.3;  // peak force of the device in the match's hands (N)
+
+/// Picture of the ladle; its handle leans away from the middle of the bowl.
+game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
+    const vec3 at = *lab.ladle;
+    const vec3 out =
+        glm::length(at) > 1e-6 ? glm::normalize(vec3(at.x, 0, at.z) + vec3(1e-6, 0, 0)) : vec3(1, 0, 0);
+    return {.bowl = at,
+            .top = at + handle * glm::normalize(0.45 * out + vec3(0, 1, 0)),
+            .force_share = newtons * lab.rules.ladle.newtons_per_newton / hand_newtons};
+}
+
+fmat4 at_height(double y) {
+    fmat4 model(1);
+    model[3].y = static_cast<float>(y);
+    return model;
+}
+
+}  // namespace
+
+LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times) {
+    return {.yaw = std::remainder(eye.yaw + yaw, 2 * pi),
+            .pitch = std::clamp(eye.pitch + pitch, pitch_least, pitch_most),
+            .away = std::clamp(eye.away * away_times, away_least, away_most)};
+}
+
+render::Camera camera_of(const LabEye& eye) {
+    const quat turn = look_rotation(eye.yaw, -eye.pitch);
+    render::Camera camera;
+    camera.position = fvec3(turn * vec3(0, 0, eye.away) + vec3(0, eye_middle, 0));
+    camera.orientation = fquat(turn);
+    camera.fov_y = 0.9F;
+    return camera;
+}
+
+LabPicture::LabPicture(render::Renderer& renderer, const game::LabState& lab)
+    : rules_(lab.rules), look_(game::make_brew_look(renderer, {.middle = vec3(0), .basin = lab.basin})) {
+    const auto& size = lab.settings.room.size;
+    vessel_ = renderer.upload(game::cauldron(game::bowl(size)).lit);
+    floor_ = renderer.upload(
+        render::cylinder(static_cast<float>(4 * size.radius), 0.1F, 48, render::colour(0x4A4458)));
+    frame_.bloom = false;
+    frame_.quality = render::first_quality(renderer.device());
+}
+
+const render::Frame& LabPicture::frame(const game::LabState& lab, const game::LabFigures& figures,
+                                       const LabPage& page, render::Size size) {
+    if (lab.steps != shown_) {
+        shown_ = lab.steps;
+        rules_.ingredients = lab.settings.substances;
+        game::take_brew(lab.brew, rules_, picture_.state + 1, picture_);
+    }
+    game::show_brew(picture_, {.arrows = page.hands.arrows, .streamlines = page.hands.streamlines}, look_);
+    const auto& room = lab.settings.room;
+    const double middle = -room.size.height * (room.filled - 0.5);  // height of the vessel's middle (m)
+    instances_.clear();
+    instances_.push_back({.mesh = vessel_, .model = at_height(middle)});
+    instances_.push_back({.mesh = floor_, .model = at_height(middle - room.size.height / 2 - 0.05)});
+    game::add_brew(look_, instances_);
+    if (lab.ladle) game::add_ladle(look_.meshes, ladle_picture(lab, figures.ladle_n), instances_);
+    lights_ = {{.position = {0, 1.2F, 0}, .colour = 2.5F * fvec3(lab.rules.colour), .radius = 5}};
+    frame_.width = size.width;
+    frame_.height = size.height;
+    frame_.internal_scale = render::internal_scale_of(frame_.quality, size.height);
+    frame_.views = {{.camera = camera_of(page.eye),
+                     .viewport = {0, 0, size.width, size.height},
+                     .instances = instances_,
+                     .lights = lights_,
+                     .environment = {},
+                     .shades = {},
+                     .blocks = {},
+                     .volume = &look_.volume}};
+    frame_.overlay.items.clear();
+    add_lab_words(frame_.overlay, lab, figures, page, size);
+    return frame_;
+}
+
+}  // namespace thaum::app

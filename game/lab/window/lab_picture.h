@@ -1,0 +1,57 @@
+// game/lab/window/lab_picture.h: one picture of the lab: the cauldron with its brew and ladle, the figures and the
+// list of keys. The window and the saved pictures share this code.
+#pragma once
+#include "game/lab/controls.h"
+#include "game/scene/brew_look.h"
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace thaum::app {
+
+/// Camera that orbits the middle of the brew's surface.
+struct LabEye {
+    double yaw = 0.5;     ///< angle from south towards east (rad)
+    double pitch = 0.75;  ///< angle above the level surface (rad)
+    double away = 4.2;    ///< distance from the middle of the surface (m)
+};
+
+/// Returns the eye after a turn and a change of distance, clamped to views from which the brew is seen.
+LabEye turned(const LabEye& eye, double yaw, double pitch, double away_times);
+render::Camera camera_of(const LabEye& eye);
+
+/// Everything on the screen besides the brew.
+struct LabPage {
+    game::LabHands hands{};
+    LabEye eye{};
+    std::string note{};     ///< message about the last action
+    double steps_per_s{};   ///< steps computed per second of wall-clock time; 0: not shown
+    double text_scale = 1;  ///< text scale from the settings
+    bool panels = true;     ///< true: the panels with keys and figures are shown
+};
+
+class LabPicture {
+public:
+    /// The renderer's context must be current for the whole life of the picture. The bowl is the one of `lab`
+    /// at this call.
+    LabPicture(render::Renderer& renderer, const game::LabState& lab);
+
+    /// Builds the frame. The reference stays valid until the next call.
+    const render::Frame& frame(const game::LabState& lab, const game::LabFigures& figures,
+                               const LabPage& page, render::Size size);
+
+private:
+    game::CauldronRules rules_;  ///< rules with the session's substances as ingredients
+    render::MeshId vessel_{}, floor_{};
+    game::BrewLook look_;
+    game::BrewPicture picture_;
+    std::int64_t shown_ = -1;  ///< step that `picture_` shows
+    std::vector<render::Instance> instances_;
+    std::vector<render::PointLight> lights_;
+    render::Frame frame_;
+};
+
+/// Adds the panels: keys on the left, figures on the right.
+void add_lab_words(render::Overlay& out, const game::LabState& lab, const game::LabFigures& figures,
+                   const LabPage& page, render::Size size);
+
+}  // namespace thaum::app

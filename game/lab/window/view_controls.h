@@ -1,0 +1,9 @@
+// game/lab/window/view_controls.h: how the mouse moves the view in the lab's windows.
+#pragma once
+
+namespace thaum::app {
+
+inline constexpr double turn_per_px = 0.008;    // by a way of the mouse (rad/px)
+inline constexpr double nearer_per_step = 0.9;  // factor of the eye's distance by one step of the wheel
+
+}  // namespace thaum::app

@@ -1,0 +1,76 @@
+// game/lab/window/volume_lab.h: the options of `thaum lab VOLUME`, its pictures, and its window.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "game/lab/hand_path.h"
+#include "game/lab/volume_lab.h"
+#include "game/lab/volume_session.h"
+#include "game/lab/window/lab_outputs.h"
+#include "game/lab/window/volume_lab_picture.h"
+#include "render/context.h"
+
+namespace thaum::app {
+
+/// A time in which a tool is held.
+struct PlannedCarve {
+    std::size_t tool{};   ///< index into VolumeLab::data.tools
+    double from{}, to{};  ///< when it is taken up and put down (s)
+};
+
+/// Options of one session.
+struct VolumeLabPlan {
+    game::SessionVolume first{};                ///< the volume that can be carved
+    std::vector<game::SessionVolume> beside{};  ///< those beside it
+    bool registered{};                          ///< those lie to the first one as their files say
+    std::string device{};                       ///< model of the simulated arm
+    game::VolumeLab lab{};
+    game::HandPath path{};
+    /// The mouse moves the hand from the start. Otherwise the path does until the mouse moves.
+    bool by_mouse{};
+    std::vector<PlannedCarve> carves{};
+    VolumeView view{};
+    /// length of the session in simulated time (s); std::nullopt: until the window is closed
+    std::optional<double> seconds{};
+    std::optional<std::filesystem::path> session_file{};  ///< file of the settings
+    LabOutputs out{};
+    std::vector<std::string> notes{};  ///< messages about the volumes for the user, one line each
+};
+
+/// Opens the volume of a session and sets what it says. The error says what is wrong with a file or a setting.
+Expected<VolumeLabPlan> plan_of(const game::VolumeSession& session);
+/// The session that would open the plan as it is now, with the volumes at their present places.
+game::VolumeSession session_of(const VolumeLabPlan& plan);
+
+/// Input of the next step by the plan's path and carves.
+game::VolumeLabInput planned_input(const VolumeLabPlan& plan);
+
+/// Pictures drawn without a window, saved as FOLDER/lab_TICK.png; none if the plan names no folder.
+class VolumeShots {
+public:
+    /// The error is one line: the folder cannot be made, or there is no OpenGL.
+    static Expected<VolumeShots> open(const VolumeLabPlan& plan);
+    VolumeShots(VolumeShots&&) noexcept;
+    VolumeShots& operator=(VolumeShots&&) noexcept;
+    ~VolumeShots();
+
+    /// Saves a picture if one is due after this step.
+    Expected<void> follow(const game::VolumeLab& lab, const VolumeView& view,
+                          const game::VolumeLabFigures& figures);
+
+private:
+    struct State;
+    VolumeShots();
+    std::unique_ptr<State> state_;  ///< null: no pictures are wanted
+};
+
+/// `thaum lab VOLUME ...`: words of the command line -> exit code.
+int run_volume_lab(const std::vector<std::string>& words);
+std::string_view volume_lab_help();
+
+/// Runs the lab in a window until the window is closed. Returns an exit code.
+int run_volume_window(VolumeLabPlan plan);
+
+}  // namespace thaum::app

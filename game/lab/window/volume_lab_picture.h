@@ -1,0 +1,74 @@
+// game/lab/window/volume_lab_picture.h: one picture of a volume in the lab: the body or the flow, the tip of the device, its
+// proxy and the force.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "field/transfer.h"
+#include "game/lab/volume_lab.h"
+#include "render/context.h"
+#include "render/renderer.h"
+#include "render/ribbons.h"
+
+namespace thaum::app {
+
+/// Camera that orbits a place near the middle of the workspace.
+struct VolumeEye {
+    double yaw = 0.5;    ///< angle about the upright axis (rad)
+    double pitch = 0.4;  ///< angle above the level (rad)
+    double away = 1.6;   ///< distance, in lengths of the volume's diagonal
+    vec3 aim{};          ///< middle of the picture (m)
+};
+
+/// How the volume is shown.
+struct VolumeView {
+    render::ScanLook look = render::ScanLook::surface;
+    double level{};                     ///< value of the surface
+    field::TransferFunction opacity{};  ///< by the value, 0 to 1, for the translucent look
+    int ribbons = 40;     ///< number of stream ribbons of a flow, besides the one through the proxy
+    bool moving = false;  ///< draw quickly: the hand, the view or the body moved a short time ago
+    bool still = false;   ///< draw sharp, however long it takes
+    VolumeEye eye{};
+};
+
+/// Look that suits a volume: a surface at its usual level, or a thin haze for a flow, seen from near.
+VolumeView usual_view(const game::VolumeLab& lab);
+
+/// Puts the middle of what is shown into the middle of the picture, at a distance where it fills 70 % of the height.
+void come_near(const game::VolumeLab& lab, VolumeView& view);
+
+class VolumePicture {
+public:
+    /// The renderer's context must be current for the whole life of the picture.
+    VolumePicture(render::Renderer& renderer, const game::VolumeLab& lab);
+
+    /// Builds the frame. The reference stays valid until the next call, and while the lab's body does.
+    const render::Frame& frame(const game::VolumeLab& lab, const game::VolumeLabFigures& figures,
+                               const VolumeView& view, render::Size size);
+
+private:
+    /// A volume as it is drawn.
+    struct Drawn {
+        render::ScanId scan{};
+        render::Ribbons ribbons{};
+        render::ScanTable table{};
+        std::vector<float> lengths{};  ///< lengths of the vectors, for a flow
+    };
+
+    void add_ribbons(const game::VolumeRef& volume, Drawn& drawn, vec3 proxy, int count);
+    void add_scan(const game::VolumeRef& volume, Drawn& drawn, const VolumeView& view);
+
+    render::Renderer* renderer_;
+    std::vector<std::unique_ptr<Drawn>> drawn_;  ///< one per volume
+    render::SpeedColours colours_{};
+    std::vector<vec3> seeds_;
+    render::MeshId tip_{}, proxy_{}, rod_{}, edge_{};
+    std::vector<render::ScanMaterial> materials_;
+    std::vector<render::Instance> instances_;
+    std::vector<render::Scan> scans_;
+    render::Frame frame_;
+};
+
+render::Camera camera_of(const VolumeEye& eye, const game::VolumeLab& lab);
+
+}  // namespace thaum::app

@@ -1,0 +1,112 @@
+// game/live/arm.h: the real arms of a live session. A thread for each watches its arm and opens a lost arm
+// again, because the vendor's library may block for long. Neither the match nor the window waits for these
+// threads: the match sees samples or none.
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "game/live/seats.h"
+#include "input/arm_servo.h"
+#include "input/open_arm.h"
+
+namespace thaum::app {
+
+class ArmKeeper {
+public:
+    /// Opens the arm, starts its servo ticks and the thread that watches it. The match computes forces for the
+    /// device `wanted`. An arm that can give less force is rejected, because its player would feel another
+    /// match than the log records.
+    static Expected<std::unique_ptr<ArmKeeper>> open(const input::ArmPlace& place, input::ArmServo& servo,
+                                                     const haptics::DeviceSpec& wanted);
+    /// Leaves the arm without force. Does not wait for a library that hangs.
+    ~ArmKeeper();
+    ArmKeeper(const ArmKeeper&) = delete;
+    ArmKeeper& operator=(const ArmKeeper&) = delete;
+
+    /// Facts about the arm that was opened first.
+    const input::ArmFacts& facts() const { return facts_; }
+    input::ArmStatus status() const;
+    /// Timing of the present arm, or of the last one if the arm is lost.
+    input::TickReport times() const;
+    /// Number of times the arm was lost.
+    int losses() const;
+    /// True while the arm is lost. Never waits, so the simulation thread may ask in every tick.
+    bool is_lost() const { return lost_; }
+
+private:
+    using Arm = std::unique_ptr<input::OpenArm>;
+    ArmKeeper(const input::ArmPlace& place, Arm arm, input::ArmServo& servo,
+              const haptics::DeviceSpec& wanted);
+    void watch();
+    bool wait_for(int ms);
+
+    void note(const input::ArmStatus& status, const input::TickReport& times);
+
+    input::ArmPlace place_;
+    input::ArmServo& servo_;
+    haptics::DeviceSpec wanted_;
+    input::ArmFacts facts_;
+    Arm arm_;  ///< owned by the watching thread once that thread runs
+
+    mutable std::mutex mutex_;  // guards the members below
+    std::condition_variable stopped_;
+    std::atomic<bool> stop_{false};  ///< also read without the mutex
+    std::atomic<bool> lost_{false};  ///< `status_` says that the arm is lost; also read without the mutex
+    input::ArmStatus status_{};
+    input::TickReport times_{};
+    int losses_ = 0;
+    std::jthread thread_;  ///< watches the arm; last, so that it ends while the other members still live
+};
+
+/// An arm's state as the session shows it.
+struct ArmNotice {
+    std::string label{};  ///< name and state on the start screen; empty: the arm was not looked at yet
+    std::string fault{};  ///< fault of the arm in words, for its player's view; empty: none
+};
+
+/// Updates the notice of the arm called `name`. Returns a line for the terminal if the arm was lost or is back.
+std::optional<std::string> update(ArmNotice& notice, const std::string& name, const input::ArmStatus& status);
+
+/// One real arm of the session, and the player who holds it.
+struct LiveArm {
+    std::uint32_t seat{};                    ///< seat of the plan that asked for the arm
+    std::uint32_t player = game::no_player;  ///< player who holds it in this match; no_player: nobody
+    input::ArmServo servo{};                 ///< servo between the arm's thread and the simulation thread
+    std::unique_ptr<ArmKeeper> keeper{};     ///< owned by the main thread
+    ArmNotice notice{};                      ///< used by the main thread
+};
+using LiveArms = std::vector<std::unique_ptr<LiveArm>>;
+
+/// Opens the arms that the seats ask for, in the order of the seats.
+Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted);
+
+/// Gives each arm to its player for the next match. If the start screen chose the seats, the first arm goes to
+/// the player with the mouse, and the second one to the other person. Otherwise the seat of the plan decides.
+void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen);
+
+/// Updates the notices of all arms, and prints which arms were lost or are back. Without its arm a hand goes on
+/// by mouse or pad, and the ArmKeeper looks for the arm.
+void follow_arms(LiveArms& arms);
+
+/// Calls f(arm, device) for each real arm that a player holds. `device` is its index among the match's
+/// devices, which begin with the hands of both players.
+template <class F>
+void each_held_arm(const LiveArms& arms, F&& f) {
+    std::size_t device = game::players;
+    for (const auto& arm : arms) {
+        if (arm->player < game::players) f(*arm, device++);
+    }
+}
+
+/// Devices beyond the hands of both players: the real arms that players hold.
+std::vector<input::DeviceSpec> arms_of(const LiveArms& arms);
+/// All devices of a match: the hands of both players, then the arms.
+std::vector<input::DeviceSpec> devices_of(const TakenSeats& seats, const LiveArms& arms);
+
+}  // namespace thaum::app

@@ -1,0 +1,168 @@
+#include "game/live/body.h"
+
+#include <algorithm>
+
+#include "core/tell_user.h"
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+/// Numbers of layouts in a scene.
+constexpr std::size_t figure_frame = 0, pad_frame = 1, first_jacket_frame = 2;
+
+/// Reads a layout. One that is faulty, or has not as many actuators as the jacket has motors, is empty, and a line on it
+/// is added. `motors`: 0 for any number.
+tactile::Layout layout_of(const std::filesystem::path& assets, std::string_view name, std::size_t motors,
+                          std::vector<std::string>& faults) {
+    const auto path = assets / "tactile" / "layouts" / text(name, ".toml");
+    auto layout = tactile::load_layout(path);
+    if (layout && (motors == 0 || layout->actuators.size() == motors)) return std::move(*layout);
+    const auto lines = layout ? std::vector{text(path.string(), ": must have ", motors, " actuators, has ",
+                                                 layout->actuators.size())}
+                              : lines_of(layout.error());
+    faults.insert(faults.end(), lines.begin(), lines.end());
+    return {};
+}
+
+}  // namespace
+
+Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
+    auto effects = tactile::load_effects(assets / "tactile" / "effects");
+    if (!effects) return effects.error();
+    LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}, .jackets = {}};
+    for (const auto& effect : body.effects.faulty) {
+        const auto lines = lines_of(effect.fault);
+        body.faults.insert(body.faults.end(), lines.begin(), lines.end());
+    }
+    body.figure = layout_of(assets, name_of(Jacket::Layout::figure), 0, body.faults);
+    body.pad = layout_of(assets, "pad", 0, body.faults);
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i) {
+        const auto layout = jacket_layouts.at(i);
+        body.jackets.at(i) = layout_of(assets, name_of(layout), motors_of(layout), body.faults);
+    }
+    return body;
+}
+
+const tactile::Layout* LiveBody::jacket_of(std::uint32_t player, std::string_view name) const {
+    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
+        if (name == name_of(jacket_layouts.at(i))) return &jackets.at(i);
+    const auto& written = own.at(player);
+    return written && name == name_of(Jacket::Layout::own) ? &*written : nullptr;
+}
+
+std::vector<tactile::Purpose> LiveBody::purposes() const {
+    std::vector<tactile::Purpose> found;
+    for (std::size_t i = 0; i < tactile::purpose_count; ++i) {
+        const auto purpose = static_cast<tactile::Purpose>(i);
+        const auto has = [&](const tactile::Effect& effect) { return effect.purpose == purpose; };
+        if (std::any_of(effects.effects.begin(), effects.effects.end(), has)) found.push_back(purpose);
+    }
+    return found;
+}
+
+void MatchBody::begin(const game::Simulation& match) {
+    data_ = &match.data();
+    felt_sound_.reset();
+    for (auto& scene : scenes_) scene.reset();
+    faders_ = {};
+    effects_ = game::match_effects(body_->effects, *match.data().presentation);
+    for (const auto& line : effects_->missing) tell_user(text("an effect is missing: ", game::line_of(line)));
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        scenes_.at(p).emplace(*effects_, body_->effects, p);
+        const auto figure = scenes_.at(p)->add(body_->figure);
+        scenes_.at(p)->add(body_->pad);
+        for (const auto& jacket : body_->jackets) scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket), true);
+        if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
+        // The player's own faders are for motors.
+        scenes_.at(p)->set_faders(figure, game::figure_faders());
+    }
+}
+
+/// Gives the player's faders to motors and jackets if they have changed.
+void MatchBody::take_faders(std::uint32_t player) {
+    const auto faders = motors_.faders(player);
+    if (faders_.at(player) == faders) return;
+    faders_.at(player) = faders;
+    scenes_.at(player)->set_faders(pad_frame, faders);
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
+        scenes_.at(player)->set_faders(first_jacket_frame + i, faders);
+}
+
+/// Whether a player wants sounds on a jacket. One that is lost for a while finds them as if it had been there.
+bool MatchBody::hears(std::uint32_t player) const {
+    return motors_.felt_sound(player).strength > 0 && motors_.has_jacket(player);
+}
+
+/// Hears the match for the players who feel sounds. While nobody does, nothing is computed.
+void MatchBody::hear(const game::Simulation& match) {
+    const auto* courses = sound_ != nullptr && (hears(0) || hears(1)) ? sound_->felt_courses() : nullptr;
+    if (courses == nullptr) return felt_sound_.reset();
+    if (!felt_sound_)
+        felt_sound_.emplace(game::match_sounds(sound_->bank(), *match.data().presentation), *courses);
+    felt_sound_->take(match);
+}
+
+/// Number of the layouts of jackets in a player's scene: the usual ones, and after them the player's own.
+std::size_t MatchBody::jackets_of(std::uint32_t player) const {
+    return jacket_layouts.size() + (body_->own.at(player) ? 1 : 0);
+}
+
+namespace {
+
+/// Name of a layout by its number among those of jackets.
+std::string_view name_of_jacket(std::size_t number) {
+    return name_of(number < jacket_layouts.size() ? jacket_layouts.at(number) : Jacket::Layout::own);
+}
+
+}  // namespace
+
+/// Makes the frames of the player's outputs, and of no others, and passes them on.
+void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {
+    auto& scene = *scenes_.at(player);
+    const bool pad = motors_.feels(player);
+    const auto jacket = motors_.jacket_layout(player);
+    take_faders(player);
+    scene.set_used(figure_frame, motors_.shows_figure(player));
+    scene.set_used(pad_frame, pad);
+    scene.set_sound(felt_sound_ && hears(player) ? felt_sound_->strengths(player, motors_.felt_sound(player))
+                                                 : game::BandStrengths{});
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
+        scene.set_used(first_jacket_frame + i, jacket == name_of_jacket(i));
+    scene.take(match);
+    if (pad) motors_.feel(player, scene.frame(pad_frame));
+    for (std::size_t i = 0; i < jackets_of(player); ++i)
+        if (jacket == name_of_jacket(i)) motors_.feel_jacket(player, scene.frame(first_jacket_frame + i));
+}
+
+void MatchBody::follow(const game::Simulation& match, MatchSound& sound) {
+    if (!body_ || match.now() % tactile::frame_ticks != 0) return;
+    if (data_ != &match.data()) begin(match);
+    now_ = match.now();
+    still_ = false;
+    hear(match);
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (!scenes_.at(p)) continue;
+        feel(p, match);
+        game::add_body_words(*scenes_.at(p), *effects_, body_->effects, sound.told(), sound.words(p));
+        if (!scenes_.at(p)->frame(figure_frame).is_silent()) felt_at_.at(p) = now_;
+    }
+}
+
+void MatchBody::forget() {
+    felt_at_ = {};
+    still_ = true;
+}
+
+void MatchBody::show(game::Picture& picture) const {
+    for (std::size_t p = 0; p < game::players; ++p) {
+        if (!scenes_.at(p)) continue;
+        auto& shown = picture.wizards.at(p);
+        const auto& amplitude = scenes_.at(p)->frame(figure_frame).amplitude;
+        shown.felt.fill(0);
+        if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
+        shown.since_felt_s = game::since_felt_s(now_, felt_at_.at(p));
+    }
+}
+
+}  // namespace thaum::app

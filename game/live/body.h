@@ -1,0 +1,78 @@
+// game/live/body.h: what players of a live session feel on the body: the effects, the layouts, and the frames of
+// each match.
+//
+// The main thread owns a LiveBody. The thread that plays a match or a replay makes a MatchBody for it. A faulty data
+// file costs its own effect or layout, and is told in one line.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "game/live/body_sound.h"
+#include "game/live/sound.h"
+#include "game/live/tactile.h"
+#include "game/picture/picture.h"
+#include "game/senses/tactile/tactile_scene.h"
+
+namespace thaum::app {
+
+/// Effects and layouts of the program.
+struct LiveBody {
+    tactile::EffectBank effects;
+    tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+    tactile::Layout pad;     ///< the two motors of a pad
+    std::array<tactile::Layout, jacket_layouts.size()> jackets;  ///< in the order of jacket_layouts
+
+    /// Layouts that players have written for their jackets.
+    std::array<std::optional<tactile::Layout>, game::players> own{};
+
+    /// Lines on faulty effects and layouts. Such an effect is left out, and such a layout has no actuators.
+    std::vector<std::string> faults{};
+
+    /// The error: the folder of effects cannot be read.
+    static Expected<LiveBody> load(const std::filesystem::path& assets);
+    /// Layout of a player's jacket by the name that LiveTactile::jacket_layout gives; null for another name.
+    const tactile::Layout* jacket_of(std::uint32_t player, std::string_view name) const;
+    /// Purposes that some effect has, in their order.
+    std::vector<tactile::Purpose> purposes() const;
+};
+
+/// The feelings of both players in one match. The thread that plays the match owns it.
+class MatchBody {
+public:
+    /// `body`: std::nullopt for nothing. Then nothing is computed. `motors` get the frames of the pads.
+    /// `sound`: null for none on the jackets.
+    MatchBody(const std::optional<LiveBody>& body, LiveTactile& motors, const LiveSound* sound)
+        : body_(body), motors_(motors), sound_(sound) {}
+
+    /// Follows the match after a tick. Another match, or changed data, begins anew.
+    /// Adds what is felt on the body to the words of `sound`, which has followed before.
+    void follow(const game::Simulation& match, MatchSound& sound);
+    /// Forgets what was felt, after a jump to another time.
+    void forget();
+    /// Adds the cells of the figure.
+    void show(game::Picture& picture) const;
+
+private:
+    void begin(const game::Simulation& match);
+    bool hears(std::uint32_t player) const;
+    void hear(const game::Simulation& match);
+    void feel(std::uint32_t player, const game::Simulation& match);
+
+    void take_faders(std::uint32_t player);
+    std::size_t jackets_of(std::uint32_t player) const;
+
+    const std::optional<LiveBody>& body_;
+    LiveTactile& motors_;
+    const LiveSound* sound_;
+    std::optional<BodySound> felt_sound_{};
+    const game::MatchData* data_{};  ///< data for which the scenes were made
+    std::optional<game::MatchEffects> effects_{};
+    std::array<std::optional<game::TactileScene>, game::players> scenes_{};
+    std::array<std::optional<tactile::Faders>, game::players> faders_{};  ///< those that the scenes have
+    std::array<Tick, game::players> felt_at_{};  ///< Simulation::now when a cell was last on
+    Tick now_{};
+    bool still_ = true;  ///< no frame was made since the last jump
+};
+
+}  // namespace thaum::app

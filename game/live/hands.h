@@ -1,0 +1,93 @@
+// game/live/hands.h: the input of all players during a match, and the device that each player uses now. A
+// player whose pad was unplugged comes back with a button of that pad or of a free one, or with half of the
+// keyboard.
+#pragma once
+#include "game/live/seats.h"
+
+namespace thaum::app {
+
+/// Words that tell a player how to bring a lost pad back, and one that is plugged in again.
+inline constexpr std::string_view how_to_rejoin = "plug it in and press a button on it or on a free pad",
+                                  press_to_rejoin = "press a button on it to go on";
+
+/// Players whose devices have just gone or come back.
+struct HandNews {
+    std::optional<std::uint32_t> lost{};  ///< player whose pad is not plugged in: the match must pause
+    /// player who came back last, now that no player is without a device: the match must go on
+    std::optional<std::uint32_t> all_back{};
+    /// pads that have just brought a player back; the button has no other effect
+    std::array<bool, std::tuple_size_v<Pads>> used{};
+};
+
+class PlayerHands {
+public:
+    /// `seats` outlives this object, and changes between matches only.
+    explicit PlayerHands(TakenSeats& seats) : seats_(seats) {}
+
+    /// Begins a match with seats that were taken under `settings`. Buttons held now must be released before
+    /// they act in the match. A player with half of the keyboard keeps it in a rematch. A player whose pad is not
+    /// plugged in has lost it.
+    HandNews begin_match(const Settings& settings, const Pads& pads);
+    /// Empties the seats and forgets which devices their players used.
+    void leave_seats();
+
+    /// Calls f with the collector of each person's input. A collector ignores controls without a binding.
+    template <class F>
+    void each(F&& f) const {
+        for (const auto& seat : seats_) {
+            if (seat.hands) f(*seat.hands);
+        }
+    }
+    /// Releases all held controls, because their release will not be reported.
+    void release() const;
+    /// Gives all hands the bindings of `settings`, and releases all held controls.
+    void rebind(const Settings& settings) const;
+
+    /// Handles the pads of the players. While a menu is open, pads do not act in the match.
+    HandNews look(const Pads& pads, const Settings& settings, bool menu_open);
+    /// Gives half of the keyboard to a player without a pad, who asks with that half's key for the wand.
+    /// Returns std::nullopt if the key does not ask, or nobody can take that half.
+    std::optional<HandNews> take_half(int key, const Settings& settings);
+    /// Gives half of the keyboard to the player who can take it. Returns std::nullopt if nobody can.
+    std::optional<HandNews> take_half(const Settings& settings);
+    /// Brings all players back whose lost pads are plugged in again.
+    HandNews take_plugged_pads(const Settings& settings);
+
+    /// The device that the player uses now.
+    input::DeviceKind device_of(std::uint32_t player) const;
+    /// Whether the player's pad is unplugged and the player has no other device.
+    bool is_lost(std::uint32_t player) const { return holds_[player].lost; }
+    /// Whether the player's lost pad is plugged in again, and waits for a press.
+    bool is_plugged_again(std::uint32_t player) const { return holds_[player].lost && holds_[player].seen; }
+    /// A player who has no device; std::nullopt: none.
+    std::optional<std::uint32_t> first_lost() const;
+    /// The player without a pad who would get half of the keyboard; std::nullopt: nobody needs it, or it is taken.
+    std::optional<std::uint32_t> heir_of_half() const;
+    /// Whether a player's own binding of the key pauses the match.
+    bool pauses(int key, const Settings& settings) const;
+    bool any_pad() const;
+    bool any_mouse() const;
+    /// Whether no player uses half of the keyboard.
+    bool half_is_free() const;
+
+private:
+    /// State of the pad that one player uses.
+    struct PadHold {
+        bool seen = false;          ///< the pad was plugged in at the last look
+        bool lost = false;          ///< the pad is not plugged in, and its player has no other device
+        bool let_go_first = false;  ///< true: buttons held now are ignored until all have been released
+        bool half = false;          ///< the player continues with half of the keyboard
+    };
+
+    void rejoin(std::uint32_t player, const Settings& settings, HandNews& news);
+    bool came_back(std::uint32_t player, const input::PadState& pad, const Settings& settings,
+                   HandNews& news);
+    std::optional<std::size_t> other_pad_for(std::uint32_t player, const Pads& pads) const;
+    void feed(std::uint32_t player, const input::PadState& pad, bool menu_open);
+
+    TakenSeats& seats_;
+    std::array<PadHold, game::players> holds_{};
+    Settings seated_{};  ///< settings that the seats' DeviceSpecs were made from
+};
+
+}  // namespace thaum::app

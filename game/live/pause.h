@@ -1,0 +1,72 @@
+// game/live/pause.h: facts that pause a match or end it beside the players' own buttons: a lost focus, and
+// the end of the round. Also the words on the pause. Times are arguments (ns, monotonic clock).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "game/components/match.h"
+#include "game/data/teams.h"
+
+namespace thaum::app {
+
+enum class PlayState : std::uint8_t { playing, paused, over };
+
+/// Loss of the window's focus. Only a loss that lasts counts, because the focus also comes and goes while a
+/// window opens or fills the screen.
+class FocusLoss {
+public:
+    static constexpr std::int64_t flicker_ns = 150'000'000;
+
+    void changed(bool focused, std::int64_t now_ns) { since_ns_ = focused ? 0 : now_ns; }
+    /// Whether a loss has not been handled yet.
+    bool pending() const { return since_ns_ != 0; }
+    /// Whether the loss has lasted longer than a flicker.
+    bool lasts(std::int64_t now_ns) const { return pending() && now_ns > since_ns_ + flicker_ns; }
+    void handled() { since_ns_ = 0; }
+
+private:
+    std::int64_t since_ns_ = 0;  ///< time of the loss; 0: the window has the focus, or the loss was handled
+};
+
+/// Time since the round's end. The result must be seen before a key meant for the match leaves it.
+class RoundEnd {
+public:
+    static constexpr std::int64_t leave_not_before_ns = 800'000'000;
+
+    void follow(PlayState state, std::int64_t now_ns) {
+        if (state != PlayState::over) since_ns_ = 0;
+        if (state == PlayState::over && since_ns_ == 0) since_ns_ = now_ns;
+    }
+    bool may_leave(std::int64_t now_ns) const {
+        return since_ns_ != 0 && now_ns > since_ns_ + leave_not_before_ns;
+    }
+
+private:
+    std::int64_t since_ns_ = 0;  ///< time of the round's end; 0: the round goes on
+};
+
+/// What the pause says.
+struct PauseWords {
+    std::string head{}, line{};  ///< title and reason
+    std::string missing{};       ///< why the match cannot go on: whose pad is not plugged in; empty: it can
+    std::string half_for{};      ///< player who may go on with half of the keyboard; empty: nobody
+    bool operator==(const PauseWords&) const = default;
+};
+
+/// Reasons of a pause.
+struct PauseFacts {
+    std::uint32_t paused_by = game::no_player;  ///< player who pressed the button; game::no_player: nobody
+    bool focus_lost = false;                    ///< the session pressed it, because the window lost the focus
+    std::array<std::optional<int>, game::players> lost_pad{};  ///< number of each player's lost pad
+    std::array<bool, game::players> plugged_again{};           ///< lost pads that wait for a press only
+    std::uint32_t heir_of_half = game::no_player;              ///< player who can take half of the keyboard
+    game::PlayerNames names{};
+    /// key that takes half of the keyboard instead of a pad; empty: it is not free
+    std::string key_for_half{};
+};
+
+PauseWords pause_words(const PauseFacts& facts);
+
+}  // namespace thaum::app

@@ -1,0 +1,26 @@
+// game/live/recording.h: the record of a live match, and where the logs of a session's matches lie.
+#pragma once
+#include <filesystem>
+#include <variant>
+
+#include "game/range/range_files.h"
+#include "input/log.h"
+
+namespace thaum::app {
+
+/// Record of the session's match: none, a log, or the data files of the range. The range's data may change
+/// during the match, so a range is never logged: a log's header must stay true.
+using Recording = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
+
+/// Place of the logs of one session.
+struct LogPlace {
+    std::filesystem::path named{};   ///< log that the user named; empty: logs go into `folder`
+    std::filesystem::path folder{};  ///< folder for one log per match; empty: matches are not recorded
+    int kept = 1;                    ///< number of logs in the folder, from which older ones are deleted
+};
+
+/// Opens the log of the session's match `number` (1: the first). The first match's log gets the name that the
+/// user gave, or opening it is an error. Later logs lie beside it, with the next free number.
+Expected<Recording> record_match(const LogPlace& place, std::uint64_t number, const input::LogHeader& header);
+
+}  // namespace thaum::app

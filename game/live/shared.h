@@ -1,0 +1,183 @@
+// game/live/shared.h: data that the three threads of a live session share without locks.
+#pragma once
+#include <atomic>
+#include <functional>
+
+#include "core/clock.h"
+#include "core/spsc_queue.h"
+#include "core/triple_buffer.h"
+#include "game/hud/menu.h"
+#include "game/live/arm.h"
+#include "game/live/body.h"
+#include "game/live/hand_over.h"
+#include "game/live/live.h"
+#include "game/live/pause.h"
+#include "game/live/recording.h"
+#include "game/live/replay_view.h"
+#include "game/live/seats.h"
+#include "game/live/sound.h"
+#include "game/live/tactile.h"
+#include "game/range/apprentice.h"
+#include "game/settings/own_gestures.h"
+#include "render/context.h"
+
+namespace thaum::app {
+
+inline constexpr std::int64_t ns_per_tick = 1'000'000;
+inline constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a bookmark (ticks)
+
+/// Times of one event that a tick has taken (ns, monotonic clock).
+struct InputStamp {
+    std::int64_t came_ns{};  ///< arrival of the event
+    std::int64_t due_ns{};   ///< Picture::due_ns of the tick that took the event
+};
+
+/// Everything the main thread wants shown besides the match itself.
+struct Screen {
+    game::HudSettings hud{};                   ///< settings of the views; `quality` below replaces theirs
+    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by device and measured times
+    game::MenuPicture menu{};
+    bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
+    double frames_per_second = 60;
+    bool operator==(const Screen&) const = default;
+};
+
+/// Collected times for the report; keeps the newest values.
+class Timings {
+public:
+    Timings() { values_.reserve(most); }
+    void add(double value) {
+        if (values_.size() < most)
+            values_.push_back(value);
+        else
+            values_[count_ % most] = value;
+        ++count_;
+    }
+    /// Quantile of the values: share 0.5 is the median. 0 if there are no values.
+    double at(double share);
+
+private:
+    static constexpr std::size_t most = 1U << 16U;
+    std::vector<double> values_;
+    std::size_t count_ = 0;
+};
+
+/// Value of MatchRequests::gesture: the player gives up drawing a gesture.
+inline constexpr std::uint32_t no_gesture_wanted = 0xffffffff;
+
+/// Requests of the main thread to the simulation thread about the present match.
+struct MatchRequests {
+    std::atomic<bool> end{false};  ///< true: the match must end
+    /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
+    std::atomic<bool> rematch{false};
+    /// Player for whom the session presses the pause button: to pause, or to go on. Ignored if the match is in
+    /// that state already. game::no_player: none.
+    std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
+    std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
+    std::atomic<std::uint32_t> lesson_skips{0};    ///< number of the Apprentice's steps to skip so far
+    std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
+    std::atomic<std::uint32_t> force_trials{
+        0};  ///< number of wishes to find the largest force by feel so far
+    /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0:
+    /// none.
+    std::atomic<std::uint8_t> felt_fader{0};
+    /// Number of the gesture that the player of the range wants to draw anew, plus 1, or no_gesture_wanted, until the
+    /// simulation thread takes it; 0: nothing new.
+    std::atomic<std::uint32_t> gesture{0};
+    HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
+    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
+    static_assert(decltype(range)::is_always_lock_free);
+};
+
+/// State of the present match, from the simulation thread.
+struct MatchProgress {
+    std::atomic<PlayState> state{PlayState::playing};
+    std::atomic<std::uint32_t> paused_by{game::no_player};
+    std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
+    /// Largest force that a player of the range has found by feel (%), until the main thread takes it; 0: none.
+    std::atomic<std::uint32_t> found_force{0};
+    /// Gesture that a player of the range has drawn, for the main thread to check and to save.
+    HandOver<gesture::Gesture> drawn_gesture{};
+    /// Number of the gesture that the player of the range draws anew at present, plus 1; 0: none.
+    std::atomic<std::uint32_t> drawn_number{0};
+};
+
+struct LiveShared {
+    /// Tests pass a maker of motors.
+    explicit LiveShared(LiveTactile::MakeOutput make_motors = input::rumble_output)
+        : tactile(std::move(make_motors)), pictures(game::make_picture()), screen(Screen{}) {}
+
+    void say_started() {
+        started = true;
+        started.notify_all();
+    }
+
+    TakenSeats seats;  ///< changed only while no simulation thread runs
+    /// Effects on the body; std::nullopt: nothing is felt. Set before the first match.
+    std::optional<LiveBody> body;
+    std::unique_ptr<LiveSound> sound;  ///< null: silence; set before the first match
+    LiveTactile tactile;               ///< motors of the players' pads
+    LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
+    /// filled by the simulation thread, and by the main thread while no simulation runs
+    TripleBuffer<game::Picture> pictures;
+    TripleBuffer<Screen> screen;  ///< filled by the main thread
+    /// Data of the match that the pictures show; filled by the simulation thread.
+    TripleBuffer<std::shared_ptr<const game::MatchData>> scene{nullptr};
+    /// arrival of the first event that no tick has taken yet; 0: none
+    std::atomic<std::int64_t> input_came_ns{0};
+    SpscQueue<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
+
+    std::atomic<bool> ready{false};  ///< true: pictures can be drawn, and the match may begin
+    std::atomic<bool> stop{false};   ///< true: all threads must end
+    /// true: the first pictures are shown, or the session ends without them; what can wait begins now
+    std::atomic<bool> started{false};
+    /// Words on faulty data files, from the thread that reads them all; taken by the main thread.
+    HandOver<std::string> data_fault{};
+    MatchRequests requests{};
+    MatchProgress progress{};
+    ReplayRequests replay{};  ///< requests of the viewer of a replay
+    /// true: the player's pad is unplugged and the player has no other device; set by the main thread
+    std::array<std::atomic<bool>, game::players> pad_lost{};
+
+    // Each of the following is written by one thread, and read after that thread has ended.
+    std::optional<Error> simulation_error, render_error;
+    LiveReport report;
+    Timings late, ticks;  ///< delays and durations of the simulation thread's ticks (us)
+};
+
+/// Delays its thread on purpose: sleeps when the stall of that thread is due.
+struct Staller {
+    Stall stall;
+    std::int64_t next_ns = 0;
+    void pass(Stall::Thread thread);
+};
+
+/// Everything the simulation thread takes over to play one match.
+struct MatchStart {
+    /// data of the match; practice uses the data of `recording` instead
+    std::shared_ptr<const game::MatchData> data;
+    std::uint64_t seed = 1;
+    Recording recording;
+    int countdown = 0;    ///< time for which the start is shown before the match begins (s)
+    std::string fault{};  ///< words for both players on a fault, shown for the first seconds; empty: none
+    std::optional<game::Lessons> lessons{};     ///< lessons of the Apprentice, which is played on the range
+    std::vector<input::ProfileData> profile{};  ///< the players' own gestures (game/match/own_gestures.h)
+};
+
+/// Whether a fault that a match begins with is still shown after these ticks of play.
+inline bool shows_fault(const std::string& fault, Tick played) {
+    constexpr Tick shown_for = ticks(10.0);
+    return !fault.empty() && played < shown_for;
+}
+
+/// Body of the simulation thread: plays one match until the session stops, or until the match's end or a
+/// rematch is requested. Then it sets shared.progress.ended. It also sets shared.stop when the plan's time is
+/// up. Calls `wake` whenever shared.progress has changed, so that the main thread looks.
+void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
+                    const std::function<void()>& wake);
+
+/// Body of the render thread: draws until shared.stop.
+void run_render(const LivePlan& plan, LiveShared& shared, render::Window& window);
+
+}  // namespace thaum::app

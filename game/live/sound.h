@@ -1,0 +1,112 @@
+// game/live/sound.h: the sound of a live session: the sounds, the loudspeakers, and what is heard of each match.
+//
+// The main thread owns a LiveSound. The thread that plays a match or a replay makes a MatchSound for it. Without
+// sounds or a sound device all goes on in silence, with one line that says why.
+#pragma once
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "audio/speakers.h"
+#include "game/live/told_state.h"
+#include "game/picture/picture.h"
+#include "game/senses/felt_words.h"
+#include "game/senses/sound/sound_scene.h"
+#include "game/senses/tactile/felt_sound.h"
+#include "game/settings/settings.h"
+
+namespace thaum::app {
+
+/// Sounds of a menu.
+enum class MenuSound : std::uint8_t { none, move, choose, back, refused };
+/// Names of their files in assets/sounds; empty: none.
+inline constexpr std::array<std::string_view, 5> menu_sound_names{"", "menu_move", "menu_choose", "menu_back",
+                                                                  "menu_refused"};
+
+class LiveSound {
+public:
+    /// Makes all sounds and starts the loudspeakers' thread. Null after an error, which is printed in one line.
+    static std::unique_ptr<LiveSound> start(const std::filesystem::path& assets, const Settings& settings);
+    /// For tests: sounds for a device of their own.
+    LiveSound(audio::SoundBank bank, audio::Mixer mixer, std::unique_ptr<audio::SoundDevice> device,
+              std::filesystem::path assets = {});
+
+    const audio::SoundBank& bank() const { return bank_; }
+
+    // The main thread.
+    void apply(const Settings& settings);
+    void play(MenuSound sound);
+    std::string status() const { return speakers_.status(); }
+    /// Prints the loudspeakers' state if it has changed for the worse or back.
+    void tell_status();
+
+    // The thread of a match.
+    /// Courses of the sounds for players who feel them; null while no player wants that.
+    const game::FeltCourses* felt_courses() const { return courses_; }
+    /// Whether anybody hears the match, or reads it in words. Otherwise frames need not be made.
+    bool is_wanted() const { return words_ || speakers_.plays(); }
+    void hear(const audio::AudioFrame& frame) { speakers_.hear(frame); }
+
+private:
+    void make_courses();
+
+    audio::SoundBank bank_;
+    audio::Speakers speakers_;
+    std::filesystem::path assets_{};  ///< empty: without the bands of felt sounds
+    std::unique_ptr<const game::FeltCourses> made_courses_{};
+    std::atomic<const game::FeltCourses*> courses_{};  ///< `made_courses_`, for the thread of a match
+    bool tried_courses_ = false;
+    std::atomic<bool> words_{};  ///< some player wants it in words
+    ToldState told_{};
+};
+
+/// The sounds of one match. The thread that plays the match owns it.
+class MatchSound {
+public:
+    /// `sound`: null for silence. Then nothing is computed.
+    explicit MatchSound(LiveSound* sound) : sound_(sound) {}
+    /// Lets the lasting sounds end.
+    ~MatchSound();
+    MatchSound(const MatchSound&) = delete;
+    MatchSound& operator=(const MatchSound&) = delete;
+
+    /// Players whose ears hear the match.
+    void listen(bool first, bool second);
+    /// Follows the match after a tick. Another match, or changed data, begins anew.
+    void follow(const game::Simulation& match);
+    /// One second of the count-down before the match.
+    void count_down();
+    /// Forgets the words, after a jump to another time.
+    void forget() {
+        heard_ = {};
+        hands_ = {};
+    }
+    /// Words for one player, to which others add what is felt.
+    game::HeardLines& words(std::uint32_t player) { return heard_.at(player); }
+    /// What sounds tell by themselves in this match.
+    const game::ToldBySounds& told() const { return told_; }
+    /// Adds what is heard and felt in words.
+    void show(game::Picture& picture) const;
+
+private:
+    void begin(const game::Simulation& match);
+    void hear(const game::Simulation& match);
+
+    LiveSound* sound_;
+    std::optional<game::SoundScene> scene_{};
+    const game::MatchData* data_{};  ///< data of the match that is followed
+    std::array<std::uint32_t, game::players> listening_{0, 1};
+    std::size_t listeners_ = 2;
+    audio::AudioFrame frame_{};
+    game::ToldBySounds told_{};
+    std::array<game::HeardLines, game::players> heard_{};  ///< by player
+    std::array<game::HandWords, game::players> hands_{};   ///< by player
+};
+
+/// Settings of the mixer.
+audio::MixSettings mix_settings(const Settings& settings);
+
+}  // namespace thaum::app

@@ -1,0 +1,109 @@
+// game/live/tactile.h: the tactile outputs of a live session: the motors of each player's pad, and each player's
+// jacket.
+//
+// The main thread owns a LiveTactile. It tells which pad each player uses, and the settings name the jackets. The thread
+// that plays a match passes frames for each player every 8 ms: one of the layout `pad`, and one of the jacket's layout.
+// Without pads and jackets nothing runs. An output that cannot be opened costs one line.
+#pragma once
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "game/components/wizard.h"
+#include "game/jackets/jacket.h"
+#include "game/live/told_state.h"
+#include "game/settings/settings.h"
+#include "input/rumble.h"
+#include "input/tactile_player.h"
+
+namespace thaum::app {
+
+class LiveTactile {
+public:
+    using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadState&)>;
+    using MakeJacket =
+        std::function<std::unique_ptr<input::TactileOutput>(const Jacket&, std::uint32_t player)>;
+    /// Tests pass makers of fakes.
+    explicit LiveTactile(MakeOutput make = input::rumble_output, MakeJacket make_jacket = jacket_output);
+
+    // The main thread, before the first match.
+    /// The player's jacket has an own layout with so many actuators.
+    void use_own_layout(std::uint32_t player, std::size_t motors);
+
+    // The main thread. All may be called during a match.
+    /// Takes the strength of motors, and connects other jackets than before.
+    void apply(const Settings& settings);
+    /// Gives a player the motors of a pad; nothing happens if the player has them. Null, or a pad that is not plugged
+    /// in or has no device file: none.
+    void use_pad(std::uint32_t player, const input::PadState* pad);
+    /// Prints the state of each player's motors and jacket if it has changed for the worse or back.
+    void tell_status();
+    /// State of a player's jacket in one sentence; empty: the player has none.
+    std::string jacket_state(std::uint32_t player) const;
+    input::TactileReport report(std::uint32_t player) const;
+    input::TactileReport jacket_report(std::uint32_t player) const;
+    /// Lays a frame over those of a match, as `feel` and `feel_jacket` pass them.
+    void try_out(std::uint32_t player, const tactile::TactileFrame& frame);
+    void try_out_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
+
+    // Any thread.
+    /// Faders of a player's motors and jacket.
+    tactile::Faders faders(std::uint32_t player) const;
+
+    // The thread of a match, and the main thread while it tries an effect.
+    /// Whether a player's motors run at present. Frames for others need not be made.
+    bool feels(std::uint32_t player) const;
+    /// Passes a frame of the layout `pad`. Never waits. Without further frames the motors stop after its time to live.
+    void feel(std::uint32_t player, const tactile::TactileFrame& frame);
+    /// Whether a player's settings name a jacket, open or not.
+    bool has_jacket(std::uint32_t player) const { return seats_.at(player).jacket.plays; }
+    /// Name of the layout (a file of assets/tactile/layouts) of a player's jacket if frames reach it at present; else
+    /// empty, and frames need not be made.
+    std::string_view jacket_layout(std::uint32_t player) const;
+    /// Whether a player's view shows the figure of the body.
+    bool shows_figure(std::uint32_t player) const { return seats_.at(player).figure; }
+    /// Sounds that a player wants on the jacket.
+    game::FeltSoundWish felt_sound(std::uint32_t player) const;
+    /// Passes a frame of the jacket's layout, as `feel` does. A frame of another number of actuators is dropped: the
+    /// jacket has just been changed.
+    void feel_jacket(std::uint32_t player, const tactile::TactileFrame& frame);
+
+private:
+    /// An output that may change, or be none.
+    struct Socket {
+        std::unique_ptr<input::TactilePlayer> own{};  ///< made for the first output, and kept
+        std::atomic<input::TactilePlayer*> player{};  ///< `own`, for the thread of a match
+        std::atomic<bool> plays{};                    ///< there is an output
+        ToldState told{};
+
+        void use(std::unique_ptr<input::TactileOutput> output);
+        bool is_open() const { return plays && player.load()->is_open(); }
+        void tell_status(std::size_t number);
+        input::TactileReport report() const;
+    };
+    struct Seat {
+        std::string pad{};  ///< device file of the pad; empty: none
+        Socket motors{};
+        std::atomic<float> gain{};
+        std::array<std::atomic<double>, tactile::purpose_count> faders{};
+        std::string jacket_words{};  ///< the setting
+        Socket jacket{};
+        std::atomic<Jacket::Layout> layout{};
+        std::size_t own_motors{};  ///< actuators of the player's own layout; 0: there is none
+        std::atomic<bool> figure{};
+        std::atomic<double> sound{};
+        std::atomic<game::FeltGroups> sound_of{};
+    };
+    void use_jacket(std::uint32_t player, const std::string& words);
+    static std::size_t motors_of_seat(const Seat& seat);
+
+    MakeOutput make_;
+    MakeJacket make_jacket_;
+    std::array<Seat, game::players> seats_{};
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,19 @@
+// game/match/hand/hand_system.h: forces on a wizard's hand and its position: the servo step and the simulated device,
+// every tick.
+#pragma once
+#include "game/components/hand_state.h"
+#include "game/stations/cauldron/cauldron.h"
+
+namespace thaum::game {
+
+/// Fills and returns the haptic model for the wizard's hand in this tick.
+const haptics::HapticModel& next_model(MatchContext& context, const BrewResource& brew, ecs::Entity wizard,
+                                       HandState& hand_state, bool panic);
+
+/// Adds the system that runs every tick: the hand's target, the servo step, the simulated device.
+void add_hand_system(MatchContext& context, const BrewResource& brew, ecs::Schedule& schedule);
+
+/// Hash of the forces of this tick, chained to the hash of the ticks before.
+std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);
+
+}  // namespace thaum::game

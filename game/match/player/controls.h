@@ -1,0 +1,21 @@
+// game/match/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet and
+// view.
+#pragma once
+#include "game/context/match_context.h"
+
+namespace thaum::game {
+
+/// Adds the system that fills Controls every tick, also in a pause. It turns Gaze except in a pause.
+void add_controls_system(MatchContext& context, ecs::Schedule& schedule);
+
+/// Adds the system that clears pressed buttons and wheel steps. It must be the last gameplay system.
+void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule);
+
+/// Adds the system with which either player pauses the match at once.
+void add_pause_system(MatchContext& context, ecs::Schedule& schedule);
+
+/// Turning rate of a stick at `deflection` (-127 to 127) as a share of the full rate: fine in the middle,
+/// fast at the rim.
+double stick_curve(std::int32_t deflection);
+
+}  // namespace thaum::game

@@ -1,0 +1,68 @@
+// game/picture/brew_picture.h: one moment of a cauldron and its brew as plain data, for drawing
+// (game/scene/brew_look.h).
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "game/brew/brew.h"
+#include "game/components/match.h"
+#include "game/components/wizard.h"
+
+namespace thaum::game {
+
+class Simulation;
+
+/// Colours of the base fluid and the substances (linear light).
+struct BrewColours {
+    fvec3 base{};
+    std::array<fvec3, fluid::substances_most> substances{};
+};
+
+/// One moment of a brew as plain data. Taking a brew into the same object again allocates nothing.
+struct BrewPicture {
+    std::uint64_t state{};  ///< number of the brew's state; a change means new contents; 0: empty
+    fluid::Lattice lattice{};
+    std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
+    /// Place of each velocity component of cell (0, 0, 0), in cells.
+    std::array<vec3, 3> velocity_places{};
+    /// Density of each substance; empty if the substance holds no ingredient.
+    std::array<fluid::Samples, fluid::substances_most> densities{};
+    BrewColours colours{};
+    fluid::SpringSurface surface{};
+};
+/// Copies a brew. `state` must be above 0 and differ between different states of the brew.
+void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);
+
+/// A ladle: a rod with a bowl at its lower end.
+struct LadlePicture {
+    vec3 bowl{}, top{};    ///< middle of the bowl, and upper end of the rod (m)
+    double force_share{};  ///< force as a share of the device's peak, 0 to 1
+};
+
+/// The cauldron of a match.
+struct CauldronPicture {
+    bool there = false;
+    BrewPicture brew;
+    std::array<std::optional<LadlePicture>, players> ladles{};
+    /// Names of the ingredients; empty: free substance.
+    std::array<std::string_view, fluid::substances_most> contents{};
+    std::string_view potion{};  ///< name of the potion that has changed the brew; empty: none
+    std::uint32_t owner{no_player};
+    double mixed{};  ///< share of the brew that the newest ingredient fills, 0 to 1 (fluid::filled_share)
+    double heat{};   ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
+    double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
+    /// Time from the first ingredient to boiling over; 0: the brew never boils over.
+    double whole_time_s{};
+    double fresh{};       ///< spoils_in_s as a share of the whole time, 0 to 1
+    double well_mixed{};  ///< value of `mixed` from which the owner is rewarded
+    double boon_in_s{};   ///< time until the owner's boon, if the brew stays well mixed; 0: none is near
+    bool boon_open{};     ///< the brew can still heal its owner
+    std::uint32_t boon_for{no_player};  ///< player whom the boon heals now; no_player: nobody
+    Tick mixed_at{};                    ///< fluid step of which `mixed` tells (ticks of play)
+    bool slows{}, lifts{};              ///< whether the brew slows, and whether it lifts, wizards near it
+};
+void take_cauldron(const Simulation& match, CauldronPicture& out);
+
+}  // namespace thaum::game

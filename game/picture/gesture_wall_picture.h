@@ -1,0 +1,30 @@
+// game/picture/gesture_wall_picture.h: the gesture wall of the range as a picture has it. The session fills it in.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gesture/stroke.h"
+
+namespace thaum::game {
+
+/// A gesture of the wall.
+struct WallGesture {
+    std::string name;   ///< as the screen has it: "Circle"
+    std::string spell;  ///< name of the spell that it casts; empty: none
+    std::vector<gesture::StrokePoint> ghost;
+    bool own = false;  ///< true: drawn by the player
+};
+
+struct GestureWallPicture {
+    bool on = false;
+    std::shared_ptr<const std::vector<WallGesture>> gestures{};
+    std::vector<int> scores{};  ///< newest score of each gesture (%), -1: none yet
+    int chosen = -1;            ///< gesture that the newest stroke belongs to; -1: none
+    std::vector<gesture::StrokePoint> stroke{};
+    bool drawing = false;  ///< true: the stroke has not ended
+    /// Lines below the cells: what was read, and what to do better. Controls are in braces (game/data/control_words.h).
+    std::vector<std::string> lines{};
+};
+
+}  // namespace thaum::game

@@ -1,0 +1,53 @@
+#include "game/range/force_trial.h"
+
+#include "core/text.h"
+#include "game/context/hand_forces.h"
+
+namespace thaum::app {
+
+using input::Button;
+
+bool take_fire(const std::vector<input::DeviceSpec>& devices, std::uint32_t player,
+               input::InputFrame& frame) {
+    bool down = false;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        auto& sample = frame.devices.at(i);
+        if (devices[i].player != player || !sample.down(Button::fire)) continue;
+        down = true;
+        sample.buttons &= ~input::bit(Button::fire);
+        sample.counts[input::hand::trigger] = 0;
+    }
+    return down;
+}
+
+std::optional<std::uint32_t> ForceTrial::step(game::Simulation& match, std::uint32_t player,
+                                              input::InputFrame& frame) {
+    if (!runs_ || match.match().paused != 0) return {};
+    const bool down = take_fire(match.setup().devices, player, frame);
+    const bool pressed = down && !held_;
+    held_ = down;
+    if (pressed && percent_ > 0) {
+        runs_ = false;
+        return percent_;
+    }
+    if (percent_ == 100 && age_ % between_kicks == 0) {  // nobody has pressed, so nothing changes
+        runs_ = false;
+        return {};
+    }
+    // The whole force may come out during the trial.
+    if (age_ == 0) frame.devices.at(0).change = {static_cast<std::uint8_t>(input::HandFader::force), 100};
+    if (age_ > 0 && age_ % between_kicks == 0) {
+        percent_ += percent_per_kick;
+        const auto wizard = game::wizard_of(match.world(), player);
+        game::kick_at_peak(match.context_to_change(), wizard, percent_ / 100.0, kick_length);
+    }
+    ++age_;
+    return {};
+}
+
+std::string ForceTrial::words() const {
+    if (percent_ == 0) return "kicks will grow: press fire when one is as strong as you want";
+    return text("kick of ", percent_, " %: press fire if it is as strong as you want");
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,246 @@
+#include "game/range/gesture_wall.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "game/casting/casting.h"
+#include "game/components/casting.h"
+#include "game/context/match_context.h"
+#include "game/data/reading.h"
+#include "game/hud/stroke_words.h"
+#include "game/range/apprentice.h"
+#include "gesture/comparison.h"
+
+namespace thaum::app {
+namespace {
+
+using game::practising;
+
+constexpr Tick shown_after = ticks(8.0);
+constexpr double shortest_recorded = 0.15;  // shortest stroke that is recorded (s)
+
+std::string words_of_force(const game::CastingRules& rules, double force) {
+    return text(game::force_word(rules, force), " (", fixed(force, 1), " N)");
+}
+
+/// The gesture with the bands of force by which the match casts, in place of those of the gesture's file.
+gesture::Gesture by_bands_of(const game::CastingRules& rules, gesture::Gesture gesture) {
+    gesture.options.gentle_below = rules.gentle_below;
+    gesture.options.harsh_above = rules.harsh_from;
+    return gesture;
+}
+
+std::string spell_shown(const game::MatchData& data, const std::string& gesture) {
+    const auto* spell = game::spell_of(data, gesture);
+    return spell == nullptr ? std::string() : spell->stats.shown;
+}
+
+/// Length of the way of a stroke (m).
+double way_of(gesture::Points stroke) {
+    double way = 0;
+    for (std::size_t i = 1; i < stroke.size(); ++i) way += glm::distance(stroke[i - 1].at, stroke[i].at);
+    return way;
+}
+
+}  // namespace
+
+/// Lists the ghosts of the player's gestures, where the set is another one.
+void GestureWall::list(const game::Simulation& match) {
+    const auto& own = match.setup().gestures[practising];
+    const auto& set = own ? own : match.data().gestures;
+    if (set == listed_) return;
+    listed_ = set;
+    std::vector<game::WallGesture> gestures;
+    if (set != nullptr) {
+        const auto& profile = match.setup().profile;
+        for (const auto& g : set->gestures())
+            gestures.push_back({.name = capitalised(g.name),
+                                .spell = spell_shown(match.data(), g.name),
+                                .ghost = g.strokes.front(),
+                                .own = std::any_of(profile.begin(), profile.end(), [&](const auto& item) {
+                                    return item.name == g.name && item.player == practising;
+                                })});
+    }
+    scores_.assign(gestures.size(), -1);
+    chosen_ = -1;
+    gestures_ = std::make_shared<const std::vector<game::WallGesture>>(std::move(gestures));
+}
+
+std::string GestureWall::words_of_haste() const {
+    return text("too fast: ", fixed(stroke_.back().t, 1), " s; take a second");
+}
+
+/// Why a stroke was not even read, or does not count for a recorded gesture: too small or too fast.
+std::string GestureWall::words_of_slip(const game::CastingRules& rules, double shortest) const {
+    if (way_of(stroke_) >= rules.smallest || stroke_.back().t < shortest) return words_of_haste();
+    return "too small: draw 5 to 10 cm with the hand";
+}
+
+/// Shows why a stroke was not even read.
+void GestureWall::refuse(const game::Simulation& match) {
+    lines_.clear();
+    if (stroke_.empty()) return;
+    const auto& rules = *match.data().casting;
+    lines_.push_back(words_of_slip(rules, seconds(rules.shortest)));
+}
+
+/// Number of the gesture that an unread stroke has the shape of, but for its direction or its turn; otherwise of the
+/// gesture that the recogniser took for the nearest, if that is likely at all. no_gesture: none.
+std::uint32_t GestureWall::gesture_tried(std::uint32_t nearest, int score) const {
+    std::uint32_t tried = score > 0 ? nearest : game::no_gesture;
+    double least = 1;
+    for (std::uint32_t g = 0; !chord_ && g < listed_->gestures().size(); ++g) {
+        const auto& gesture = listed_->gestures()[g];
+        const auto difference = gesture::compare(stroke_, gesture);
+        if (!gesture::is_turned_copy(difference, gesture) || difference.deviation >= least) continue;
+        least = difference.deviation;
+        tried = g;
+    }
+    return tried;
+}
+
+/// Shows the newest reading: the gesture, its score, and what to do better.
+void GestureWall::read(const game::Simulation& match) {
+    const auto& reading = match.world().get<game::LastReading>(game::wizard_of(match.world(), practising));
+    read_at_ = reading.at;
+    lines_.clear();
+    const auto& rules = *match.data().casting;
+    const bool meant = reading.gesture < listed_->gestures().size();
+    const int score = game::whole_percent(reading.probability);
+    const auto number = meant ? reading.gesture : gesture_tried(reading.nearest, score);
+    if (number >= listed_->gestures().size()) {
+        lines_.emplace_back("not read: it is like none of these");
+        if (!chord_ && game::is_too_fast(rules, reading.force)) lines_.push_back(words_of_haste());
+        return;
+    }
+    chosen_ = static_cast<int>(number);
+    scores_[number] = meant ? score : -1;  // see words_of_miss in game/hud/stroke_words.cpp
+    const auto& shown = (*gestures_)[number];
+    if (meant)
+        lines_.push_back(text(shown.spell.empty() ? shown.name : shown.spell, ", ", score, " % sure, ",
+                              words_of_force(rules, reading.force)));
+    else if (number == reading.nearest && score > 0)
+        lines_.push_back(text("not sure: the nearest is ", shown.name));
+    else
+        lines_.push_back(text("not read, but it has the shape of ", shown.name));
+    if (chord_) return lines_.emplace_back("a key chord: nothing was drawn"), void();
+    advise(rules, listed_->gestures()[number], reading.force, meant);
+}
+
+/// Adds what to do better.
+void GestureWall::advise(const game::CastingRules& rules, const gesture::Gesture& gesture, double force,
+                         bool meant) {
+    if (!meant && game::is_too_fast(rules, force)) lines_.push_back(words_of_haste());
+    for (auto& line :
+         gesture::advice_on(gesture::compare(stroke_, gesture), by_bands_of(rules, gesture), force, meant))
+        lines_.push_back(std::move(line));
+    if (lines_.size() == 1) lines_.emplace_back(meant ? "well drawn" : "draw it slower, along the pale line");
+}
+
+/// Says which stroke of the recorded gesture comes next, and how to give up.
+void GestureWall::tell_recording() {
+    lines_.push_back(text("Your own ", capitalised(recording_.name), ": draw stroke ",
+                          recording_.strokes.size() + 1, " of ", recorded_strokes));
+    lines_.emplace_back(recording_.strokes.empty() ? "in any shape" : "the same way each time");
+    lines_.emplace_back("to give up: {pause}, then Give up drawing");
+}
+
+/// Keeps a stroke for the gesture that is recorded.
+void GestureWall::keep(const game::Simulation& match) {
+    if (checked_ || stroke_.empty()) return;
+    const auto& rules = *match.data().casting;
+    lines_.clear();
+    if (way_of(stroke_) < rules.smallest || stroke_.back().t < shortest_recorded) {
+        lines_.push_back(text("not counted, ", words_of_slip(rules, shortest_recorded)));
+        return tell_recording();
+    }
+    recording_.strokes.push_back(stroke_);
+    if (recording_.strokes.size() < recorded_strokes) return tell_recording();
+    if (!match.data().gestures->number(recording_.name)) {  // its file was deleted meanwhile
+        lines_ = {text("there is no gesture ", capitalised(recording_.name), " any more")};
+        return record({});
+    }
+    recording_.options = {.rotation = 15 * radians_per_degree, .planar = true};
+    recorded_ = by_bands_of(rules, recording_);
+    checked_ = true;
+    lines_ = {"three strokes: they are compared with the other gestures"};
+}
+
+void GestureWall::record(const std::string& name) {
+    recording_ = {.name = name, .options = {}, .strokes = {}};
+    checked_ = false;
+    chosen_ = -1;
+    stroke_.clear();
+    if (name.empty()) return;
+    lines_.clear();
+    tell_recording();
+}
+
+void GestureWall::draw_again(std::vector<std::string> why) {
+    if (!records()) return;  // the player has given up meanwhile
+    record(recording_.name);
+    why.push_back(text("try another shape: draw stroke 1 of ", recorded_strokes));
+    why.push_back(lines_.back());
+    lines_ = std::move(why);
+}
+
+void GestureWall::give_up(const game::Simulation& match) {
+    if (!records()) return;
+    const auto name = capitalised(recording_.name);
+    recorded_.reset();
+    record({});
+    say(match, {text("given up: ", name, " is as it was before")});
+}
+
+void GestureWall::say(const game::Simulation& match, std::vector<std::string> lines) {
+    lines_ = std::move(lines);
+    shown_until_ = match.match().played + shown_after;
+}
+
+/// Clears what belongs to the stroke before. What is recorded, and how, stays in words.
+void GestureWall::begin_stroke() {
+    chosen_ = -1;
+    stroke_.clear();
+    if (!records()) lines_.clear();
+}
+
+void GestureWall::follow(const game::Simulation& match) {
+    list(match);
+    if (listed_ == nullptr) return;
+    const auto& world = match.world();
+    const auto wizard = game::wizard_of(world, practising);
+    const auto* drawn = world.find<game::DrawnStroke>(wizard);
+    const auto now = match.match().played;
+    if (drawn != nullptr) {
+        // At the cauldron the card guides the strokes (hud/rim_card.h).
+        if (drawn->on_brew != 0) return;
+        if (!drawing_) begin_stroke();
+        if (match.now() % game::gameplay_period == 0) stroke_ = game::points_of(*drawn);
+        chord_ = drawn->over == game::by_chord;
+        drawing_ = true;
+        shown_until_ = now + shown_after;
+        return;
+    }
+    if (!drawing_) return;
+    drawing_ = false;
+    if (records())
+        keep(match);
+    else if (world.get<game::LastReading>(wizard).at != read_at_)
+        read(match);
+    else
+        refuse(match);
+}
+
+void GestureWall::show(const game::Simulation& match, game::GestureWallPicture& picture) const {
+    picture.on = listed_ != nullptr && (records() || drawing_ || match.match().played < shown_until_);
+    if (!picture.on) return;
+    picture.gestures = gestures_;
+    picture.scores = scores_;
+    picture.chosen = chosen_;
+    picture.stroke = stroke_;
+    picture.drawing = drawing_;
+    picture.lines = lines_;
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,112 @@
+// game/range/practice.h: the range in a live session: its match and dummy, the scores, and data files that
+// are read again when they change.
+#pragma once
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "core/triple_buffer.h"
+#include "game/picture/picture.h"
+#include "game/range/apprentice.h"
+#include "game/range/force_sample.h"
+#include "game/range/force_trial.h"
+#include "game/range/gesture_wall.h"
+#include "game/range/range_files.h"
+#include "game/settings/own_gestures.h"
+
+namespace thaum::app {
+
+/// Watches the data files in a thread of its own, so that neither the match nor the window waits for the
+/// disk.
+class DataWatcher {
+public:
+    explicit DataWatcher(game::RangeFiles files);
+    ~DataWatcher();
+    DataWatcher(const DataWatcher&) = delete;
+    DataWatcher& operator=(const DataWatcher&) = delete;
+
+    /// Newest data read since the last call, or null. The data stay valid until the next call. Never waits.
+    const game::Reload* take();
+
+private:
+    void watch();
+
+    game::RangeFiles files_;
+    TripleBuffer<game::Reload> reloads_{game::Reload{}};
+    std::mutex mutex_;
+    std::condition_variable stopped_;
+    bool stop_ = false;
+    std::jthread thread_;  ///< last, so that it ends while the other members still live
+};
+
+/// The match of a range with its dummy and scores. The caller passes the data of changed files.
+class Practice {
+public:
+    /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
+    /// one. With lessons the practice is the Apprentice.
+    Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
+             std::uint64_t seed, std::optional<game::Lessons> lessons = {},
+             std::vector<input::ProfileData> profile = {});
+
+    game::Simulation& match() { return *range_.match; }
+    /// Takes fire out of the practising player's samples until it is released, where a step has just begun.
+    void hold_fire_back(input::InputFrame& frame);
+    /// Begins to find the largest force that the player wants.
+    void find_force() { force_trial_.begin(); }
+    /// Acts on the input of a tick while a force is sought. Returns the one that is found (%), once.
+    std::optional<std::uint32_t> try_force(input::InputFrame& frame) {
+        force_sample_.step(match(), game::practising);
+        const auto found = force_trial_.step(match(), game::practising, frame);
+        if (found) tell_found(*found);
+        return found;
+    }
+    /// Lets the player feel one fader of the forces.
+    void play_force(input::HandFader fader) { force_sample_.begin(fader); }
+    /// Whether a force is sought at present. Then the player's own largest force does not count.
+    bool finds_force() const { return force_trial_.runs(); }
+    input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
+    void set_dummy(game::DummyKind kind);
+    /// Continues with changed rules; match() may then be another object. Returns whether anything changed.
+    bool set_changes(const game::RangeChanges& changes);
+    /// Continues with the data of changed files; match() may then be another object. If a file is faulty, the
+    /// old data stays, and a caption names the fault until the next reload.
+    void adopt(const game::Reload& reload);
+    /// Follows the Apprentice after a tick: measures the step, and sets places and dummy where one begins.
+    void follow_lessons();
+    /// The course; null on the range.
+    game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
+    /// Looks at the strokes of the practising player after a tick.
+    void follow_gestures();
+    /// The wall; the Apprentice has none.
+    GestureWall& wall() { return wall_; }
+    /// Continues with other own gestures of the player; match() is then another object. After a refusal the same ones
+    /// stay, and the wall goes on recording.
+    void use_gestures(OwnGestures own);
+    void show(game::Picture& picture);
+    std::string score() { return words_of(scorer_.score(*range_.match)); }
+    /// The Apprentice's present step: "2 of 8: Bolt".
+    std::string step_words() const;
+    /// Words about the practice that ends: the score of the range, or how far the player has come in the course.
+    std::string last_words();
+
+private:
+    void say(std::string words, Tick how_long);
+    void tell_found(std::uint32_t percent);
+    void place(std::uint32_t player);
+    void heal();
+    void show_lesson(game::PracticePicture& picture);
+
+    game::RangeData data_;  ///< as the files say, before `changes_`
+    game::RangeChanges changes_{};
+    game::RangeMatch range_;
+    game::RangeScorer scorer_{};
+    std::optional<game::Apprentice> apprentice_;
+    GestureWall wall_{};
+    ForceTrial force_trial_{};
+    ForceSample force_sample_{};
+    bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
+    game::Caption caption_{};
+    Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "game/data/teams.h"
+#include "game/picture/force_colour.h"
+#include "game/scene/arena_parts.h"
+#include "game/scene/figures.h"
+
+namespace thaum::game {
+
+using render::Instance;
+
+namespace {
+
+constexpr double least_share = 0.02;    ///< share of the strongest force; smaller forces are not drawn
+constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
+/// Greatest shown displacement of a wand by its hand (m); beyond it hand and wand would leave the picture.
+constexpr double most_reach = 0.22;
+constexpr double most_lower = 0.06;  ///< greatest shown displacement downwards (m)
+/// Growth of the glow at a wand's tip to full charge, in the other player's view, and in the player's own, where it is
+/// near and must not hide the aim.
+constexpr double foe_growth = 3.5, own_growth = 1.2;
+/// A carried ingredient: its place above a player's own wand hand, which is in the picture of every shape of view (eye
+/// frame), its place in the free hand that the other player sees (frame of the feet), and its scales.
+constexpr fvec3 carried_at{0.27F, -0.14F, -0.6F}, foe_carried_at{-0.42F, 1.0F, -0.27F};
+constexpr float carried_scale = 0.15F, foe_carried_scale = 0.45F;
+
+/// Displacement at which a player's own wand is drawn, of a displacement by its hand (m, eye frame). The hand rests near
+/// the lower edge of the picture. So a lowered hand is drawn only a little lower, and what is drawn back comes nearer
+/// along the ray from the eye through the hand.
+vec3 drawn_reach(vec3 reach) {
+    const double lower = std::max(0.0, -reach.y);
+    if (lower > 0) reach.y = -most_lower * lower / (most_lower + lower);
+    const vec3 shown = limited(reach, most_reach);
+    const vec3 hand(own_hand);
+    return shown - std::max(0.0, shown.z) * vec3(hand.x, hand.y, 0) / -hand.z;
+}
+
+/// Place of a player's own wand's tip as it is drawn (m, eye frame).
+vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand_reach); }
+
+}  // namespace
+
+namespace {
+
+/// Rotation of the wand and the hand about the wand's tip, as the stylus turns them (eye frame). The angle is
+/// limited, because the hand would leave the arm at larger angles.
+fmat4 stylus_turned(const PlayerPicture& p) {
+    constexpr double most = 0.7;  // rad
+    const vec3 by = limited(p.wand_turn, most);
+    const double angle = glm::length(by);
+    if (!(angle > 1e-6)) return fmat4(1);
+    return render::translated(fvec3(wand_tip)) * glm::mat4_cast(fquat(rotation(by / angle, angle))) *
+           render::translated(-fvec3(wand_tip));
+}
+
+}  // namespace
+
+void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                std::vector<Instance>& out) {
+    const auto& team = arena_scene.teams[number];
+    const auto first = out.size();
+    const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
+    const auto standing = render::translated(feet) * looking(p.yaw, 0);
+    out.push_back({.mesh = p.dead ? team.fallen : team.figure, .model = standing});
+    if (!p.dead) {
+        const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
+                         looking(0, p.pitch);
+        out.push_back({.mesh = team.arm, .model = arm});
+        if (!p.wand.empty() && !p.stirs)
+            out.push_back({.mesh = arena_scene.wands[p.wand_number],
+                           .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
+    }
+    set_sun(arena_scene, p.centre, std::span(out).subspan(first));
+}
+
+namespace {
+
+/// The glow at a wand's tip. It grows by `growth` with the wand's charge.
+Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                  const fmat4& tip, double growth) {
+    const auto size = static_cast<float>(1 + growth * p.readiness);
+    return {.mesh = arena_scene.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
+}
+
+}  // namespace
+
+void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, double time,
+              std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto& team = arena_scene.teams[number];
+    const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
+                     looking(0, p.pitch);
+    if (!p.wand.empty())
+        out.push_back(spark_at(arena_scene, number, p, arm * render::translated(fvec3(wand_tip) - shoulder),
+                               foe_growth));
+    if (!p.carries.empty()) {
+        const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
+        add_ingredient(arena_scene,
+                       render::translated(feet) * looking(p.yaw, 0) * render::translated(foe_carried_at),
+                       foe_carried_scale, p.carried_shape, p.carried_colour, out);
+    }
+    if (p.shielded) {
+        const auto slowly = looking(0.8 * time, 0);
+        out.push_back(
+            {.mesh = team.shield, .model = render::translated(fvec3(p.centre)) * slowly, .glow = 0.9F});
+    }
+}
+
+void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                 std::vector<Instance>& out) {
+    const auto first = out.size();
+    const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
+                     render::translated(fvec3(drawn_reach(p.wand_reach))) * stylus_turned(p);
+    if (p.works()) return;  // the view of a player at a station shows only the ladle or the tip
+    out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
+    if (!p.wand.empty()) {
+        out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});
+        out.push_back(
+            spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip)), own_growth));
+    }
+    set_sun(arena_scene, p.eye, std::span(out).subspan(first));
+    if (!p.carries.empty())
+        add_ingredient(arena_scene, eye * render::translated(carried_at), carried_scale, p.carried_shape,
+                       p.carried_colour, out);
+}
+
+void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
+              std::vector<Instance>& out) {
+    const vec3 way = to - from;
+    const double length = glm::length(way);
+    if (length < 1e-6) return;
+    const auto yaw = std::atan2(-way.x, -way.z), pitch = std::atan2(way.y, std::hypot(way.x, way.z));
+    const fvec3 size(vec3(thick, thick, length));
+    out.push_back({.mesh = arena_scene.beam,
+                   .model = glm::scale(render::translated(fvec3(from)) * looking(yaw, pitch), size),
+                   .tint = tint,
+                   .glow = 0.7F});
+}
+
+namespace {
+
+/// Colour of the present force, by its share of the limit (linear light).
+fvec3 tint_of(const ForcePicture& force) {
+    const fvec3 shown = force_colour(force.share());
+    return shown * shown;  // converts screen colours to linear light
+}
+
+/// Adds a coil spring from a point along a way. Its turns lie closer the shorter it is.
+void add_coil(const ArenaScene& arena_scene, vec3 from, vec3 way, fvec3 tint, std::vector<Instance>& out) {
+    constexpr int turns = 5, steps = 8 * turns;
+    constexpr double radius = 0.022;  // radius of the coil (m)
+    constexpr double thick = 0.004;   // radius of the wire (m)
+    const double length = glm::length(way);
+    if (length < 0.01) return;
+    const vec3 along = way / length;
+    const vec3 side = perpendicular_to(along);
+    const vec3 up = glm::cross(side, along);
+    const auto point = [&](int i) {
+        const double share = static_cast<double>(i) / steps, angle = 2 * pi * turns * share;
+        return from + share * way + radius * (std::cos(angle) * side + std::sin(angle) * up);
+    };
+    for (int i = 0; i < steps; ++i) add_beam(arena_scene, point(i), point(i + 1), thick, tint, out);
+}
+
+}  // namespace
+
+void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                    std::vector<Instance>& out) {
+    const fvec3 light = team_colours(number).light;
+    for (std::uint32_t i = 0; i < p.arc_points; ++i) {
+        const bool last = i + 1 == p.arc_points;
+        const float size = last ? 0.12F : 0.035F + 0.002F * static_cast<float>(i);
+        out.push_back(bead_at(arena_scene, p.arc.at(i), size, light, 0.8F));
+    }
+    if (!p.spring) return;
+    const auto view = look_rotation(p.yaw, p.pitch);
+    const vec3 from = wand_tip + drawn_reach(*p.spring), way = own_tip(p) - from;
+    add_coil(arena_scene, p.eye + view * from, view * way, tint_of(p.force), out);
+}
+
+void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto view = look_rotation(p.yaw, p.pitch);
+    const vec3 tip = p.eye + view * (own ? own_tip(p) : wand_tip);
+    const fvec3 tint = tint_of(p.force);
+    if (p.held) add_beam(arena_scene, tip, *p.held, 0.012, tint, out);
+    if (!own || p.force.share() < least_share) return;
+    add_beam(arena_scene, tip, tip + view * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
+    out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));
+}
+
+}  // namespace thaum::game

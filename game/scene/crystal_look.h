@@ -1,0 +1,51 @@
+// game/scene/crystal_look.h: the look of a crystal. Its voxels are a surface that hides and is hidden like any thing. The
+// key is a faint shell around what is still to be built. What lies outside the key, and must go, is amber. From afar a
+// coarse mesh stands for both.
+//
+//     simulation                      any thread                    renderer
+//     take_crystals(match, crystals)  show_crystal(...)             view.scans, with look.body and look.key,
+//                                                                   or an instance of look.mesh
+//
+// Only bricks that have changed are sent, and only if a view sees the crystal.
+#pragma once
+#include <vector>
+
+#include "game/picture/station_picture.h"
+#include "game/scene/changing_mesh.h"
+#include "render/renderer.h"
+#include "render/scan.h"
+
+namespace thaum::game {
+
+/// Everything drawn for a crystal. It can be moved but not copied, because the scans point into it.
+struct CrystalLook {
+    render::Scan body{}, key{};
+    ChangingMesh mesh{};
+
+    bool made{};                                   ///< the scans show a crystal
+    std::uint64_t seed{};                          ///< seed of that crystal
+    std::shared_ptr<const CrystalVoxels> shown{};  ///< the voxels that are shown
+    std::shared_ptr<const CrystalVoxels> rough{};  ///< the crystal as nobody has touched it
+    std::vector<float> wanted{};                   ///< densities of the key
+    std::vector<field::Rgb8> paint{};              ///< colour of each voxel
+    std::vector<std::uint32_t> bricks{};           ///< version of each brick
+    render::ScanTable table{};                     ///< colour and opacity of the key
+
+    CrystalLook() = default;
+    CrystalLook(CrystalLook&&) = default;
+    CrystalLook& operator=(CrystalLook&&) = default;
+};
+
+/// Reserves the scans of a crystal.
+CrystalLook make_crystal_look(render::Renderer& renderer);
+
+/// Whether an eye is near enough to see the voxels and the key rather than the mesh.
+bool sees_voxels(const CrystalPicture& crystal, vec3 eye);
+
+/// Refreshes the scans and the mesh if the crystal has changed. Returns the number of bricks that have.
+std::size_t show_crystal(const CrystalPicture& crystal, CrystalLook& look);
+
+/// Adds the mesh.
+void add_crystal(const CrystalPicture& crystal, const CrystalLook& look, std::vector<render::Instance>& out);
+
+}  // namespace thaum::game

@@ -1,0 +1,35 @@
+// game/stations/cauldron/brewing.h: rules of the brew in the match (game.md, "Cauldron").
+// They decide who owns the brew, how it acts on wizards near it, and when it spoils. They also place the
+// ingredients and track who carries one.
+#pragma once
+#include "game/stations/cauldron/cauldron.h"
+
+namespace thaum::game {
+
+/// Creates the ingredient niches at the arena's places.
+void spawn_niches(MatchContext& context);
+
+/// Share of the full walking speed that a wizard has at a place. It is below 1 near a thick brew.
+double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
+
+/// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
+/// stirring with the flow, the boon of a well-mixed brew, and spoiling. Every tick: lift on wizards near a light brew.
+void add_brewing_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
+
+/// Adds the system that puts a carried ingredient away when its wizard presses Throw and no wand holds a thing. It must
+/// come before the wands, which let go of a thing in the tick of the press.
+void add_put_away_system(MatchContext& context, ecs::Schedule& schedule);
+
+/// Tells whether the brew is light enough to lift wizards near it.
+bool is_light(const AuraRules& aura, const Cauldron& cauldron);
+/// Tells whether the brew is thick enough to slow wizards near it.
+bool is_thick(const AuraRules& aura, const Cauldron& cauldron);
+
+/// Tells whether stirring with this ladle refills the wands of its wizard now: it moves with the flow.
+bool is_refilling(const AuraRules& aura, const ecs::World& world, const BrewWork* work, const Ladle& ladle,
+                  Tick tick);
+
+/// Work of a ladle on the brew in the last 1.5 s (J).
+double recent_work(const Ladle& ladle);
+
+}  // namespace thaum::game

@@ -1,0 +1,91 @@
+// game/stations/cauldron/cauldron.h: the brew in the match. Its state is in the World: Cauldron, BrewSamples,
+// SurfaceSamples. The solver's memory is outside the World. It is made when the brew is first touched, and can be
+// rebuilt from the World.
+//
+//     tick:   16 k                        16 (k + 1)
+//     strokes ─┴─> fluid step as a job ─────┴─> pages and figures; the next step begins
+//
+// A step takes the strokes queued before it began. Its result is read exactly 16 ticks later, whichever
+// thread computed it. A brew at rest without strokes costs nothing.
+#pragma once
+#include <memory>
+
+#include "core/jobs.h"
+#include "game/brew/brew.h"
+#include "game/components/cauldron.h"
+#include "game/context/match_context.h"
+
+namespace thaum::game {
+
+inline constexpr Tick fluid_period = 16;
+inline constexpr Tick surface_period = 4;
+inline constexpr double fluid_dt = seconds(fluid_period);
+inline constexpr double surface_dt = seconds(surface_period);
+
+/// Averages over the whole brew.
+struct BrewFigures {
+    double mixing{}, reached{}, viscosity{1}, density{1}, speed{};  ///< the figures of the component Cauldron
+};
+
+/// Solver memory of a match's brew.
+struct BrewWork {
+    Brew brew;
+    Basin basin;
+    std::vector<std::uint32_t> wet;  ///< indices of the cells inside the basin, from Lattice::at
+    fluid::StepReport report{};
+    BrewFigures figures{};
+    Jobs::Ticket step{};
+};
+
+/// Solver of a match's brew. The simulation owns it.
+struct BrewSolver {
+    Jobs& jobs;                        ///< runs the fluid steps
+    std::unique_ptr<BrewWork> work{};  ///< null until a player or a thing touches the brew
+    std::uint64_t bursts_seen{};       ///< number of the next event that may be a burst at the brew
+};
+
+namespace resource {
+
+struct Brew {
+    using Value = BrewSolver;
+    static constexpr std::string_view name = "brew solver";
+};
+
+}  // namespace resource
+
+using BrewResource = ecs::Resource<resource::Brew>;
+
+/// Creates the cauldron of a new round, at rest and without ingredients. Does nothing if the match has no
+/// cauldron.
+void spawn_cauldron(MatchContext& context, BrewSolver& solver);
+/// Rebuilds the solver's memory from the World after a restore, and restarts the step that was running.
+void rebuild_brew(MatchContext& context, BrewSolver& solver);
+
+/// Adds the system for the surface (every 4 ticks) and the one for the fluid (every 16 ticks).
+void add_brew_systems(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
+
+/// Makes the solver's memory if there is none and the match has a cauldron. Must not be called inside a view.
+/// Writes BrewSamples and SurfaceSamples.
+void touch_brew(MatchContext& context, BrewSolver& solver);
+
+/// Queues a stroke for the next fluid step. A stroke with `by` is merged with an earlier one of the same
+/// `by`. In a full queue momentum joins the last stroke, and an ingredient is rejected (false).
+bool add_stroke(Cauldron& cauldron, const Stroke& stroke);
+/// Adds a ladle's impulse to its player's stroke of the next step. All impulses of one step act at the latest
+/// place.
+void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3 impulse, double radius);
+
+/// Height of the brew's surface at a place (m, world). Returns the level at rest if `work` is null.
+double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place);
+
+/// Blend between the newest two fluid states: 0 at the older, 1 at the newer one step after it was taken.
+/// Readers interpolate with it during a step.
+double share_of_step(const Cauldron& cauldron, Tick tick);
+
+/// What the present fluid step makes of the pure brew's numbers.
+const ChangedBrew& changes_of(const MatchData& data, const Cauldron& cauldron);
+
+/// Velocity of the brew at a place and tick (m/s, world). Zero outside the brew.
+vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick tick);
+
+}  // namespace thaum::game

@@ -1,0 +1,12 @@
+// game/stations/cauldron/splash.h: loose things that fall into the brew, and lobs that burst over it. Each push on a
+// thing pushes the brew back equally.
+#pragma once
+#include "game/stations/cauldron/cauldron.h"
+
+namespace thaum::game {
+
+/// Adds the system that applies drag and buoyancy to things in the brew, and the opposite momentum to the
+/// brew, every 4 ticks.
+void add_splash_system(MatchContext& context, BrewResource& brew, ecs::Schedule& schedule);
+
+}  // namespace thaum::game

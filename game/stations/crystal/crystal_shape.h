@@ -1,0 +1,51 @@
+// game/stations/crystal/crystal_shape.h: the key that a crystal shall become, and the rough body that it is at first. Both follow
+// from a seed.
+//
+//     ring (bow) --- shaft --- bits      seen from +z; the key lies along x, its middle is the body's middle
+//     rough body = key - bites + lumps   most of the key's volume is there, but the two overlap by half
+//
+// Each part is a solid with a formula for the depth below its surface. A voxel's density is 0.5 at the surface and goes
+// from 0 to 1 within two voxels, as the rims of carving tools do. Only + - * / and sqrt are used, so that the bits are
+// the same on every processor. The parts' sizes are in voxels of a body with 48 along each axis; other bodies scale them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace thaum::game {
+
+/// Tooth of a key: a block that stands off the shaft.
+struct KeyBit {
+    double along{};  ///< x of its middle
+    double half{};   ///< half its width along x
+    double deep{};   ///< distance from the shaft's axis to its end
+};
+
+inline constexpr std::size_t most_key_bits = 4;
+
+/// Dimensions of a key (voxels).
+struct KeyShape {
+    double ring_x{};                           ///< x of the ring's middle
+    double ring_radius{};                      ///< radius of the ring's middle line
+    double ring_thick{};                       ///< radius of the ring's cross-section
+    double ring_high{};                        ///< height of the ring as a share of its width
+    double shaft_end{};                        ///< x of the shaft's tip
+    double shaft_thick{};                      ///< radius of the shaft
+    double collar_x{};                         ///< x of the disc round the shaft
+    double collar{};                           ///< radius of that disc
+    double side{};                             ///< 1: the bits point up; -1: down
+    std::array<KeyBit, most_key_bits> bits{};  ///< the first `bit_count`
+    std::size_t bit_count{};
+};
+
+KeyShape key_shape(std::uint64_t seed);
+
+/// Density of the key in each voxel, x fastest, for a body with `voxels` along each axis.
+std::vector<float> key_density(std::uint64_t seed, int voxels);
+
+/// Density of the rough body. Its overlap with the key is between 0.4 and 0.65.
+std::vector<float> rough_density(std::uint64_t seed, const std::vector<float>& key, int voxels);
+
+}  // namespace thaum::game

@@ -1,0 +1,114 @@
+#include "game/stations/orb/orb.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+
+namespace thaum::game {
+namespace {
+
+/// Least and greatest distance of the core from the orb's middle, as a share of the extent. A probe that rests in the
+/// middle must not find it.
+constexpr double least_off_middle = 0.1, most_off_middle = 0.22;
+/// Half of the length of the core along which the next conditions hold, as a share of the extent: that of a hand whose
+/// device is shallow.
+constexpr double searched_half = 0.2;
+/// Greatest distance between the core and the place round which the flow turns, as a share of the extent.
+constexpr double most_shift = 0.03;
+/// Least ratio of the core's curl to that of another vortex.
+constexpr double least_lead = 1.2;
+/// Number of flows that are tried. One of about 20 can be found by hand.
+constexpr int most_flows = 1000;
+
+double curl_of(const field::RankineVortex& vortex) { return 2 * std::abs(vortex.speed) / vortex.radius; }
+
+vec3 across(vec3 way, vec3 axis) { return way - glm::dot(way, axis) * axis; }
+
+/// Distance from the core's axis at which the whole flow across it is zero, at one place of the axis (m).
+double shift_at(const field::VortexFlow& flow, vec3 place) {
+    const auto& core = flow.vortices[0];
+    return glm::length(across(flow(place).value, core.axis)) * core.radius / std::abs(core.speed);
+}
+
+/// Seed of a flow that can be found. If all tries fail, that of the last.
+std::uint64_t seed_of_flow(double extent, std::uint64_t seed) {
+    constexpr std::uint64_t stream = 3;
+    Random random = random_stream(seed, stream);
+    std::uint64_t drawn = random.next();
+    for (int i = 1; i < most_flows && !can_be_found(field::make_vortex_flow(extent, drawn), extent); ++i)
+        drawn = random.next();
+    return drawn;
+}
+
+WornModes modes_at_first(const OrbRules& rules) {
+    WornModes modes;
+    for (std::size_t i = 0; i < rules.modes.size(); ++i) modes.strength[i] = rules.modes[i].strength;
+    return modes;
+}
+
+}  // namespace
+
+field::VortexFlow flow_of(const Orb& orb) { return field::make_vortex_flow(2 * orb.radius, orb.seed); }
+
+HiddenCore core_of(const Orb& orb) { return core_within(flow_of(orb), orb.middle, orb.radius); }
+
+HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius) {
+    const auto& vortex = flow.vortices[0];
+    const vec3 nearest = across(vortex.middle, vortex.axis);
+    const double square = radius * radius - glm::dot(nearest, nearest);
+    return {.middle = middle + nearest, .axis = vortex.axis, .half = std::sqrt(std::max(0.0, square))};
+}
+
+double distance_from(const HiddenCore& core, vec3 place) {
+    const double along = std::clamp(glm::dot(place - core.middle, core.axis), -core.half, core.half);
+    return glm::distance(place, core.middle + along * core.axis);
+}
+
+bool can_be_found(const field::VortexFlow& flow, double extent) {
+    const auto& core = flow.vortices[0];
+    const vec3 nearest = across(core.middle, core.axis);
+    const double off = glm::length(nearest) / extent;
+    if (off < least_off_middle || off > most_off_middle) return false;
+    for (std::size_t i = 1; i < flow.vortices.size(); ++i)
+        if (curl_of(core) < least_lead * curl_of(flow.vortices[i])) return false;
+    constexpr int steps = 4;
+    for (int i = -steps; i <= steps; ++i) {
+        const vec3 place = nearest + i * (searched_half * extent / steps) * core.axis;
+        if (shift_at(flow, place) > most_shift * extent) return false;
+    }
+    return true;
+}
+
+void spawn_orb(MatchContext& context, std::uint64_t seed) {
+    if (!context.data.orb) return;
+    const auto* place = orb_of(context.data.arena);
+    const double radius = place->body.size.x;
+    auto& world = context.world;
+    world.create(Orb{.middle = place->position, .radius = radius, .seed = seed_of_flow(2 * radius, seed)});
+    for (std::uint32_t player = 0; player < players; ++player)
+        world.add(wizard_of(world, player), modes_at_first(*context.data.orb));
+}
+
+std::optional<OrbMemory> orb_memory(const ecs::World& world) {
+    if (world.count<Orb>() == 0) return std::nullopt;
+    OrbMemory memory{.seed = world.single<Orb>().seed};
+    for (std::uint32_t player = 0; player < players; ++player)
+        memory.modes[player] = world.get<WornModes>(wizard_of(world, player));
+    return memory;
+}
+
+void spawn_next_orb(MatchContext& context, const OrbMemory& memory) {
+    spawn_orb(context, memory.seed);
+    for (std::uint32_t player = 0; player < players; ++player) {
+        auto& modes = context.world.get<WornModes>(wizard_of(context.world, player));
+        modes = memory.modes[player];
+        modes.told = modes.spent = 0;
+    }
+}
+
+HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw) {
+    return {.origin = orb.middle, .turn = look_rotation(yaw, 0), .metres_per_metre = rules.metres_per_metre};
+}
+
+}  // namespace thaum::game

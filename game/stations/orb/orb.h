@@ -1,0 +1,51 @@
+// game/stations/orb/orb.h: the scrying orb: its flow, the hidden core, and the frame of the hand that scries.
+//
+//     hand, device frame --(metres_per_metre, turned to the orb)--> probe, world --> flow about the orb's middle
+//
+// The flow is evaluated from its formula, so it has no samples and costs nothing while nobody scries.
+#pragma once
+#include "field/analytic.h"
+#include "game/components/orb.h"
+#include "game/context/match_context.h"
+#include "game/context/surfaces.h"
+
+namespace thaum::game {
+
+/// The orb's flow about its middle, with the axes of the world.
+field::VortexFlow flow_of(const Orb& orb);
+
+/// The hidden core: the part of the first vortex's axis that lies in the orb (m, world).
+struct HiddenCore {
+    vec3 middle{};  ///< nearest place of the axis to the orb's middle
+    vec3 axis{};    ///< unit
+    double half{};  ///< half of the core's length
+};
+HiddenCore core_of(const Orb& orb);
+/// The part of the first vortex's axis that lies in a ball about `middle`, where the flow has its origin.
+HiddenCore core_within(const field::VortexFlow& flow, vec3 middle, double radius);
+
+/// Distance of a place from the core (m, world).
+double distance_from(const HiddenCore& core, vec3 place);
+
+/// Whether a hand can find the core of a flow that fills a box of this extent (m): from every side its device reaches a
+/// long part of it, but not at rest, it turns faster than the other vortices, and they hardly move the place round which the flow turns.
+bool can_be_found(const field::VortexFlow& flow, double extent);
+
+/// Creates the orb of a new match and gives each wizard the curves of the rules. `seed` decides the flow. Does nothing if
+/// the match has no orb.
+void spawn_orb(MatchContext& context, std::uint64_t seed);
+
+/// The part of an orb that the next round takes over.
+struct OrbMemory {
+    std::uint64_t seed{};
+    std::array<WornModes, players> modes{};
+};
+/// The memory of the orb that there is; std::nullopt if there is none.
+std::optional<OrbMemory> orb_memory(const ecs::World& world);
+/// Creates the orb of the next round, with another flow. Wizards keep their modes and curves.
+void spawn_next_orb(MatchContext& context, const OrbMemory& memory);
+
+/// Pose of a scrying hand's device frame (world). `yaw`: AtStation::yaw.
+HandFrame probe_frame(const OrbRules& rules, const Orb& orb, double yaw);
+
+}  // namespace thaum::game
