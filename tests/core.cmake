@@ -10,6 +10,7 @@ if(NOT THAUM_SANITIZE)
     # build, no long file. clang-tidy finds long functions.
     thaum_test(test_structure
         SOURCES structure/rules.cpp structure/check_rules.cpp structure/check_tree.cpp)
+    thaum_links_alone()
 
     # The launcher with missing packages, in moved, copied, read-only and other users' trees, and in odd surroundings: a copy
     # of it runs with stand-ins for apt-get and the other tools. It takes 6 s of a processor.

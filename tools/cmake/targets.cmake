@@ -12,6 +12,21 @@ function(thaum_engine name)
         PUBLIC thaum_arithmetic ${ARG_LINK}
         PRIVATE $<BUILD_INTERFACE:thaum_flags> ${ARG_PRIVATE_LINK})
     thaum_headers_of(engine thaum_${name})
+    set_property(GLOBAL APPEND PROPERTY THAUM_FOLDERS ${name})
+endfunction()
+
+# thaum_links_alone(): links the whole of each folder's library, engine's and game's, against the libraries that it names,
+# and nothing else. So a folder that uses what it does not name stops the build.
+function(thaum_links_alone)
+    get_property(folders GLOBAL PROPERTY THAUM_FOLDERS)
+    file(WRITE ${PROJECT_BINARY_DIR}/links_alone.cpp "int main() {}\n")
+    foreach(name ${folders})
+        add_executable(${name}_links_alone ${PROJECT_BINARY_DIR}/links_alone.cpp)
+        target_link_libraries(${name}_links_alone PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,thaum_${name}>" thaum_flags)
+        target_link_options(${name}_links_alone PRIVATE -Wl,--strip-all)
+        set_target_properties(${name}_links_alone PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/links_alone UNITY_BUILD OFF DISABLE_PRECOMPILE_HEADERS ON)
+    endforeach()
 endfunction()
 
 # thaum_cold(TARGETS...): targets in which no time is spent at run time, such as menus, commands and words. Little
