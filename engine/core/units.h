@@ -1,4 +1,4 @@
-// core/units.h: the time units of the simulation. One tick is one haptic sample, 1 ms (architecture.md, "One
+// core/units.h: the time units of the simulation. One tick is one haptic sample, 1 ms (ARCHITECTURE.md, "The
 // tick").
 #pragma once
 #include <cstdint>

@@ -2,7 +2,7 @@
 //
 // Every reader in core and input declares here what it opens, and every writer checks here. So no output destroys an
 // input: a file that this run has read is never replaced, under whatever name, except a file that the program owns
-// (read_own_file) or that this run has written itself. A recorded match is never replaced either.
+// (read_own_text_file) or that this run has written itself. A recorded match is never replaced either.
 #pragma once
 #include <filesystem>
 #include <string_view>

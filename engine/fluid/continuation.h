@@ -7,8 +7,8 @@
 // the open faces around, at the centre of the face. A flow that turns as a rigid body is then advected exactly.
 //
 // A continued flow has some divergence, and nothing keeps its energy. So the faces beside it get two terms more:
-// that of the divergence (momentum.h leaves it out), and a share of upwind differences. Those are zero where the
-// flow is linear, and take the energy of waves that are too short for the grid.
+// that of the divergence (momentum.h leaves it out), and a share of upwind differences. Both are zero for a rigid
+// turn. The second takes the energy of waves that are too short for the grid.
 #pragma once
 #include <array>
 #include <cstdint>

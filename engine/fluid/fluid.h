@@ -10,7 +10,8 @@
 // Two solvers share this interface:
 //
 //     thaum      Staggered grid with differences of 2nd or 4th order that conserve momentum and energy
-//                (momentum.h). Runge-Kutta in time, a direct pressure solve.
+//                (momentum.h). Runge-Kutta in time. The pressure is solved directly in a box, by
+//                conjugate gradients around solids.
 //                Substances are conserved and never fall below zero.
 //     classic    The paper's own method (Stam 1999 in three dimensions): the measured baseline.
 //
@@ -71,7 +72,7 @@ struct State {
     /// Velocity (m/s). Ghosts follow the edges; Fluid::place has the positions of the samples.
     std::array<Samples, 3> velocity;
     std::array<Samples, 3> push;  ///< velocity that the next step adds (m/s)
-    Samples pressure;             ///< pressure of the last step; used only with solids (m^2/s^2)
+    Samples pressure;             ///< pressure of the last step, with solids; room of `classic` (m^2/s^2)
     /// Potential whose gradient the last projection subtracted; used only with solids (m^2/s).
     Samples projected;
     std::vector<Samples> substances;  ///< densities, >= 0
@@ -102,8 +103,8 @@ struct Fluid {
 };
 
 /// Checks settings. The error names the setting that is wrong: cells outside 1 to cells_most, an order
-/// or number of sweeps out of range, more than three substances, a viscosity that is negative, not
-/// finite or above viscosity_most, or an h, gravity or lid that is not finite.
+/// or number of sweeps out of range, more than three substances, and a viscosity, h, gravity, lid,
+/// weight or diffusion that is not finite or outside of its range.
 Expected<void> check(const Settings& settings);
 
 /// Makes a fluid at rest, without substances. The error is that of `check`.

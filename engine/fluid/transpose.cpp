@@ -7,7 +7,6 @@ namespace {
 
 /// Combines two rows: low_of takes the elements of both whose index lacks bit `distance`, high_of those
 /// whose index has it.
-/// `b` whose index has it. The other places take the rest of the same half.
 template <int distance>
 inline Floats8 low_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 4) return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);

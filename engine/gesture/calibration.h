@@ -5,7 +5,7 @@
 // that the stroke was meant is a logistic function of them (Platt 1999), whose weights are fitted to labelled strokes
 // by Newton's method. Labelled strokes are synthetic at recording time (variations.h), or real where there are some.
 //
-// Synthetic strokes differ in three ways from what a person draws. Half of them mean nothing. They are nearer to the
+// Synthetic strokes differ in three ways from what a person draws. Half of them or more mean nothing. They are nearer to the
 // templates than strokes of other users, in some sets by half. And they scatter more than strokes of one user. So the
 // probability that they give is too low for a stroke that somebody drew on purpose: on average by 0.1 to 0.7 with one
 // template of another user. `probability_on_purpose` mends that. Which of two gestures was meant is a matter of the ratio of

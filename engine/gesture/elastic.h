@@ -3,8 +3,7 @@
 // Dynamic time warping with a band (Sakoe, Chiba 1978): points of the stroke are matched to points of the template in
 // order, each at most `warp_band` places away from its own. The distance is the least sum of costs over all matchings,
 // divided by the number of points. Two points at squared distance s cost s / (1 + 2 s), at most 1/2 (Geman, McClure
-// 1985). One wrong corner then cannot outweigh a good match of the rest: on
-// letters it halves the errors of one template (design: gesture.md).
+// 1985). One wrong corner then cannot outweigh a good match of the rest.
 #pragma once
 #include <array>
 #include <span>

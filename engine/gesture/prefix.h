@@ -18,7 +18,7 @@
 //
 // Confidence: as in calibration.h, with beginnings of synthetic strokes and scribbles. How much of the gesture has been drawn
 // is evidence too: late in a stroke its distances are larger, and still right. Everything is fixed at construction, and
-// equal input gives equal bits. At most sixteen beginnings are compared elastically, however many there are.
+// equal input gives equal bits. At most sixteen solid and sixteen flat beginnings are compared elastically, however many there are.
 //
 // Steady answers. `tell` keeps what it has told until that has become unlikely or another gesture is likely enough, so that
 // a colour does not come and go.

@@ -4,7 +4,7 @@
 //            -> distance of each gesture -> probability, runner-up, acceptance
 //
 // There is no training. One to three strokes of each gesture are enough. The dot product (paper 000, section 8, here of
-// positions, directions and force) takes some nanoseconds a template and leaves few for the elastic distance, which
+// positions, directions, turns and force) takes some nanoseconds a template and leaves few for the elastic distance, which
 // decides. The distance of a gesture is that of its nearest template and, with half the weight, of the second nearest.
 // The mean of several recorded strokes of a gesture is a template as well.
 //

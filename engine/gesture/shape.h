@@ -7,7 +7,7 @@
 //      each from 0 to 1. Slow parts (corners) get more points than by arc length alone.
 //   3. The centroid moves to the origin and the root mean square distance from it becomes 1.
 //   4. Each point gets its direction of motion, how sharply the stroke turns there, and the force, which is centred and
-//      scaled to a variance of 0.25. Raw force in the vector of positions harms recognition (design: gesture.md).
+//      scaled to a variance of 0.25. Raw force in the vector of positions harms recognition (GESTURE.md).
 //
 // All arithmetic is in float with a fixed order, so a shape has the same bits on every processor.
 #pragma once

@@ -1,6 +1,6 @@
 // gesture/spotter.h: finds gestures in continuous motion, without a button.
 //
-//     point each tick -> front end: a point for each step of arc length, with sums of length, time and force
+//     point each tick -> front end: a point for each step of arc length, with the sum of length and the time
 //                     -> windows of several lengths that end now: shape, dot product with the templates
 //                     -> the 16 best pairs of window and template: elastic distance
 //                     -> the best window of each gesture, once no better one follows: close look (close_look.h)

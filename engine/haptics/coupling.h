@@ -63,8 +63,8 @@ struct CouplingResult {
 /// Advances the coupling by one step. Exact to rounding. Finite for finite input that does not overflow.
 CouplingResult couple(const CouplingStep& step, const CouplingState& state);
 
-/// Transform between device frame and world frame, with a scale for lengths and one for forces (haptics.md,
-/// "Two scales, one rule").
+/// Transform between device frame and world frame, with a scale for lengths and one for forces (HAPTICS.md,
+/// "Units, frames and state").
 struct CouplingFrame {
     mat3 player_to_world{1.0};    ///< rotation R_g
     mat3 device_to_player{1.0};   ///< R_d, orthonormal; may exchange or mirror axes

@@ -1,10 +1,10 @@
-// haptics/energy.h: energy bookkeeping at the device (haptics.md, "Energy"): a passivity observer after the
+// haptics/energy.h: energy bookkeeping at the device (HAPTICS.md, "Energy and switches"): a passivity observer after the
 // last stage, and a passivity controller. The controller adds the damping that keeps passive sources passive
 // (time-domain passivity; Hannaford and Ryu 2002).
 //
-// Passive sources (tether, primitives, surfaces) may return the energy that they received, and no more. They
-// receive it from the hand, or from the world that moves the spring's other end. Active sources (pulses,
-// steady force) may push the hand within a budget.
+// Passive sources (tether, primitives, surfaces, viscous spaces, a fluid's drag and walls) may return the energy that they
+// received, and no more. They receive it from the hand, or from the world that moves the spring's other end. Active sources
+// (pulses, steady and directed forces, a fluid's flow) may push the hand within a budget.
 //
 // A switch may leave springs that hold more than they received: material that grew at the hand, a largest force that
 // was raised, forces that come back. No damper takes that much out of a hand that rests. So from a switch on, the

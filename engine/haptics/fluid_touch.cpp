@@ -12,7 +12,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Scales from the bowl to the hand (haptics.md, "Two scales").
+/// Scales from the bowl to the hand (HAPTICS.md, "Units, frames and state").
 struct HandScale {
     double stiffness{};  ///< scale of stiffness, damping and mass: s_f s_x
     double energy{};     ///< scale of energy: s_f / s_x

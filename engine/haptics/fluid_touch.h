@@ -6,7 +6,7 @@
 //     tip, velocity ------------------------------------------------+--> feel_fluid() --> forces on the hand, by kind
 //     FluidTouchState ----------------------------------------------'                     and the force for the fluid
 //
-// There are two frames and two scales (haptics.md). The bowl frame has y up and an origin that the game
+// There are two frames and two scales (HAPTICS.md, "Couplings and fluid"). The bowl frame has y up and an origin that the game
 // chooses (m). Flow, surface and wall are in the bowl frame. With x and v of the tip in the device frame, R =
 // `turn` and s_x, s_f:
 //

@@ -1,5 +1,5 @@
-// haptics/safety.h: the safety stage, the last one before every device, always on (haptics.md, "Safety
-// stage").
+// haptics/safety.h: the safety stage, the last one before every device, always on (HAPTICS.md,
+// "Safety").
 //
 // The device gets a finite force of at most the cap. The force changes slowly at a switch and keeps the
 // motors cool. It is zero if the model is stale, the hand is too fast, the player wants no forces, or the

@@ -6,7 +6,7 @@
 namespace thaum::haptics {
 namespace {
 
-// Copied from haptics.md, not from the stage: tests compare the stage with these figures.
+// Written down beside the stage, not read from it: tests compare the stage with these figures.
 constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
 constexpr double longest_hand_step = 0.05;  // m

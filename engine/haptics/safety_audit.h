@@ -4,7 +4,7 @@
 //        |                         |
 //        +----- SafetyAudit -------+
 //
-// The audit checks the output against the rules of haptics.md, "Safety stage". It shares no code with the
+// The audit checks the output against the rules of HAPTICS.md, "Safety". It shares no code with the
 // stage and does not see the stage's state. It keeps moments where the stage keeps counters, and every square
 // of the window where the stage keeps bins. The rules leave one thing free: how the stage scales down near
 // the thermal budget. Only there the audit accepts any choice.

@@ -112,8 +112,8 @@ struct ServoSample {
 /// Constants of the servo.
 struct Servo {
     SafetyLimits limits{};
-    /// Largest damping that the device renders (N s/m). It limits the passivity controller and a fluid's
-    /// drag; 0 switches both off.
+    /// Largest damping that the device renders (N s/m). It limits the passivity controller, a viscous space
+    /// and a fluid's drag; 0 switches them off.
     double most_damping{};
     int latency{};     ///< delay of the device (ticks)
     double quantum{};  ///< position per encoder count (m)
@@ -188,7 +188,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
 /// the energy budget, and which pulses are over. The force starts at zero and grows slowly.
 ServoState resumed(const ServoState& before);
 
-/// Velocity of the tip over the window, or the part of it that is filled (m/s); zero before the second
+/// Velocity of the tip over the stored positions, or those that are filled (m/s); zero before the second
 /// sample.
 vec3 tip_velocity(const ServoState& state);
 

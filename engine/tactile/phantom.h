@@ -1,7 +1,7 @@
 // tactile/phantom.h: phantom actuators, which let one place be felt between several actuators.
 //
 // Two motors that run together are felt as one, at the centroid of their places weighted by amplitude squared
-// (design page haptics.md, Tactile). So a share w_i of the energy goes to actuator i, with amplitude A sqrt(w_i), and
+// (Israr and Poupyrev 2011). So a share w_i of the energy goes to actuator i, with amplitude A sqrt(w_i), and
 //
 //     sum w_i = 1,   w_i >= 0,   sum w_i x_i = p            the felt place is p; the felt strength stays A
 //

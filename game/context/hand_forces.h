@@ -10,8 +10,8 @@ namespace thaum::game {
 HandState empty_hand_state();
 
 /// Kicks the hand with half a sine wave: the recoil of a shot, for example. `newtons` is the peak for a device
-/// with a peak force of 3.3 N and a player who wants full force; for others it scales in proportion
-/// (game.md). `newtons` is in the device frame. Writes HandState.
+/// with a peak force of 3.3 N and a player who wants full force; for others it scales in proportion.
+/// `newtons` is in the device frame. Writes HandState.
 void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
 /// Kicks the hand towards the user with a share of the largest force that the player wants.

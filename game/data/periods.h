@@ -4,7 +4,7 @@
 
 namespace thaum::game {
 
-/// Periods of physics and gameplay systems, in ticks (architecture.md, "One tick").
+/// Periods of physics and gameplay systems, in ticks (engine/ARCHITECTURE.md, "The tick").
 inline constexpr Tick physics_period = 1;
 inline constexpr Tick gameplay_period = 8;
 inline constexpr double physics_dt = seconds(physics_period);

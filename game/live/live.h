@@ -1,6 +1,6 @@
 // game/live/live.h: a match in a window, in real time.
 //
-// Three threads share the work (architecture.md, "One tick"):
+// Three threads share the work (engine/ARCHITECTURE.md, "Threads"):
 //   - The main thread waits for window events and polls pads.
 //   - The simulation thread takes sample t of each device at t ms and publishes pictures. When it is late it
 //     runs faster until it has caught up. It cuts a backlog beyond 250 ms by leaving samples out, and logs

@@ -1,4 +1,5 @@
-// game/live/shared.h: data that the three threads of a live session share without locks.
+// game/live/shared.h: data that the three threads of a live session share. What one thread hands
+// over for good (hand_over.h) takes a lock for a moment; all else takes none.
 #pragma once
 #include <atomic>
 #include <functional>

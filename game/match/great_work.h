@@ -1,4 +1,4 @@
-// game/match/great_work.h: the Great Work (game.md, "Win"). A wizard who holds both halves of it, Azoth and the Lens, for
+// game/match/great_work.h: the Great Work (MANUAL.md, "The Great Work"). A wizard who holds both halves of it, Azoth and the Lens, for
 // a time wins the round. Death breaks it, since it takes both halves.
 #pragma once
 #include "game/context/match_context.h"

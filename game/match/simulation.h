@@ -17,8 +17,8 @@
 
 namespace thaum::game {
 
-/// Version of the rules. It changes whenever the same input would lead to another state. The history of this
-/// file in version control gives the reasons.
+/// Version of the rules. It changes whenever the same input would lead to another state. CHANGELOG.md
+/// gives the reasons.
 inline constexpr std::uint32_t rules_version = 27;
 
 struct MatchSetup {

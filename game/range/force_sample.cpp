@@ -10,7 +10,7 @@ namespace {
 using input::HandFader;
 
 constexpr Tick length = ticks(1.5);
-// Forces of the samples at a device with a peak of 3.3 N; recoil and weight as the wands have them (game.md).
+// Forces of the samples at a device with a peak of 3.3 N; recoil and weight as the wands have them.
 constexpr double bolt_recoil = 1.2;     // peak of a kick (N)
 constexpr double blow = 2;              // peak of a blow (N)
 constexpr double weight_per_kg = 0.01;  // felt weight (N/kg)

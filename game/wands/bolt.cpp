@@ -2,8 +2,7 @@
 // direction.
 //
 // A bolt in flight is a point on a straight line. In each physics step, after the bodies have moved, a ray is
-// cast along its path. So a bolt cannot pass through anything, however thin, and hits are exact (game.md,
-// Bolt).
+// cast along its path. So a bolt cannot pass through anything, however thin, and hits are exact.
 #include <algorithm>
 #include <cmath>
 

@@ -45,7 +45,7 @@ feels_three() {
     done
 }
 
-# The shots must be felt: kicks of 1.2 N towards the user (game.md). The hand must have moved to both sides.
+# The shots must be felt: kicks of 1.2 N towards the user. The hand must have moved to both sides.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,live=$folder/good.live" "${match[@]}" --record "$folder/good.thaumlog" 2>"$folder/good.txt" &
 game=$!
 shots_are_felt() {

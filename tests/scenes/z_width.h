@@ -11,7 +11,7 @@
 
 namespace thaum::bench {
 
-/// The reference device of haptics.md: 0.1 kg, 0.5 N s/m, 1 ms, without friction and quantisation, and with
+/// The reference device of the Z-width: 0.1 kg, 0.5 N s/m, 1 ms, without friction and quantisation, and with
 /// limits that no wall reaches.
 inline haptics::DeviceSpec reference_device(double damping, int latency) {
     return {.name = "reference",

@@ -1,4 +1,4 @@
-// Attacks on determinism (architecture.md, "State and caches"): restored states, other Worlds at work at
+// Attacks on determinism (engine/ARCHITECTURE.md, "State and caches"): restored states, other Worlds at work at
 // the same time, dropped caches, and one value corrupted on purpose, which the hashes must show.
 #include <thread>
 

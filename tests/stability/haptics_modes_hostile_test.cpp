@@ -12,7 +12,7 @@ using bench::HostileFields;
 using bench::HostileHand;
 using bench::HostileResult;
 
-/// Energy that passive sources may create (haptics.md, "Energy") (J).
+/// Energy that passive sources may create (engine/haptics/HAPTICS.md, "Energy and switches") (J).
 constexpr double most_created = 0.02;
 
 TEST(HapticModesHostile, AllModesTogetherStayWithinTheCaps) {

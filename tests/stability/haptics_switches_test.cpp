@@ -13,7 +13,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // J (haptics.md, "Energy")
+constexpr double most_per_switch = 0.02;  // J (engine/haptics/HAPTICS.md, "Energy and switches")
 
 TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     for (const auto& spec : shipped_devices()) {

@@ -133,7 +133,7 @@ TEST(HapticsZWidth, AFalconsEncoderKeepsAWallOf1000AtOneTickOfDelay) {
 }
 
 TEST(HapticsZWidth, AControllerOfMoreThanTheLoopBearsShakesByItself) {
-    // Its damping acts on a velocity over eight ticks, which is late. So the device's own limit counts, not
+    // Its damping acts on a velocity over some ticks, which is late. So the device's own limit counts, not
     // the largest number.
     const auto spec = reference_device(0.5, 1);
     EXPECT_LT(delivered_limit(spec, {.damping = 2, .controller = 1000}, 2),

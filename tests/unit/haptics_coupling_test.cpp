@@ -62,7 +62,7 @@ TEST(HapticsCoupling, AnyMoveIsResistedWithTheFeltStiffness) {
         EXPECT_LE(glm::length(felt + felt_stiffness(f, lift.stiffness) * moved), 1e-6 * glm::length(felt));
     }
     EXPECT_NEAR(felt_stiffness(f, lift.stiffness), 300,
-                1e-9);  // haptics.md: 4,000 N/m in the world, 300 N/m at a Touch
+                1e-9);  // 4,000 N/m in the world, 300 N/m at a Touch
 }
 
 TEST(HapticsCoupling, PowerScalesByTheTwoScales) {

@@ -301,7 +301,7 @@ TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
 }
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
-    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N (game.md). The stage may just allow it, held
+    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N. The stage may just allow it, held
     // back in the last fifth of the budget. A second one right after it finds the motors warm.
     Stage stage;
     stage.feel(vec3(0));

@@ -174,7 +174,7 @@ void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
         report);
     for (FluidRun& run : runs) {
-        // Transport does not depend on the order of the flow.
+        // One order of the flow is enough: the rows are about transport.
         if (run.scheme.solver == Solver::thaum && run.scheme.order != 4) continue;
         set_velocity(run.fluid, flows::turning);
         set_substance(run.fluid, 0, shape.density);

@@ -1,4 +1,4 @@
-// tools/bench/report.h: results of a benchmark, as JSON (interfaces.md) and as a table for the terminal.
+// tools/bench/report.h: results of a benchmark, as JSON and as a table for the terminal.
 //
 // Every row is one setting of one case. Rows with a time and an error compete. The Pareto front of a case
 // holds the rows that no other row of the case beats in time or error without being worse in the other.

@@ -1,6 +1,6 @@
 // Benchmarks the energy that switches of passive sources create at the hand, for every device model and
 // hand: the worst switch, the mean, and the largest change of force in the tick of a switch. A row above
-// the bound of haptics.md is a fault.
+// the bound of HAPTICS.md is a fault.
 #include "core/file.h"
 #include "core/text.h"
 #include "game/hud/hud.h"
@@ -10,7 +10,7 @@
 namespace thaum::bench {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // largest energy per switch (J); haptics.md, "Energy"
+constexpr double most_per_switch = 0.02;  // largest energy per switch (J); HAPTICS.md, "Energy and switches"
 constexpr std::size_t most_file = 1U << 16U;
 constexpr std::array device_files{"touch.toml", "omni.toml", "premium.toml", "falcon.toml", "omega3.toml"};
 

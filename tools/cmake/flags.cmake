@@ -1,4 +1,4 @@
-# Compiler flags of the whole project (design: architecture.md, "Packages and build"). Optimisation and debug
+# Compiler flags of the whole project (engine/ARCHITECTURE.md, "Build"). Optimisation and debug
 # symbols are the build type's; CMakePresets.json sets them for our own builds. Clang makes these: it compiles the game in
 # half of GCC's time, and the game spends less time in what it makes. Tests compare a match that GCC's build plays, and the
 # examples beside an installed engine: both compilers come to the same bits.

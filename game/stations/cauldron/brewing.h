@@ -1,4 +1,4 @@
-// game/stations/cauldron/brewing.h: rules of the brew in the match (game.md, "Cauldron").
+// game/stations/cauldron/brewing.h: rules of the brew in the match (MANUAL.md, "The cauldron").
 // They decide who owns the brew, how it acts on wizards near it, and when it spoils. They also place the
 // ingredients and track who carries one.
 #pragma once

@@ -1,4 +1,4 @@
-// game/stations/cauldron/potions.h: potions in the match (game.md, "Cauldron"): which recipes a brew follows, what comes of the
+// game/stations/cauldron/potions.h: potions in the match (MANUAL.md, "The cauldron"): which recipes a brew follows, what comes of the
 // strokes drawn in it, and what a potion does to its wizard.
 //
 //     ingredients in their order, each in the window of the one before   drop_for_recipe()

@@ -1,4 +1,4 @@
-// game/stations/crystal/chips.h: hits melt a small ball of a crystal away (game.md, "Crystal"). A shot melts where its way meets
+// game/stations/crystal/chips.h: hits melt a small ball of a crystal away (MANUAL.md, "The crystal"). A shot melts where its way meets
 // the surface that everybody sees, and nothing if it flies past. A burst or a thing melts at the nearest voxel.
 #pragma once
 #include "game/stations/crystal/crystal.h"

@@ -1,4 +1,4 @@
-// game/stations/orb/scrying.h: wizards who scry (game.md, "Orb"): who begins and ends, what it costs, which modes they wear, and
+// game/stations/orb/scrying.h: wizards who scry (MANUAL.md, "The orb"): who begins and ends, what it costs, which modes they wear, and
 // when the orb tells.
 //
 //     Stir held at the orb -> AtStation, Scrying; focus goes down, and none comes back
