@@ -96,7 +96,8 @@ public:
         while (rest.first < rest.last && square_from(rest.middle, rest.first) > near) ++rest.first;
         while (rest.first < rest.last && square_from(rest.middle, rest.last) > near) --rest.last;
         const auto trembles = [&](std::size_t i) { return square_from(rest.middle, i) <= near; };
-        const std::size_t end = stroke_.size();  // of two neighbours, one may be noise
+        // Of two neighbours that follow each other, one may be noise.
+        const std::size_t end = stroke_.size();
         while (rest.first > begin &&
                (trembles(rest.first - 1) || (rest.first > begin + 1 && trembles(rest.first - 2))))
             --rest.first;

@@ -183,6 +183,11 @@ ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept {
     return held;
 }
 
+double pressing_force(const ContactPlane& plane, vec3 next_tip, vec3 pull, double strength) noexcept {
+    if (!(glm::dot(plane.place - next_tip, plane.normal) > 0)) return 0;
+    return std::clamp(glm::dot(plane.normal, pull), 0.0, strength);
+}
+
 namespace {
 
 /// Adds the plane that a search finds first, and those that bound the proxy's way on it.

@@ -79,4 +79,8 @@ vec3 landing_of(const LevelContact& contact, vec3 target) noexcept;
 /// target. The first plane if the way is free. The contact must have a plane.
 ContactPlane holding_plane(const LevelContact& contact, vec3 target) noexcept;
 
+/// Force (N) by which a proxy presses a plane, at most `strength`. `pull` is the force of its spring on the hand (N). It is 0
+/// while the tip is in front of the plane: a proxy that is a tick late then looks pressed, but nothing holds it.
+double pressing_force(const ContactPlane& plane, vec3 next_tip, vec3 pull, double strength) noexcept;
+
 }  // namespace thaum::haptics

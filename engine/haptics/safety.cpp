@@ -23,7 +23,7 @@ constexpr double stretched_over_peak = 50;
 /// Continuous force of a device that does not tell its own, as a share of its peak. The smallest share of the known
 /// ones: a Premium holds 1.4 of 8.5 N, a Touch 0.88 of 3.3 N, a Falcon 3 of 8 N.
 constexpr double unknown_continuous = 0.16;
-constexpr double switching_slew = 40;  // N/s (HAPTICS.md, "Safety")
+constexpr double switching_slew = 40;  // change of force at a switch (N/s)
 // Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
 // Chosen, without a source.
 constexpr double fastest_hand = 4;

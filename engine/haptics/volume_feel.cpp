@@ -83,9 +83,7 @@ bool add_wall(const VolumeFeel& feel, const DensityWall& wall, const ModeInput& 
     const ContactPlane& first = contact.planes[0];
     const double strength = strength_of(contact);
     const auto friction = [&](const ContactPlane& plane) {
-        // In front of the wall a proxy that is a tick late looks pressed, but nothing holds it.
-        if (!(glm::dot(plane.place - input.next_tip(), plane.normal) > 0)) return 0.0;
-        const double pressed = std::clamp(glm::dot(plane.normal, input.pull()), 0.0, strength);
+        const double pressed = pressing_force(plane, input.next_tip(), input.pull(), strength);
         return std::clamp(finite_or_zero(wall.friction * pressed), 0.0, primitive_limit);
     };
     const ContactPlane held = holding_plane(contact, held_back(input, first.normal, friction(first)));

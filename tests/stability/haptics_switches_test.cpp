@@ -13,7 +13,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double most_per_switch = 0.02;  // J (engine/haptics/HAPTICS.md, "Energy and switches")
+constexpr double most_per_switch = 0.02;  // largest energy of a switch (J); HAPTICS.md
 
 TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     for (const auto& spec : shipped_devices()) {

@@ -17,11 +17,10 @@ namespace {
 /// Way of the tip over which a magnetic surface takes hold and lets go (m).
 constexpr double magnet_fade = 1e-4;
 
-/// Largest friction on a plane (N). In front of it a proxy that is a tick late looks pressed, but nothing holds it.
+/// Largest friction on a plane (N).
 double friction_on(const ContactPlane& plane, double strength, const ModeSettings& settings,
                    const ModeInput& input) {
-    if (!(glm::dot(plane.place - input.next_tip(), plane.normal) > 0)) return 0;
-    const double pressed = std::clamp(glm::dot(plane.normal, input.pull()), 0.0, strength);
+    const double pressed = pressing_force(plane, input.next_tip(), input.pull(), strength);
     const double depth = std::max(0.0, glm::dot(plane.place - input.tip, plane.normal));
     return std::clamp(strength_at(settings.friction, depth) * pressed, 0.0, primitive_limit);
 }
