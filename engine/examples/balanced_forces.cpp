@@ -5,7 +5,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 
 namespace {
 

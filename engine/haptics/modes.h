@@ -29,7 +29,7 @@
 
 #include "field/filters.h"
 #include "field/transfer.h"
-#include "haptics/primitives.h"
+#include "haptics/primitives/primitives.h"
 
 namespace thaum::haptics {
 

@@ -11,12 +11,12 @@
 #include <cstdint>
 
 #include "core/maths.h"
-#include "haptics/balance.h"
 #include "haptics/energy.h"
 #include "haptics/fluid_touch.h"
+#include "haptics/primitives/balance.h"
+#include "haptics/primitives/settling.h"
 #include "haptics/safety.h"
-#include "haptics/settling.h"
-#include "haptics/surface.h"
+#include "haptics/surface/surface.h"
 
 namespace thaum::haptics {
 

@@ -17,7 +17,7 @@ struct CarvingHandRules {
     double damping{};    ///< damping of that spring, limited by the device (N s/m)
 };
 
-/// Feel of the crystal's surface (haptics/volume_feel.h).
+/// Feel of the crystal's surface (haptics/volume/volume_feel.h).
 struct CrystalSurfaceRules {
     double strength{};  ///< push at which the hand gets through (N)
     double depth{};     ///< depth at which the hand is through (voxels)

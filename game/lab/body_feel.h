@@ -1,5 +1,5 @@
 // game/lab/body_feel.h: the feel of a body as a whole in the volume lab, F = A + R(v) + S(n) and walls
-// (haptics/volume_feel.h), as parts with numbers:
+// (haptics/volume/volume_feel.h), as parts with numbers:
 //
 //     opacity  S R                  force along the gradient (N) and drag (N s/m) where the picture is opaque
 //     attract  S R                  the same, but drawn towards opaque matter, to follow thin structures
@@ -19,7 +19,7 @@
 #include "core/error.h"
 #include "field/materials.h"
 #include "field/voxels.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/volume_feel.h"
 
 namespace thaum::game {
 

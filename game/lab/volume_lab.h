@@ -30,7 +30,7 @@
 #include "haptics/modes.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
-#include "haptics/smooth_grid.h"
+#include "haptics/volume/smooth_grid.h"
 
 namespace thaum::game {
 

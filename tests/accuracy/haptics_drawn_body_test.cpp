@@ -1,4 +1,4 @@
-// Surfaces of sampled bodies: a hand feels what a picture shows of them (haptics/body_search.h).
+// Surfaces of sampled bodies: a hand feels what a picture shows of them (haptics/volume/detail/body_search.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "field/block_averages.h"
-#include "haptics/level_contact.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/level_contact.h"
+#include "haptics/volume/volume_feel.h"
 #include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {

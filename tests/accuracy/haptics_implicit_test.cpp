@@ -6,8 +6,8 @@
 
 #include "core/random.h"
 #include "field/analytic.h"
-#include "haptics/implicit.h"
-#include "haptics/level_contact.h"
+#include "haptics/volume/implicit.h"
+#include "haptics/volume/level_contact.h"
 #include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {

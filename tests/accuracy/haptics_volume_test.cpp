@@ -8,8 +8,8 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "field/analytic.h"
-#include "haptics/smooth_grid.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/smooth_grid.h"
+#include "haptics/volume/volume_feel.h"
 #include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::haptics {

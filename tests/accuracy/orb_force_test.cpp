@@ -159,7 +159,7 @@ TEST(OrbForce, IsThatOfTheFormula) {
             const auto [others, largest] =
                 share_of_others(static_cast<std::uint8_t>(mode + 1), modes[mode].second, seed);
             // Where the formula throws the proxy back and forth, as on the ridges of a gradient, the proxy settles between
-            // the two places (haptics/settling.h).
+            // the two places (haptics/primitives/settling.h).
             EXPECT_LT(others, std::string_view(modes[mode].first) == "gradient" ? 0.25 : 0.02)
                 << modes[mode].first << ", seed " << seed;
             EXPECT_GT(largest, 0.2) << modes[mode].first << ": something was felt";

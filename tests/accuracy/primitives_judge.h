@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 
 namespace thaum::haptics::sets {
 

@@ -8,7 +8,7 @@
 #include <initializer_list>
 
 #include "accuracy/primitives_judge.h"
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 #include "tests/scenes/primitive_sets.h"
 #include "unit/allocations.h"
 

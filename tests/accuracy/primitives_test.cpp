@@ -1,5 +1,5 @@
 // Accuracy of proxies of known sets in closed form, and refused input.
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include "core/random.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/volume_feel.h"
 #include "tests/scenes/scanned_volumes.h"
 
 namespace thaum::bench {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "core/random.h"
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 
 namespace thaum::haptics::sets {
 

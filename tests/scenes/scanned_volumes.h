@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "haptics/balance.h"
-#include "haptics/implicit.h"
 #include "haptics/modes.h"
-#include "haptics/smooth_grid.h"
+#include "haptics/primitives/balance.h"
+#include "haptics/volume/implicit.h"
+#include "haptics/volume/smooth_grid.h"
 
 namespace thaum::bench {
 

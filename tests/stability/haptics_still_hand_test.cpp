@@ -11,7 +11,7 @@
 #include "field/analytic.h"
 #include "haptics/modes.h"
 #include "haptics/servo.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/volume_feel.h"
 
 namespace thaum::haptics {
 namespace {

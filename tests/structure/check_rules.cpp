@@ -128,8 +128,9 @@ TEST_F(Rules, HeadersWithoutATitleAreFound) {
     add("engine/core/good.h", "// core/good.h: says what it is\n");
     add("engine/core/bare.h", "#pragma once\n");
     add("engine/core/moved.h", "// ecs/moved.h: an old place\n");
+    add("engine/core/inner/bare.h", "// core/bare.h: says what it is\n");
     add("engine/core/detail/inner.h", "#pragma once\n");
-    EXPECT_EQ(headers_without_title(root()).size(), 2);
+    EXPECT_EQ(headers_without_title(root()).size(), 3);
 }
 
 TEST_F(Rules, FilesOpenedAroundTheRuleAreFound) {

@@ -326,7 +326,7 @@ Faults headers_without_title(const fs::path& root) {
     Faults faults;
     for (const auto& file : files_under(root / "engine")) {
         const auto name = relative_to(root / "engine", file);
-        if (file.extension() != ".h" || folders_of(name).size() != 2) continue;
+        if (file.extension() != ".h" || place_of("engine/" + name).in_detail) continue;
         if (!read(file).starts_with("// " + name + ": ")) {
             faults.push_back(at_line("engine/" + name, 1, "must open with \"// " + name + ": purpose\""));
         }

@@ -7,7 +7,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "haptics/surface.h"
+#include "haptics/surface/surface.h"
 
 namespace thaum::haptics::surface_tests {
 

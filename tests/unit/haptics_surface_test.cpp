@@ -1,6 +1,6 @@
 // Unit tests of surfaces against closed forms: springs to planes, creases and corners, Coulomb's law and
 // moving bodies.
-#include "haptics/surface.h"
+#include "haptics/surface/surface.h"
 
 #include <gtest/gtest.h>
 

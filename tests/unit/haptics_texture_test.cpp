@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "haptics/surface.h"
+#include "haptics/surface/surface.h"
 
 namespace thaum::haptics {
 namespace {

@@ -21,7 +21,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "core/units.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/volume_feel.h"
 #include "tests/scenes/scanned_volumes.h"
 #include "tests/scenes/z_width.h"
 #include "tools/bench/allocations.h"

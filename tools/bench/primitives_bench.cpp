@@ -1,4 +1,4 @@
-// Benchmark of the proxy of haptic primitives (engine/haptics/balance.h): run time and remaining sum of
+// Benchmark of the proxy of haptic primitives (engine/haptics/primitives/balance.h): run time and remaining sum of
 // forces.
 //
 // "exact" is the shipped method. "iterative" is the usual way, which minimises the length of eq. 8's sum
@@ -12,7 +12,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "haptics/balance.h"
+#include "haptics/primitives/balance.h"
 #include "tests/scenes/primitive_sets.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"

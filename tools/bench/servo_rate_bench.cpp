@@ -8,9 +8,9 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "haptics/implicit.h"
 #include "haptics/modes.h"
 #include "haptics/simulated.h"
+#include "haptics/volume/implicit.h"
 #include "tests/scenes/scanned_volumes.h"
 #include "tests/scenes/z_width.h"
 #include "tools/bench/areas.h"

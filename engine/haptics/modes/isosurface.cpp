@@ -1,6 +1,6 @@
-// A wall on the surface where the field has one value: a bone in a scan, or an implicit object (haptics/implicit.h).
+// A wall on the surface where the field has one value: a bone in a scan, or an implicit object (haptics/volume/implicit.h).
 //
-// A plane holds the proxy at the true surface (haptics/level_contact.h); of a field of samples, that is the one that is
+// A plane holds the proxy at the true surface (haptics/volume/level_contact.h); of a field of samples, that is the one that is
 // drawn. The plane gives way at its strength, and a proxy that was pressed in deeper than the reach is through. Friction
 // grows with the depth of the tip (paper 004, 3.1): its coefficient is a function of the depth, and it acts on the normal
 // force of the last tick. A magnetic surface also holds a proxy that lies in front of it, by a plane that faces inward. It
@@ -8,8 +8,8 @@
 // farther away.
 #include <algorithm>
 
-#include "haptics/level_contact.h"
 #include "haptics/modes.h"
+#include "haptics/volume/level_contact.h"
 
 namespace thaum::haptics {
 namespace {

@@ -7,8 +7,8 @@
 #include "game/components/casting.h"
 #include "game/context/stations.h"
 #include "game/stations/crystal/grain.h"
-#include "haptics/smooth_grid.h"
-#include "haptics/volume_feel.h"
+#include "haptics/volume/smooth_grid.h"
+#include "haptics/volume/volume_feel.h"
 
 namespace thaum::game {
 namespace {

@@ -1,0 +1,113 @@
+// haptics/primitives/detail/balance_problem.h: the problem that balance() solves, in a frame of its own: a spring,
+// constant forces, and terms with kinks. Only balance.cpp and its steps use it.
+//
+// A plane is a directed force of s/2 plus s/2 |q.(x - p)|. So all kinks have one form, s |P (x - p)|, with an
+// orthogonal projector P of rank 3 (point), 2 (line) or 1 (plane): a sum of Euclidean norms.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "haptics/primitives/balance.h"
+#include "haptics/primitives/detail/symmetric.h"
+
+namespace thaum::haptics::balancing {
+
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+inline bool budget_spent(int steps) { return steps >= balance_step_budget; }
+
+/// The term strength |P x - offset| in the problem's frame, with P = identity I + dyad q q^T.
+struct Term {
+    vec3 q;
+    double identity, dyad;
+    double strength;
+    vec3 position, direction;  ///< in the world frame
+    vec3 offset;
+    vec3 dual;      ///< y: the term's force is -y; |y| <= strength
+    vec3 distance;  ///< m = P x - offset at the x measured last
+    /// Rounding of the coordinates of its position, and some of the farthest position (m).
+    double rounding;
+    std::size_t source;  ///< index in the set
+    bool active;         ///< x is assumed to lie on its kink
+};
+
+/// Terms of a problem. They take 4 KB and are copied at each guess, so only those in use are copied or
+/// cleared.
+struct Terms {
+    std::array<Term, primitive_capacity> items;
+    std::size_t count = 0;
+
+    Terms() {}  // NOLINT(modernize-use-equals-default): a default constructor would clear the items
+    Terms(const Terms& other) : count(other.count) { std::copy_n(other.items.begin(), count, items.begin()); }
+    Terms& operator=(const Terms& other) {
+        if (this == &other) return *this;
+        count = other.count;
+        std::copy_n(other.items.begin(), count, items.begin());
+        return *this;
+    }
+    ~Terms() = default;
+};
+
+struct Problem {
+    Terms terms;
+    double stiffness{};
+    vec3 centre{};      ///< world frame
+    vec3 load{};        ///< sum of the constant forces (N)
+    vec3 origin{};      ///< origin of x (world frame)
+    mat3 axes{1};       ///< axes of the problem's frame (columns, world frame)
+    bool turned{};      ///< the axes differ from the world's
+    vec3 target{};      ///< stiffness * (centre - origin) + load, in this frame (N)
+    double strength{};  ///< sum of the strengths of all terms (N)
+};
+
+inline std::span<Term> terms_of(Problem& problem) {
+    return {problem.terms.items.data(), problem.terms.count};
+}
+inline std::span<const Term> terms_of(const Problem& problem) {
+    return {problem.terms.items.data(), problem.terms.count};
+}
+
+inline vec3 project(const Term& term, vec3 v) {
+    return term.identity * v + term.dyad * glm::dot(term.q, v) * term.q;
+}
+
+inline void add_projector(Symmetric& m, const Term& term, double weight) {
+    add_identity(m, weight * term.identity);
+    add_dyad(m, weight * term.dyad, term.q);
+}
+
+/// Rotates a vector from the world frame to the problem's frame, or back.
+inline vec3 to_problem_frame(const Problem& problem, vec3 v) { return problem.turned ? v * problem.axes : v; }
+inline vec3 to_world_frame(const Problem& problem, vec3 v) { return problem.turned ? problem.axes * v : v; }
+
+inline vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + to_world_frame(problem, x); }
+
+inline double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
+
+/// Whether x is so near to the kink that world coordinates cannot tell them apart. The rounding at the place
+/// without the terms does not count, because that place may be 1e12 times as far away.
+inline bool touches(const Term& term, double rounding_of_x) {
+    const double least = std::max(term.rounding, rounding_of_x);
+    return glm::dot(term.distance, term.distance) <= least * least;
+}
+
+inline void limit_dual(Term& term) {
+    const double square = glm::dot(term.dual, term.dual);
+    if (square > term.strength * term.strength) term.dual *= term.strength / std::sqrt(square);
+}
+
+Problem problem_of(const PrimitiveSet& set, const Spring& spring);
+/// Sets the origin (world frame) and the offsets of all terms. The caller updates distances and x.
+void set_origin(Problem& problem, vec3 origin);
+/// Moves the origin to the point of the nearest kink next to x, so that small distances have full precision.
+/// Does nothing if the origin is nearer.
+void move_origin(Problem& problem, vec3& x);
+/// Measures the distances of all terms from x.
+void measure_distances(Problem& problem, vec3 x);
+/// The best start: `free`, the place without the terms, or one of its nearest places on their kinks.
+vec3 start_of(const Problem& problem, vec3 free);
+
+}  // namespace thaum::haptics::balancing

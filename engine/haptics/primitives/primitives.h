@@ -1,0 +1,76 @@
+// haptics/primitives/primitives.h: haptic primitives, forces on a proxy that a spring ties to the probe (Lundin,
+// Cooper, Persson, Evestedt, Ynnerman 2007, "Enabling design and interactive selection of haptic modes", section
+// 2.3).
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/error.h"
+#include "core/maths.h"
+
+namespace thaum::haptics {
+
+/// As wide as a double, so that a Primitive has no padding.
+enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
+
+/// One force on the proxy x (world frame).
+///
+///     directed   s q                                                    eq. 4
+///     point      s (p - x) / |p - x|                                    eq. 5
+///     line       s m / |m|, m from x to the nearest point of the line   eq. 6
+///     plane      s q where (x - p).q < 0, none elsewhere                eq. 7
+///
+/// The point, the line or the plane is a kink of the potential. On the kink the force is the one that
+/// balances the others, up to s.
+struct Primitive {
+    PrimitiveKind kind{};
+    vec3 position{};   ///< p (m); not used by directed
+    vec3 direction{};  ///< q (unit); not used by point
+    /// S, >= 0 (N): a repelling force is not the gradient of a convex function. Below 1e-300 it counts as 0.
+    double strength{};
+};
+static_assert(sizeof(Primitive) == sizeof(PrimitiveKind) + 2 * sizeof(vec3) + sizeof(double), "no padding");
+
+inline constexpr std::size_t primitive_capacity = 16;
+
+/// Limit of |position| (m), |centre| (m) and strength (N): far beyond any device, and no product of them
+/// overflows.
+inline constexpr double primitive_limit = 1e6;
+
+enum class PrimitiveFault : std::uint8_t { none, full, not_finite, out_of_range, negative, not_unit };
+
+/// Returns the fault of a primitive. Fields that its kind does not use may have any value.
+PrimitiveFault fault_of(const Primitive& primitive) noexcept;
+
+/// Checked primitives. Trivially copyable and without allocation, so a servo loop can hold and fill it.
+class PrimitiveSet {
+public:
+    /// Adds a primitive without fault; otherwise leaves the set unchanged and returns the fault. A direction
+    /// within 1e-6 of unit length is normalised. A primitive of strength zero takes a place too.
+    PrimitiveFault add(const Primitive& primitive) noexcept;
+
+    void clear() noexcept { count_ = by_proxy_ = 0; }
+    /// Multiplies the strengths from the primitive `first` on by a share from 0 to 1.
+    void weaken(std::size_t first, double share) noexcept {
+        for (std::size_t i = first; i < count_; ++i) items_[i].strength *= share;
+    }
+    std::span<const Primitive> items() const noexcept { return {items_.data(), count_}; }
+
+    /// Whether some primitives were chosen by where the proxy was in the last tick, as modes choose them. The servo lets
+    /// the proxy of such a set settle (haptics/primitives/settling.h).
+    bool by_proxy() const noexcept { return by_proxy_ != 0; }
+    void set_by_proxy() noexcept { by_proxy_ = 1; }
+
+private:
+    std::array<Primitive, primitive_capacity> items_{};
+    std::uint32_t count_{}, by_proxy_{};
+};
+static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + 2 * sizeof(std::uint32_t),
+              "no padding");
+
+/// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
+Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);
+
+}  // namespace thaum::haptics

@@ -1,0 +1,116 @@
+#include "haptics/primitives/settling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::haptics {
+namespace {
+
+/// Factors of the bound in each tick: from first_pace to most_pace in `first_ticks`, and from there to least_pace in 227.
+constexpr double beginning = 0.7, calming = 0.97;
+/// Rise of the bound for each newton by which motion stretches the spring. At a steady speed, the bound is thus 5 times
+/// the stretch of one tick.
+constexpr double freeing = 5 * (1 - calming);
+/// Cosines of the angle between two ways from which on the proxy goes straight on: if the balance moves as the proxy and
+/// the tip explain, and if it moves farther.
+constexpr double straight_on = 0.5, straight_astray = 0.97;
+/// Factors of the pace. The first one shrinks it at a turn. The second is so small that a proxy that crosses a ridge
+/// every second or third tick still comes to rest. No such proxy goes straight on for longer than `few` ticks, so the
+/// last one may be large.
+constexpr double at_turn = 0.5, after_turn = 1.2, later = 2;
+constexpr std::uint64_t few = 2;
+
+/// Whether the balance has moved farther than the proxy and the tip together. Then the proxy's own step was too large: a
+/// whole step to the balance would not come nearer to where all forces cancel.
+bool is_astray(const Settling& state, const ProxyWay& way, double moved) {
+    const double own = glm::length(state.step) + moved + least_pace / way.spring.stiffness;
+    return glm::distance(way.balance, state.balance) > own;
+}
+
+void adapt_pace(Settling& state, const ProxyWay& way, double moved) {
+    const vec3 wanted = way.balance - way.from;
+    const double before = glm::length(state.step);
+    const bool counts = way.spring.stiffness * before > least_pace;  // not the noise of rounding
+    const bool astray = is_astray(state, way, moved);
+    const double straight = astray ? straight_astray : straight_on;
+    if (counts && glm::dot(wanted, state.step) < straight * glm::length(wanted) * before) {
+        state.pace = at_turn * std::min(state.pace, way.spring.stiffness * before);
+        state.straight = 0;
+    } else {
+        state.pace *= astray || state.straight < few ? after_turn : later;
+        ++state.straight;
+    }
+    state.pace = std::clamp(state.pace, least_pace, state.bound);
+}
+
+/// Lets the bound fall by the factor of a tick, and rise with the motion of tip and fields.
+void adapt_bound(Settling& state, const ProxyWay& way, double field_motion) {
+    const double away = glm::distance(way.tip, state.rest);
+    const double motion = std::max(0.0, away - still_range) + field_motion;
+    if (away > still_range) state.rest = glm::mix(way.tip, state.rest, still_range / away);
+    if (state.bound > most_pace) {
+        state.bound = std::max(most_pace, beginning * state.bound);
+    } else {
+        const double raised = calming * state.bound + freeing * way.stiffness * motion;
+        state.bound = std::clamp(raised, least_pace, most_pace);
+    }
+}
+
+/// Force of the spring on the hand (N).
+vec3 force_at(const ProxyWay& way, vec3 proxy) { return way.spring.stiffness * (proxy - way.spring.centre); }
+
+/// Pull of the hand's place and velocity at the proxy (N), up to a constant, since only its changes are used. The damper's
+/// hold on the place where the proxy was is left out.
+vec3 pull_of_hand(const ProxyWay& way) {
+    return way.spring.stiffness * way.spring.centre - (way.spring.stiffness - way.stiffness) * way.from;
+}
+
+/// Largest share of a way, 0 to 1, that changes the force by at most `most` (N). `start` is the change without any of the
+/// way, `along` that by the way itself (N). If no share does, the one with the least change.
+double share_within(vec3 start, vec3 along, double most) {
+    const double square = glm::dot(along, along);
+    if (!(square > 0)) return 0;
+    const double nearest = -glm::dot(start, along) / square;
+    const vec3 across = start + nearest * along;
+    const double room = std::max(0.0, most * most - glm::dot(across, across));
+    return std::clamp(nearest + std::sqrt(room / square), 0.0, 1.0);
+}
+
+/// Share of its way, 0 to 1, that the proxy goes: as far as the spring's force changes by at most `most` (N).
+double share_of_way(const Settling& state, const ProxyWay& way, double most) {
+    const vec3 start = force_at(way, way.from) - state.force;
+    const vec3 along = way.spring.stiffness * (way.balance - way.from), whole = start + along;
+    return glm::dot(whole, whole) <= most * most ? 1 : share_within(start, along, most);
+}
+
+}  // namespace
+
+vec3 settle(Settling& state, const ProxyWay& way) noexcept {
+    const vec3 pull = pull_of_hand(way);
+    const bool begins = state.pace == 0;
+    double explained = 0;
+    if (begins) {
+        state.pace = state.bound = first_pace;
+        state.rest = way.tip;
+        state.force = force_at(way, way.from);
+    } else {
+        const double field_motion = std::max(0.0, way.field_motion);  // 0 if it is not a number
+        adapt_bound(state, way, field_motion);
+        adapt_pace(state, way, glm::distance(way.tip, state.tip) + field_motion);
+        explained = glm::distance(pull, state.pull) + way.stiffness * field_motion;
+    }
+    const double share = share_of_way(state, way, state.pace + explained);
+    state.step = share * (way.balance - way.from);
+    const vec3 proxy = share == 1 ? way.balance : way.from + state.step;
+    const vec3 felt_before = state.force + state.lag;
+    state.tip = way.tip;
+    state.pull = pull;
+    state.balance = way.balance;
+    state.force = force_at(way, proxy);
+    const vec3 change = state.force - felt_before;
+    const vec3 felt_change = limited(change, std::max(state.pace, most_pace) + explained);
+    state.lag = begins ? vec3(0) : felt_change - change;
+    return proxy;
+}
+
+}  // namespace thaum::haptics

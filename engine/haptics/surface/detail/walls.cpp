@@ -1,0 +1,120 @@
+#include "haptics/surface/detail/walls.h"
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double nearly_parallel = 1e-15;  // squared sine below which two planes have no crease
+// Height by which such planes may stand above each other (m).
+constexpr double loose = 0.4 * surface_gap;
+
+/// Up to three walls that meet at the proxy. Their depths are the multipliers of the place nearest to the
+/// tip.
+struct ActiveSet {
+    std::array<std::size_t, 3> walls{};
+    std::array<double, 3> depths{};
+    std::size_t count{};
+};
+
+/// Whether all walls of the set push and the place is behind no other wall.
+bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
+    place = tip;
+    unsigned used = 0;  // one bit for each wall
+    for (std::size_t i = 0; i < active.count; ++i) {
+        if (!(active.depths[i] > 0)) return false;
+        place += active.depths[i] * walls.items[active.walls[i]].normal;
+        used |= 1U << active.walls[i];
+    }
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        if ((used >> i & 1U) != 0) continue;
+        if (glm::dot(walls.items[i].normal, place) < walls.items[i].offset - slack) return false;
+    }
+    return true;
+}
+
+ActiveSet against_one(const Walls& walls, std::size_t i, vec3 tip) {
+    return {{i}, {depth_behind(walls.items[i], tip)}, 1};
+}
+
+ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip) {
+    const vec3 along = glm::cross(walls.items[i].normal, walls.items[j].normal);
+    const double sine2 = glm::dot(along, along);
+    const double g = glm::dot(walls.items[i].normal, walls.items[j].normal);
+    if (sine2 < nearly_parallel) return {{i, j}, {-1, -1}, 2};
+    const Depths depths =
+        depths_of_two(depth_behind(walls.items[i], tip), depth_behind(walls.items[j], tip), g, sine2);
+    return {{i, j}, {depths.a, depths.b}, 2};
+}
+
+/// Three planes meet at sum offset_i (n_j x n_k) / det. The depths are the coordinates of the displacement
+/// along the normals.
+ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::size_t k, vec3 tip) {
+    const vec3 a = walls.items[i].normal, b = walls.items[j].normal, c = walls.items[k].normal;
+    const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
+    const double det = glm::dot(a, bc);
+    if (det * det < nearly_parallel) return {{i, j, k}, {-1, -1, -1}, 3};
+    const vec3 way = (depth_behind(walls.items[i], tip) * bc + depth_behind(walls.items[j], tip) * ca +
+                      depth_behind(walls.items[k], tip) * ab) /
+                     det;
+    return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
+}
+
+/// Keeps only the walls of the set, with their depths. The set names them in the order of the list.
+void keep(Walls& walls, const ActiveSet& active) {
+    for (std::size_t i = 0; i < active.count; ++i) {
+        const std::size_t from = active.walls[i];
+        if (from != i) walls.items[i] = walls.items[from];
+        walls.items[i].depth = active.depths[i];
+    }
+    walls.count = active.count;
+}
+
+NearestPlace nearest_place(Walls& walls, vec3 tip, double slack) {
+    NearestPlace nearest{tip, true};
+    const auto try_set = [&](const ActiveSet& active) {
+        if (!holds(walls, active, tip, slack, nearest.place)) return false;
+        keep(walls, active);
+        return true;
+    };
+    if (try_set({})) return nearest;
+    const std::size_t n = walls.count;
+    for (std::size_t i = 0; i < n; ++i)
+        if (try_set(against_one(walls, i, tip))) return nearest;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            if (try_set(against_two(walls, i, j, tip))) return nearest;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            for (std::size_t k = j + 1; k < n; ++k)
+                if (try_set(against_three(walls, i, j, k, tip))) return nearest;
+    nearest.found = false;
+    return nearest;
+}
+
+}  // namespace
+
+NearestPlace nearest_place(Walls& walls, vec3 tip) {
+    const NearestPlace nearest = nearest_place(walls, tip, place_tolerance);
+    return nearest.found ? nearest : nearest_place(walls, tip, loose);
+}
+
+void add_wall(Walls& walls, const Wall& wall) {
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        if (walls.items[i].surface != wall.surface) continue;
+        walls.items[i] = wall;
+        return;
+    }
+    if (walls.count < most_walls) walls.items[walls.count++] = wall;
+}
+
+bool stands(const Scene& scene, const Wall& wall, vec3 x) {
+    constexpr double slack = 10 * place_tolerance;
+    const std::uint32_t i = wall.surface;
+    const Surface& s = scene.surface(i);
+    if (is_triangle(s.kind)) return over_triangle(s, scene.normal[i], x, slack);
+    if (is_flat(s.kind)) return true;
+    const Distance here = to_solid(s, scene.body_of(i).orientation, x);
+    const double turned = glm::length(here.normal - wall.normal) * wall.depth;
+    return here.value <= scene.gap[i] + slack && turned <= slack;
+}
+
+}  // namespace thaum::haptics

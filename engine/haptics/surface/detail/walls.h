@@ -1,0 +1,68 @@
+// haptics/surface/detail/walls.h: planes that hold the proxy, and the place in front of all of them that is nearest
+// to the tip.
+#pragma once
+#include "haptics/surface/detail/scene.h"
+
+namespace thaum::haptics {
+
+inline constexpr std::size_t most_walls = 4;
+
+/// Plane through the place where the proxy touches a surface. x is in front of it if normal.x >= offset.
+struct Wall {
+    vec3 normal{};
+    double offset{};  ///< distance of the plane from the origin along the normal (m)
+    /// Displacement of the proxy from the tip by this wall (m); 0 until the next place is computed.
+    double depth{};
+    std::uint32_t surface{};  ///< index in the patch
+    bool met_here{};          ///< the proxy has not moved since it met the wall
+};
+
+struct Walls {
+    std::array<Wall, most_walls> items{};
+    std::size_t count{};
+};
+
+/// Tangent plane of a surface at its gap, from the distance measured at p.
+inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
+    return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
+}
+
+/// Adds a wall. It replaces a wall of the same surface, because a round surface has another plane at each
+/// place.
+void add_wall(Walls& walls, const Wall& wall);
+
+/// Distance of the tip behind a wall (m).
+inline double depth_behind(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
+
+/// Depths of two walls that both push. `a` and `b` are the tip's depths behind them (m), g is the product of
+/// their normals.
+struct Depths {
+    double a{}, b{};
+};
+inline Depths depths_of_two(double a, double b, double g, double sine2) {
+    return {(a - g * b) / sine2, (b - g * a) / sine2};
+}
+
+struct NearestPlace {
+    vec3 place{};
+    bool found{};  ///< false: no place is in front of all walls
+};
+
+/// Finds the unique place in front of all walls that is nearest to the tip. Tries every set of up to three
+/// walls. Keeps the walls that push, with their depths, or all of them if no place was found.
+NearestPlace nearest_place(Walls& walls, vec3 tip);
+
+/// Whether a wall still exists at the proxy, which may have moved round an edge.
+bool stands(const Scene& scene, const Wall& wall, vec3 x);
+
+/// State of the proxy on its path to the tip.
+struct SlideState {
+    vec3 x{};       ///< position of the proxy (m)
+    Walls walls{};  ///< walls that hold it there
+    /// Remaining sweeps against a surface for round paths in this tick. The limit bounds the time.
+    int sweeps_left{2400};
+    bool slid{};     ///< the proxy has moved along a wall
+    bool limited{};  ///< the end of the patch's reach held the proxy
+};
+
+}  // namespace thaum::haptics

@@ -1,0 +1,451 @@
+#include "haptics/volume/detail/body_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "haptics/volume/smooth_grid.h"
+
+namespace thaum::haptics {
+namespace {
+
+/// Distances from the start at which a search along the normal looks, in samples; then every half.
+constexpr std::array<double, 2> first_looks{0.1, 0.5};
+constexpr double look_samples = 0.5;
+constexpr int most_looks = 16;
+/// Distance from the start of a search up to which the slope there serves for the surface too, and the same where drawn
+/// and smooth surface lie apart (samples). Farther away, the tangent would put the plane of a sheet now here, now there.
+constexpr double same_slope = 0.5, same_slope_apart = 0.02;
+/// Distance between drawn and smooth surface from which on they lie apart (samples).
+constexpr double apart = 0.25;
+/// Distance between drawn and smooth surface from which on it is no step of samples, but a sheet or a cut face (samples).
+constexpr double largest_step = 0.5;
+/// Largest distance from the drawn surface at which a plane is put, as a share of the tip's depth and in samples.
+constexpr double depth_share = 0.3, most_eased = 0.5;
+/// The same while a tip slides: shares of its depth for a plane that rises and for one that sinks, and samples along the
+/// normal.
+constexpr double rising_share = 0.88, sinking_share = 8, most_late = 1;
+/// Least share of the slew for a plane that moves the same way as the tip does.
+constexpr double least_slew = 0.25;
+/// A tip less deep behind the smooth surface, in samples along the normal, may be let go by steps of samples ahead.
+constexpr double let_go = 0.75;
+/// Depth that the way ahead must leave a tip, as a share of the height of its plane above it. It is more than what the
+/// sinking plane needs, since the looks may miss the top of a step.
+constexpr double depth_ahead = 0.45;
+/// Distance between looks ahead (samples), their largest number, and the shortest way that is looked at (samples).
+constexpr double look_ahead = 0.25, most_looks_ahead = 32, least_ahead = 0.01;
+/// Motion of a tip in a tick whose way ahead is looked at (m). A faster one would be let go long before most of its steps.
+constexpr double most_motion = 5e-5;
+/// How far below the tip the body must go on, or the tip leaves a sheet through its back (samples along the normal).
+constexpr double ground_below = 0.5;
+/// Ways of a plane that sinks before a step, in slews, and the share of the depth that remains felt.
+constexpr std::array<double, 3> early{0, 1, 1.5};
+constexpr double still_felt = 0.01;
+/// Distance from the place of the first plane up to which a landing place needs no search (samples).
+constexpr double beside_samples = 0.25;
+/// Depth of a landing place that counts, and accuracy of a place (m).
+constexpr double least_depth = 1e-7, accurate = 1e-10;
+
+double look_at(int i) {
+    const auto n = static_cast<std::size_t>(i);
+    return n < first_looks.size() ? first_looks[n] : look_samples * i;
+}
+
+/// 1 at and below 0, 0 from 1 on, with a continuous slope.
+double fading(double x) {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return 1 - t * t * (3 - 2 * t);
+}
+
+/// Parts of the way from a to b, from 0 to 1, between which it lies in the box.
+struct Part {
+    double from{}, to{1};
+};
+
+Part part_in_box(vec3 a, vec3 b, vec3 half) {
+    Part part;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double way = b[axis] - a[axis];
+        if (way == 0) {
+            if (std::abs(a[axis]) > half[axis]) return {1, 0};
+            continue;
+        }
+        const double side = way > 0 ? half[axis] : -half[axis];
+        part.from = std::max(part.from, (-side - a[axis]) / way);
+        part.to = std::min(part.to, (side - a[axis]) / way);
+    }
+    return part;
+}
+
+/// Distance from a place in the box to its end along a direction.
+double way_to_end(vec3 place, vec3 along, vec3 half) {
+    double length = HUGE_VAL;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (along[axis] == 0) continue;
+        const double side = along[axis] > 0 ? half[axis] : -half[axis];
+        length = std::min(length, (side - place[axis]) / along[axis]);
+    }
+    return std::max(length, 0.0);
+}
+
+/// Value at a place counted in samples, linear between samples as a picture shows those that are not finite.
+double shown_value(const field::SampleBox& box, vec3 at) {
+    const field::Grid& grid = box.drawn;
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        std::ptrdiff_t offset = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto n = static_cast<std::size_t>(axis);
+            const double x = std::clamp(at[axis], 0.0, grid.count[n] - 1.0);
+            const int low = std::min(static_cast<int>(x), grid.count[n] - 2), high = corner >> axis & 1;
+            weight *= high == 1 ? x - low : 1 - (x - low);
+            offset += (low + high) * grid.stride[n];
+        }
+        if (weight > 0) sum += weight * static_cast<double>(box.shown(grid.first[offset]));
+    }
+    return sum;
+}
+
+}  // namespace
+
+BodySearch::BodySearch(const LevelSurface& surface, const field::SampleBox& box, LevelContact& contact)
+    : surface_(surface),
+      box_(box),
+      contact_(contact),
+      motion_(surface.motion * box.placement.turn),
+      half_(box.placement.scale * box.half),
+      per_scale_(1 / box.placement.scale) {
+    const vec3 spacing = box.placement.scale * box.spacing;
+    fine_ = std::min({spacing.x, spacing.y, spacing.z});
+    samples_per_metre_ = 1.0 / spacing;
+}
+
+// ---- reading ----------------------------------------------------------------------------------------------
+
+vec3 BodySearch::to_box(vec3 place) const {
+    return (place - box_.placement.origin) * box_.placement.turn - box_.placement.scale * box_.middle;
+}
+
+vec3 BodySearch::to_reader(vec3 place) const {
+    return box_.placement.origin + box_.placement.turn * (place + box_.placement.scale * box_.middle);
+}
+
+vec3 BodySearch::to_samples(vec3 place) const { return per_scale_ * place + box_.middle; }
+
+bool BodySearch::in_box(vec3 place) const {
+    // The frames' rounding must not put a place on a face outside.
+    const double slack = 1e-9 * fine_;
+    return std::abs(place.x) <= half_.x + slack && std::abs(place.y) <= half_.y + slack &&
+           std::abs(place.z) <= half_.z + slack;
+}
+
+bool BodySearch::is_solid(double inside) const {
+    // The picture, too, shows a sample of just the level as solid.
+    return surface_.solid_below ? inside > 0 : inside >= 0;
+}
+
+double BodySearch::inside(vec3 place) {
+    if (!in_box(place)) return -HUGE_VAL;
+    ++contact_.reads;
+    double value = 0;
+    if (box_.drawn.first != nullptr) {
+        const vec3 at = samples_per_metre_ * (place + half_);
+        value = box_.drawn.linear_value(at.x, at.y, at.z);
+        if (!std::isfinite(value)) value = shown_value(box_, at);
+    } else {
+        value = surface_.field(to_reader(place)).value;
+    }
+    const double depth = (surface_.solid_below ? -1 : 1) * (value - surface_.level);
+    return std::isfinite(depth) ? depth : -HUGE_VAL;
+}
+
+std::optional<BodySearch::Slope> BodySearch::slope_of(const field::Scalar& here) const {
+    const double length = glm::length(here.gradient);
+    if (!(length > 1e-150) || !std::isfinite(length) || !std::isfinite(here.value)) return std::nullopt;
+    return Slope{here.gradient, (surface_.solid_below ? -1 : 1) * (here.value - surface_.level) / length};
+}
+
+/// The slope of the field, with the direction of that of the averages where both agree on the side and the averages have
+/// their surface near: those of a thin sheet may not.
+std::optional<BodySearch::Slope> BodySearch::slope_at(vec3 place) {
+    constexpr double differs = 0.1, agrees = 0.4;  // cosines
+    ++contact_.reads;
+    field::Scalar here = surface_.field(to_reader(place));
+    here.gradient = here.gradient * box_.placement.turn;
+    auto fine = slope_of(here);
+    if (!fine || box_.averages.first == nullptr) return fine;
+    field::Scalar there = SmoothGrid{.grid = box_.averages, .shown = box_.shown}(to_samples(place));
+    there.gradient /= box_.placement.scale;
+    const auto coarse = slope_of(there);
+    if (!coarse) return fine;
+    const double length = glm::length(fine->up), other = glm::length(coarse->up);
+    const double cosine = glm::dot(fine->up, coarse->up) / (length * other);
+    const vec3 wide = box_.placement.scale * box_.averages.spacing;
+    const double off = std::abs(coarse->depth) / std::min({wide.x, wide.y, wide.z});
+    const double share = fading((agrees - cosine) / (agrees - differs)) * fading(off - 0.5);
+    fine->up = glm::mix(fine->up, length / other * coarse->up, share);
+    return fine;
+}
+
+/// Turns a direction out of the body towards the normals of faces that are near. `depth` is that of the place in the
+/// body behind its surface (m).
+vec3 BodySearch::at_box(vec3 out, double depth, vec3 place) const {
+    vec3 face(0);
+    int nearest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double share = fading((half_[axis] - std::abs(place[axis])) / fine_);
+        face[axis] = std::copysign(share, place[axis]);
+        if (share > std::abs(face[nearest])) nearest = axis;
+    }
+    if (face[nearest] == 0) return out;
+    const vec3 sum = face + fading(depth / fine_) * out;
+    const double length = glm::length(sum);
+    if (length > 1e-6) return sum / length;
+    vec3 alone(0);
+    alone[nearest] = std::copysign(1.0, place[nearest]);
+    return alone;
+}
+
+/// The way out of the body at a place in the box; std::nullopt if the field gives none.
+std::optional<BodySearch::Way> BodySearch::way_out(vec3 place) {
+    const auto slope = slope_at(place);
+    const double length = slope ? glm::length(slope->up) : 0;
+    const vec3 out = length > 0 ? (surface_.solid_below ? 1 : -1) / length * slope->up : vec3(0);
+    const double depth = length > 0 ? slope->depth : HUGE_VAL;
+    const vec3 turned = at_box(out, depth, place);
+    if (turned == vec3(0)) return std::nullopt;
+    return Way{turned, length, depth};
+}
+
+/// Distance between samples along a direction (m).
+double BodySearch::sample_along(vec3 out) const { return glm::length(out / samples_per_metre_); }
+
+// ---- searching --------------------------------------------------------------------------------------------
+
+/// The place where the way through a bracket crosses the surface (regula falsi that halves the weight of an end that stays).
+vec3 BodySearch::crossing(Bracket b, double accuracy) {
+    const bool from_solid = is_solid(b.at_from);
+    double low = 0, high = 1, at_low = b.at_from, at_high = b.at_to, t = 0;
+    const double length = glm::distance(b.from, b.to);
+    int last = 0;
+    for (int tries = 0; tries < 30 && (high - low) * length > accuracy; ++tries) {
+        const double width = at_high - at_low;
+        const double share = std::isfinite(width) && width != 0 ? -at_low / width : 0.5;
+        t = low + std::clamp(share, 1e-3, 1 - 1e-3) * (high - low);
+        if (tries >= 12) t = 0.5 * (low + high);
+        const double here = inside(glm::mix(b.from, b.to, t));
+        const int side = is_solid(here) == from_solid ? -1 : 1;
+        (side < 0 ? low : high) = t;
+        (side < 0 ? at_low : at_high) = here;
+        if (side == last) (side < 0 ? at_high : at_low) *= 0.5;
+        last = side;
+        // The way to the other end by the chord is what the place may still be off.
+        if (std::abs(here) * (high - low) * length <= accuracy * std::abs(at_high - at_low)) break;
+    }
+    return glm::mix(b.from, b.to, t);
+}
+
+std::optional<BodySearch::Found> BodySearch::found_at(vec3 place) {
+    const auto way = way_out(place);
+    if (!way) return std::nullopt;
+    return Found{place, *way};
+}
+
+/// The place that a search from `start` has found, and the way out there. `way` is the way out at the start.
+BodySearch::Found BodySearch::found_at(vec3 place, vec3 start, const Way& way) {
+    const double smooth = way.smooth - glm::dot(place - start, way.out);
+    const bool near_smooth = std::abs(smooth) <= apart * fine_;
+    if (glm::distance(place, start) > (near_smooth ? same_slope : same_slope_apart) * fine_) {
+        const auto there = found_at(place);
+        if (there && glm::dot(there->way.out, way.out) > 0) return *there;
+    }
+    return {place, {way.out, way.gradient, smooth}};
+}
+
+/// Whether a tip of this depth that moves on along the surface stays deep enough for its plane, if the plane sinks by the
+/// slew from now on. `height` is that of the plane above the tip. Also true for a tip at rest, and for one near the back of
+/// a sheet, where a free place ahead is no step.
+bool BodySearch::stays_in(vec3 target, vec3 out, double depth, double height) {
+    const vec3 along = motion_ - glm::dot(motion_, out) * out;
+    const double moved = glm::length(along), reach = std::min(moved, most_motion) * height / surface_.slew;
+    const double space = look_ahead * fine_, ground = ground_below * sample_along(out);
+    if (!(reach > least_ahead * fine_) || !std::isfinite(reach)) return true;
+    if (depth < depth_ahead * height) return false;
+    const vec3 from = target + depth_ahead * height * out, to = target + reach / moved * along;
+    if (!solid(from)) return true;
+    const int looks = static_cast<int>(std::ceil(std::min(reach / space, most_looks_ahead)));
+    const double part = std::min(1.0, most_looks_ahead * space / reach) / looks;
+    for (int i = 1; i <= looks; ++i) {
+        const vec3 ahead = glm::mix(from, to, part * i);
+        if (!solid(ahead)) return !solid(target - ground * out);
+    }
+    return true;
+}
+
+/// Distance along the way out from a place on the drawn surface to its plane, for a tip at `target`. Towards the smooth
+/// surface, and from the last tick's plane, on which the proxy lies, no farther than the slew.
+double BodySearch::eased(const Found& found, vec3 proxy, vec3 target) {
+    const auto& [place, way] = found;
+    const double depth = std::max(0.0, glm::dot(place - target, way.out)), sample = sample_along(way.out);
+    const double height = glm::dot(proxy - place, way.out);
+    const double step = way.smooth * fading((std::abs(way.smooth) / sample - largest_step) / largest_step);
+    const double own = glm::dot(motion_, way.out), slew = surface_.slew;
+    if (!std::isfinite(depth) || !std::isfinite(step) || !std::isfinite(own)) return 0;
+    const double most = std::min(depth_share * depth, most_eased * fine_), late = most_late * sample;
+    const double wanted = std::clamp(step, -most, most);
+    // The tip's own motion along the normal changes the force, too.
+    const double up = std::max(slew + std::min(own, 0.0), least_slew * slew);
+    const double down = std::max(slew - std::max(own, 0.0), least_slew * slew);
+    const double lowest = std::min({height - down, sinking_share * depth, late});
+    const double highest = std::max(height + up, -std::min(rising_share * depth, late));
+    double result = std::min(std::max(wanted, lowest), highest);
+    if (slew < HUGE_VAL && depth + step < let_go * sample) {
+        for (const double fall : early) {
+            if (stays_in(target, way.out, depth, depth + result)) break;
+            result = std::max(std::min(result, height - fall * slew), (still_felt - 1) * depth);
+        }
+    }
+    contact_.late |= result != wanted;
+    return result;
+}
+
+/// The plane of a place on the surface, in the reader's frame.
+std::optional<ContactPlane> BodySearch::plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target) {
+    if (!found) return std::nullopt;
+    const auto& [place, way] = *found;
+    const vec3 eased_place = place + eased(*found, proxy, target) * way.out;
+    return ContactPlane{to_reader(eased_place), box_.placement.turn * way.out, way.gradient};
+}
+
+/// The place where the way out of the body, within reach, leaves it or the box.
+std::optional<BodySearch::Found> BodySearch::leaving(vec3 place, double at_place, const Way& way) {
+    const double end = way_to_end(place, way.out, half_);
+    Bracket b{place, place, at_place, at_place};
+    for (int i = 0; i < most_looks; ++i) {
+        const double t = std::min({look_at(i) * fine_, surface_.reach, end});
+        b.to = place + t * way.out;
+        b.at_to = inside(b.to);
+        if (!is_solid(b.at_to)) return found_at(crossing(b, accurate), place, way);
+        if (t >= end) return found_at(b.to, place, way);
+        if (t >= surface_.reach) return std::nullopt;
+        b.from = b.to;
+        b.at_from = b.at_to;
+    }
+    return std::nullopt;
+}
+
+/// The place where the way into the body, within a limit, enters it.
+std::optional<BodySearch::Found> BodySearch::entering(vec3 place, double at_place, const Way& way,
+                                                      double limit) {
+    const double end = std::min(limit, way_to_end(place, -way.out, half_));
+    Bracket b{place, place, at_place, at_place};
+    for (int i = 0; i < most_looks; ++i) {
+        const double t = std::min(look_at(i) * fine_, end);
+        b.to = place - t * way.out;
+        b.at_to = inside(b.to);
+        if (is_solid(b.at_to)) return found_at(crossing(b, accurate), place, way);
+        if (t >= end) return std::nullopt;
+        b.from = b.to;
+        b.at_from = b.at_to;
+    }
+    return std::nullopt;
+}
+
+/// The place where the way along the gradient of the drawn samples leaves the body. In a crevice of a few samples, the
+/// smooth field may lead deeper.
+std::optional<BodySearch::Found> BodySearch::out_of_crevice(vec3 place, double at_place) {
+    if (box_.drawn.first == nullptr) return std::nullopt;
+    ++contact_.reads;
+    const field::Scalar drawn = box_.drawn(to_samples(place));
+    const double length = glm::length(drawn.gradient);
+    if (!(length > 1e-150) || !std::isfinite(length)) return std::nullopt;
+    const double side = surface_.solid_below ? 1 : -1;
+    return leaving(place, at_place,
+                   {side / length * drawn.gradient, length / box_.placement.scale, HUGE_VAL});
+}
+
+/// The place on the surface of the smooth field near a place, if the tip is deep enough for a plane just there. It is
+/// the plane of the drawn surface that eased() would put there, in fewer reads.
+std::optional<BodySearch::Found> BodySearch::on_smooth(vec3 place, const Way& way, vec3 target) {
+    const double most = most_eased * fine_;
+    if (!(std::abs(way.smooth) <= std::min(surface_.slew, most))) return std::nullopt;
+    const vec3 smooth = place + way.smooth * way.out;
+    const double depth = glm::dot(smooth - target, way.out);
+    if (!(depth > 0) || !in_box(smooth)) return std::nullopt;
+    const double above = std::min(depth_share / (1 - depth_share) * depth, most);
+    const double below = std::min(depth_share / (1 + depth_share) * depth, most);
+    if (solid(smooth + above * way.out) || !solid(smooth - below * way.out)) return std::nullopt;
+    return Found{smooth, {way.out, way.gradient, 0}};
+}
+
+/// The place on the surface within reach of a place.
+std::optional<BodySearch::Found> BodySearch::near(vec3 place, vec3 target) {
+    const vec3 nearest = glm::clamp(place, -half_, half_);
+    const double away = glm::distance(place, nearest);
+    if (!(away <= surface_.reach)) return std::nullopt;
+    const auto way = way_out(nearest);
+    if (!way) return std::nullopt;
+    if (const auto found = on_smooth(nearest, *way, target)) return found;
+    const double here = inside(nearest);
+    if (!is_solid(here)) return entering(nearest, here, *way, surface_.reach - away);
+    if (away > 0) return found_at(nearest, nearest, *way);
+    const auto found = leaving(nearest, here, *way);
+    return found ? found : out_of_crevice(nearest, here);
+}
+
+/// The place where the way between two places enters the body. It begins free.
+std::optional<BodySearch::Found> BodySearch::between(vec3 from, vec3 to) {
+    const double length = glm::distance(from, to);
+    const Part part = part_in_box(from, to, half_);
+    if (!(length > 1e-12) || !std::isfinite(length) || !(part.from <= part.to)) return std::nullopt;
+    Bracket b;
+    b.from = glm::clamp(glm::mix(from, to, part.from), -half_, half_);
+    b.at_from = inside(b.from);
+    if (is_solid(b.at_from)) return found_at(b.from);
+    const vec3 start = b.from, end = glm::mix(from, to, part.to);
+    const double looks = std::ceil(glm::distance(start, end) / (look_samples * fine_));
+    const int parts = static_cast<int>(std::clamp(looks, 1.0, static_cast<double>(most_looks)));
+    for (int i = 1; i <= parts; ++i) {
+        b.to = glm::mix(start, end, static_cast<double>(i) / parts);
+        b.at_to = inside(b.to);
+        if (is_solid(b.at_to)) return found_at(crossing(b, accurate));
+        b.from = b.to;
+        b.at_from = b.at_to;
+    }
+    return std::nullopt;
+}
+
+std::optional<ContactPlane> BodySearch::first(vec3 proxy, vec3 target) {
+    const vec3 from = to_box(proxy), to = to_box(target);
+    auto found = near(from, to);
+    if (!found && !solid(from)) found = between(from, to);
+    if (!found) return std::nullopt;
+    // The plane goes on beyond the body. A proxy that would meet it farther on is held only by what is there.
+    const double above = glm::dot(from - found->place, found->way.out);
+    const double below = glm::dot(found->place - to, found->way.out);
+    if (above > 0 && below > 0) {
+        const vec3 meets = from + above / (above + below) * (to - from);
+        if (glm::distance(meets, found->place) > fine_) found = between(from, to);
+    }
+    if (found) contact_.depth = glm::dot(found->place - to, found->way.out);
+    return plane_of(found, from, to);
+}
+
+std::optional<ContactPlane> BodySearch::next(vec3 proxy, vec3 landing, vec3 target) {
+    const vec3 place = to_box(landing);
+    const vec3 normal = contact_.planes[0].normal * box_.placement.turn;
+    if (!solid(place + least_depth * normal)) return std::nullopt;
+    // Beside the plane, the drawn surface is only a step of samples, unless it goes on above it.
+    const vec3 plane_at = to_box(contact_.planes[0].place);
+    const bool beside = glm::distance(place, plane_at) <= beside_samples * fine_;
+    if (beside && !solid(place + most_late * fine_ * normal)) return std::nullopt;
+    const vec3 to = to_box(target);
+    auto found = near(place, to);
+    if (!found) found = between(to_box(proxy), place);
+    const auto plane = plane_of(found, to_box(proxy), to);
+    const bool holds = plane && glm::dot(plane->place - landing, plane->normal) > least_depth;
+    return holds ? plane : std::nullopt;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,97 @@
+// haptics/volume/detail/body_search.h: search for the surface of a body of samples, as its picture shows it
+// (haptics/volume/level_contact.h).
+//
+// The place of the surface comes from the samples that are drawn, linear between them. So sheets of one sample are felt
+// too. Its direction comes from the field, which a hand should feel smooth (haptics/volume/smooth_grid.h). Averages of blocks
+// of samples give a less rough direction, where the box has them and both agree on the side. A field that no picture
+// shows, such as a filtered one, gives both.
+//
+// Samples make small steps in a surface, which a hand would feel as chatter. So a plane is put where the smooth field has
+// its surface, as far as a share of the tip's depth allows. Then the tip still feels the plane if and only if it is in
+// the body that is drawn. Where a tip slides over deeper steps, the plane follows them by a limited way in each tick.
+// The proxy lies on the plane of the last tick, so the way begins there. A step ahead may let go of the tip or nearly so.
+// Then the force would fall at once. So the plane sinks before such a step, over the ticks that the tip needs to get there.
+//
+// Samples that are not finite count as a picture shows them (field::ShownRange).
+//
+// The body ends at the box of the samples. Where it reaches a face, the cut face is a wall with the face's normal.
+// Within one sample of an edge, of the box or between cut face and surface, the normal turns from one to the other.
+#pragma once
+#include <optional>
+
+#include "field/placement.h"
+#include "haptics/volume/level_contact.h"
+
+namespace thaum::haptics {
+
+/// Searches in a frame with the middle of the box as its origin and the axes of the samples, in lengths of the reader.
+class BodySearch {
+public:
+    BodySearch(const LevelSurface& surface, const field::SampleBox& box, LevelContact& contact);
+
+    /// The plane that a proxy on its way to `target` is held by (reader's frame); std::nullopt if it is free.
+    std::optional<ContactPlane> first(vec3 proxy, vec3 target);
+    /// The plane that keeps a landing place out of the body; std::nullopt if the place is free.
+    std::optional<ContactPlane> next(vec3 proxy, vec3 landing, vec3 target);
+
+private:
+    /// Direction out of the body.
+    struct Way {
+        vec3 out{};
+        double gradient{};  ///< length of the field's gradient (1/m)
+        double smooth{};    ///< distance along `out` to the surface of the smooth field, by the tangent (m)
+    };
+    /// A place on the surface, and the way out there.
+    struct Found {
+        vec3 place{};
+        Way way{};
+    };
+    /// The smooth field at a place, along the axes of the box.
+    struct Slope {
+        vec3 up{};
+        double depth{};  ///< behind the surface, by the tangent (m)
+    };
+    /// A part of a straight line that begins free and ends in the body, or the reverse.
+    struct Bracket {
+        vec3 from{}, to{};
+        double at_from{}, at_to{};  ///< values of inside()
+    };
+
+    vec3 to_box(vec3 place) const;
+    vec3 to_reader(vec3 place) const;
+    vec3 to_samples(vec3 place) const;
+    bool in_box(vec3 place) const;
+    bool is_solid(double inside) const;
+    /// Depth in the body, in units of the field; -infinity outside of the box and where the field has no number.
+    double inside(vec3 place);
+    bool solid(vec3 place) { return is_solid(inside(place)); }
+    std::optional<Way> way_out(vec3 place);
+    std::optional<Slope> slope_of(const field::Scalar& here) const;
+    std::optional<Slope> slope_at(vec3 place);
+    double sample_along(vec3 out) const;
+    vec3 at_box(vec3 out, double depth, vec3 place) const;
+
+    std::optional<Found> near(vec3 place, vec3 target);
+    std::optional<Found> on_smooth(vec3 place, const Way& way, vec3 target);
+    std::optional<Found> leaving(vec3 place, double at_place, const Way& way);
+    std::optional<Found> out_of_crevice(vec3 place, double at_place);
+    std::optional<Found> entering(vec3 place, double at_place, const Way& way, double limit);
+    std::optional<Found> between(vec3 from, vec3 to);
+    vec3 crossing(Bracket bracket, double accuracy);
+    std::optional<Found> found_at(vec3 place);
+    Found found_at(vec3 place, vec3 start, const Way& way);
+    bool stays_in(vec3 target, vec3 out, double depth, double height);
+    double eased(const Found& found, vec3 proxy, vec3 target);
+    std::optional<ContactPlane> plane_of(const std::optional<Found>& found, vec3 proxy, vec3 target);
+
+    const LevelSurface& surface_;
+    const field::SampleBox& box_;
+    LevelContact& contact_;
+    vec3 motion_{};  ///< motion of the tip in a tick (m)
+    vec3 half_{};    ///< half of the box's extent (m)
+    vec3 samples_per_metre_{};
+    double per_scale_{};  ///< lengths of the samples' frame per length of the reader's
+    double fine_{};       ///< smallest distance between samples (m)
+};
+
+}  // namespace thaum::haptics

@@ -1,0 +1,148 @@
+#include "haptics/volume/smooth_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace thaum::haptics {
+namespace {
+
+constexpr std::size_t smooth_taps = 8;
+using SmoothRow = std::array<double, smooth_taps>;
+
+/// Samples along one axis with their weights for the value and the slope.
+struct SmoothTaps {
+    std::array<std::ptrdiff_t, smooth_taps> offset{};
+    SmoothRow value{}, slope{};
+    bool adjacent{};  ///< the samples follow each other in memory
+};
+
+/// Averages four weights 1 : 4 : 6 : 4 : 1.
+SmoothRow spread(const std::array<double, 4>& w) {
+    constexpr std::array<double, 5> binomial{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
+    SmoothRow result{};
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        for (std::size_t j = 0; j < binomial.size(); ++j) result[i + j] += w[i] * binomial[j];
+    }
+    return result;
+}
+
+/// Computes the taps at x, counted in samples from the first one. `per_metre` is the sample density (1/m).
+SmoothTaps smooth_taps_at(double x, int count, std::ptrdiff_t stride, double per_metre) {
+    const double inside = std::clamp(x, 0.0, static_cast<double>(count - 1));
+    const int low = std::min(static_cast<int>(inside), std::max(count - 2, 0));
+    const double t = inside - low, u = 1 - t;
+    SmoothTaps taps;
+    taps.value = spread({u * u * u / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+                         (3 * u * u * u - 6 * u * u + 4) / 6, t * t * t / 6});
+    taps.slope = spread({-u * u / 2, (3 * t * t - 4 * t) / 2, (4 * u - 3 * u * u) / 2, t * t / 2});
+    for (std::size_t i = 0; i < smooth_taps; ++i) {
+        taps.offset[i] = std::clamp(low - 3 + static_cast<int>(i), 0, count - 1) * stride;
+        taps.slope[i] *= per_metre;
+    }
+    taps.adjacent = stride == 1 && low >= 3 && low + 4 < count;
+    return taps;
+}
+
+using Doubles4 = double __attribute__((vector_size(32)));
+
+/// A number for each sample along x, in two vectors.
+struct SmoothLanes {
+    Doubles4 low{}, high{};
+
+    void add(double weight, const SmoothLanes& other) {
+        low += weight * other.low;
+        high += weight * other.high;
+    }
+    SmoothRow row() const { return {low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3]}; }
+};
+
+SmoothLanes samples_of(const float* row, const SmoothTaps& x, const field::ShownRange& shown = {}) {
+    SmoothLanes lanes;
+    for (std::size_t i = 0; i < 4; ++i) {
+        lanes.low[i] = static_cast<double>(shown(row[x.offset[i]]));
+        lanes.high[i] = static_cast<double>(shown(row[x.offset[i + 4]]));
+    }
+    return lanes;
+}
+
+SmoothLanes adjacent_samples(const float* row) {
+    using Floats4 = float __attribute__((vector_size(16)));
+    Floats4 low, high;
+    std::memcpy(&low, row, sizeof low);
+    std::memcpy(&high, row + 4, sizeof high);
+    return {__builtin_convertvector(low, Doubles4), __builtin_convertvector(high, Doubles4)};
+}
+
+/// Sums over y and z for each sample along x. Along x nothing is added up, so that vectors serve.
+struct SmoothSums {
+    SmoothLanes value{}, along_y{}, along_z{};
+};
+
+/// Acts on differences from `base`, so that equal samples give exact zeros (as in field::Grid). `lanes_of` gives the
+/// samples of a row along x.
+template <class LanesOf>
+SmoothSums sums_of(const float* first, double base, const SmoothTaps& y, const SmoothTaps& z,
+                   LanesOf lanes_of) {
+    SmoothSums sums;
+    for (std::size_t k = 0; k < smooth_taps; ++k) {
+        SmoothLanes value, along_y;
+        for (std::size_t j = 0; j < smooth_taps; ++j) {
+            SmoothLanes samples = lanes_of(first + (z.offset[k] + y.offset[j]));
+            samples.low -= base;
+            samples.high -= base;
+            value.add(y.value[j], samples);
+            along_y.add(y.slope[j], samples);
+        }
+        sums.value.add(z.value[k], value);
+        sums.along_y.add(z.value[k], along_y);
+        sums.along_z.add(z.slope[k], value);
+    }
+    return sums;
+}
+
+field::Scalar scalar_of(const SmoothSums& sums, double base, const SmoothTaps& x) {
+    const SmoothRow value = sums.value.row(), along_y = sums.along_y.row(), along_z = sums.along_z.row();
+    field::Scalar result;
+    for (std::size_t i = 0; i < smooth_taps; ++i) {
+        result.value += x.value[i] * value[i];
+        result.gradient += vec3(x.slope[i] * value[i], x.value[i] * along_y[i], x.value[i] * along_z[i]);
+    }
+    result.value += base;
+    return result;
+}
+
+}  // namespace
+
+field::Scalar SmoothGrid::operator()(vec3 place) const {
+    if (grid.first == nullptr || *std::ranges::min_element(grid.count) < 1 || !is_finite(place)) return {};
+    const vec3 at = (place - grid.origin) / grid.spacing, per_metre = 1.0 / grid.spacing;
+    const SmoothTaps x = smooth_taps_at(at.x, grid.count[0], grid.stride[0], per_metre.x);
+    const SmoothTaps y = smooth_taps_at(at.y, grid.count[1], grid.stride[1], per_metre.y);
+    const SmoothTaps z = smooth_taps_at(at.z, grid.count[2], grid.stride[2], per_metre.z);
+    const float middle = grid.first[x.offset[3] + y.offset[3] + z.offset[3]];
+    const auto as_stored = [&](const float* row) {
+        return x.adjacent ? adjacent_samples(row + x.offset[0]) : samples_of(row, x);
+    };
+    const field::Scalar result = scalar_of(sums_of(grid.first, middle, y, z, as_stored), middle, x);
+    // One sample that is not finite spreads through all sums.
+    if (std::isfinite(result.value)) return result;
+    const auto as_shown = [&](const float* row) { return samples_of(row, x, shown); };
+    const double base = shown(middle);
+    return scalar_of(sums_of(grid.first, base, y, z, as_shown), base, x);
+}
+
+field::SampleBox SmoothGrid::sample_box() const {
+    const vec3 half = 0.5 * grid.spacing * vec3(grid.count[0] - 1, grid.count[1] - 1, grid.count[2] - 1);
+    field::SampleBox box{.bounded = grid.first != nullptr && *std::ranges::min_element(grid.count) >= 2,
+                         .drawn = grid,
+                         .averages = averages,
+                         .shown = shown,
+                         .middle = grid.origin + half,
+                         .half = half,
+                         .spacing = grid.spacing};
+    box.drawn.kernel = field::Kernel::linear;
+    return box;
+}
+
+}  // namespace thaum::haptics

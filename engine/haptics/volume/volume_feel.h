@@ -1,0 +1,128 @@
+// haptics/volume/volume_feel.h: the feel of a volume (Avila and Sobierajski 1996, "A haptic interaction method for
+// volume visualization", section 4).
+//
+//     F = A + R(v) + S(n)
+//
+//     A   ambient: gravity and guide planes, felt everywhere
+//     R   against the motion, C v: C grows with the opacity, or with the density within a shell, by material
+//     S   along the gradient: grows with the opacity, or with the density within a shell
+//     walls: surfaces of one density that hold the proxy up to a strength (haptics/volume/level_contact.h)
+//
+// The opacity is the picture's: a transfer function of the density times one of the gradient's length. So the hand
+// feels what the eye sees. Walls and shells read densities alone. So a skin that a tool made invisible is still felt.
+//
+// S is a function of the density at the tip. A plane placed so that the spring between tip and proxy stretches by
+// exactly S / stiffness gives that force, to rounding, while the tip rests. While it moves, the force follows with the
+// spring's stiffness for one tick. Foreseeing the tip's motion would double the noise of the device's quantum.
+//
+// S of a shell in a density that rises evenly is the gradient of a potential. Any other S may create energy in a
+// closed loop. As a plane it counts as a passive source, so the passivity controller takes most of that out: of 64
+// hostile volumes, the worst gave 27 mJ in 20 s. R goes to HapticModel::viscosity.
+//
+// All functions are plain and do not allocate. Device frame, lengths in m.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "field/field.h"
+#include "field/transfer.h"
+#include "haptics/modes.h"
+
+namespace thaum::haptics {
+
+/// Material index at a place, such as the index of the nearest voxel.
+struct MaterialField {
+    const void* what{};
+    std::uint8_t (*read)(const void* what, vec3 place){};
+
+    std::uint8_t operator()(vec3 place) const {
+        return read == nullptr ? std::uint8_t{0} : read(what, place);
+    }
+};
+
+/// Makes a material field from any object with a member function `material(place)`. The object must outlive it.
+template <class Source>
+MaterialField material_field_of(const Source& source) {
+    return {&source, [](const void* what, vec3 place) -> std::uint8_t {
+                return static_cast<const Source*>(what)->material(place);
+            }};
+}
+
+/// Feel of the voxels with one material index, as factors of what their densities give.
+struct MaterialFeel {
+    double stiffness{1};  ///< factor of S and of the strength of walls, >= 0
+    double viscosity{1};  ///< factor of R, >= 0
+};
+using MaterialTable = std::array<MaterialFeel, 256>;
+
+/// A plane that guides the hand, such as the plane of a cut.
+struct GuidePlane {
+    vec3 place{};          ///< a point on the plane (m)
+    vec3 normal{0, 1, 0};  ///< unit vector
+    double strength{};     ///< largest force towards the plane, from both sides, at most most_pull (N)
+};
+
+/// Haptic volume rendering: forces linked to the opacity transfer function a = density x gradient.
+struct OpacityFeel {
+    field::TransferFunction density{};   ///< share of the opacity by the density, 0 to 1
+    field::TransferFunction gradient{};  ///< share of the opacity by the gradient's length (per m), 0 to 1
+    double stiffness{};                  ///< S = stiffness a (N)
+    double retarding{};                  ///< R = (retarding a + retarding_always) v (N s/m)
+    double retarding_always{};           ///< drag that does not depend on the opacity (N s/m)
+    /// Inverted mapping: S pulls towards larger densities and is stiffness (1 - a), so that the tip follows a thin
+    /// structure instead of slipping off.
+    bool attracts{};
+};
+
+/// A penetrable shell between two densities, viscous inside: S rises from 0 at `low` to `stiffness` at `high`, and
+/// is none beyond. R = (retarding (d - low) / (high - low) + retarding_always) v within.
+struct DensityShell {
+    double low{}, high{};       ///< densities, low < high
+    double stiffness{};         ///< force at the density `high` (N)
+    double retarding{};         ///< drag added at the density `high` (N s/m)
+    double retarding_always{};  ///< drag everywhere within the shell (N s/m)
+};
+
+/// The surface of one density. It holds the proxy up to its strength, times the material's stiffness: a stronger
+/// push pokes through. Larger densities are solid.
+struct DensityWall {
+    double density{};
+    double strength{};  ///< push at which it lets the hand through (N)
+    double friction{};  ///< coefficient of friction, >= 0
+    double reach{};     ///< depth at which the proxy is through, about the size of a voxel (m)
+};
+
+inline constexpr std::size_t most_guides = 3;
+inline constexpr std::size_t most_walls_felt = 2;
+
+struct VolumeFeel {
+    field::ScalarField density{};
+    MaterialField material{};                      ///< empty: index 0 everywhere
+    const MaterialTable* materials{};              ///< null: all factors are 1
+    vec3 gravity{};                                ///< ambient force on the hand (N)
+    std::array<GuidePlane, most_guides> guides{};  ///< the first `guide_count`
+    std::uint32_t guide_count{};
+    std::array<DensityWall, most_walls_felt> walls{};  ///< the first `wall_count`
+    std::uint32_t wall_count{};
+    OpacityFeel opacity{};
+    DensityShell shell{};
+    double share{1};  ///< factor of opacity and shell, for a volume that ends; walls end by themselves
+};
+
+/// What the hand feels of a volume besides the primitives.
+struct VolumeFelt {
+    double viscosity{};        ///< C of R(v), for HapticModel::viscosity (N s/m)
+    double opacity{};          ///< opacity at the tip, 0 to 1
+    double stiff{};            ///< S at the tip, negative towards larger densities (N)
+    std::uint32_t touched{};   ///< bit i: wall i has planes near the proxy
+    std::uint32_t material{};  ///< material index at the tip
+};
+
+/// Number of primitives that a volume adds, always the same for the same counts of guides and walls.
+std::size_t primitives_of(const VolumeFeel& feel) noexcept;
+
+/// Adds the primitives of a volume and returns the rest of its feel. Adds none if they do not fit.
+VolumeFelt add_volume_feel(const VolumeFeel& feel, const ModeInput& input, PrimitiveSet& set) noexcept;
+
+}  // namespace thaum::haptics
