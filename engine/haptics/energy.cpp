@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "haptics/detail/energy_step.h"
 #include "haptics/safety.h"
 
 namespace thaum::haptics {
@@ -169,6 +170,189 @@ void record_ramp(PassivityObserver& observer, vec3 output) {
     observer.newest = (observer.newest + 1) % kept;
     const vec3 active = std::isfinite(left) ? left * last.active : vec3(0);
     observer.forces[observer.newest] = {.passive = output - active, .active = active};
+}
+
+// ---- the servo's step -----------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Potential of a primitive, above its minimum (J).
+double potential(const Primitive& primitive, vec3 proxy) {
+    const vec3 off = proxy - primitive.position;
+    const double along = glm::dot(off, primitive.direction);
+    switch (primitive.kind) {
+        case PrimitiveKind::point: return primitive.strength * glm::length(off);
+        case PrimitiveKind::line: return primitive.strength * glm::length(off - along * primitive.direction);
+        case PrimitiveKind::plane: return primitive.strength * std::max(0.0, -along);
+        case PrimitiveKind::directed: break;
+    }
+    return 0;
+}
+
+/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its
+/// force through.
+double within_cap(double energy, double stretch, double cap) {
+    const double pull = 2 * energy / stretch;
+    if (!(pull > cap)) return energy;
+    return cap * stretch * (1 - cap / (2 * pull));
+}
+
+/// Energy of the tether's spring, without its detents (J).
+double tether_energy(const Tether& tether, vec3 tip, double cap) {
+    if (!(tether.stiffness > 0)) return 0;
+    const vec3 off = tip - tether.anchor;
+    return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+}
+
+/// Energy that tether and primitives hold (J). Energy beyond the cap was never put in.
+double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
+                     double cap) {
+    double held = tether_energy(tether, tip, cap);
+    if (state.primitives != 0 && conservative(model.primitives)) {
+        const vec3 off = tip - state.proxy;
+        held += within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+        for (Primitive primitive : model.primitives.items()) {
+            primitive.strength = std::min(primitive.strength, cap);
+            held += potential(primitive, state.proxy);
+        }
+    }
+    return held;
+}
+
+/// Most energy that surfaces and detents hold (J).
+double other_energy(const Tether& tether, const SurfaceForces& surfaces, double cap) {
+    const double notches = tether.stiffness > 0 ? tether.detents.depth * tether.detents.width / pi : 0;
+    return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
+}
+
+/// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
+/// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
+/// difference was not created.
+double largest_felt_force(const Servo& servo, const SafetyState& safety) {
+    const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
+    return whole ? servo.limits.cap : glm::length(safety.output);
+}
+
+bool is_stopped(const SafetyState& safety) {
+    return safety.cause >= static_cast<std::uint32_t>(SafetyCause::waiting);
+}
+
+/// Whether the springs may hold energy now that they did not receive: a source switched, the output was stopped, or the
+/// player has raised the largest force.
+bool may_hold_more(const Servo& servo, const ServoState& state, const Tip& tip) {
+    return tip.switched || tip.stops || state.samples <= 1 || is_stopped(state.safety) ||
+           servo.limits.cap > state.safety.cap;
+}
+
+/// Energy of a spring of the device's stiffness that has the force of the last tick (J).
+double energy_of_output(const Servo& servo, const SafetyState& safety) {
+    if (!(servo.most_stiffness > 0)) return 0;
+    return glm::dot(safety.output, safety.output) / (2 * servo.most_stiffness);
+}
+
+/// Limits the springs, which pull with `pull` (N), to the force that their reserve allows. Returns that force (N).
+double limit_to_reserve(const Servo& servo, const ServoState& state, double pull, Sources& sources) {
+    const vec3 step = tip_motion(state, servo.quantum);
+    const double outward = pull > 0 ? glm::dot(step, sources.springs) / pull : 0;
+    const double most = force_of_reserve(
+        state.energy, outward, pending_work(state.energy, step, servo.latency), servo.most_stiffness);
+    if (!(pull > most)) return most;
+    const double share = most / pull;
+    sources.passive -= (1 - share) * sources.springs;
+    for (vec3* part : {&sources.springs, &sources.world, &sources.tether}) *part *= share;
+    return most;
+}
+
+/// Energy that the tether will create until the force of this tick has acted (J). The device holds every
+/// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
+/// a Falcon in that time.
+double expected_creation(const Servo& servo, const PassivityObserver& observer, const Tether& tether,
+                         const Tip& tip) {
+    if (!(tether.stiffness > 0)) return 0;
+    const double cap = servo.limits.cap;
+    const vec3 step = (tip.velocity - tether.anchor_velocity) * tick_seconds;
+    const vec3 pull = limited(tether.stiffness * (tether.anchor - tip.position), cap);
+    const double work = pending_work(observer, step, servo.latency) + glm::dot(pull, step);
+    const double ahead = tether_energy(tether, tip.position + (servo.latency + 1.0) * step, cap);
+    return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
+}
+
+/// Energy that the controller takes out in this tick (J). Springs that are held back give no more than their reserve.
+double energy_to_take_out(const PassivityObserver& observer, double held) {
+    if (observer.held_back == 0) return surplus(observer, held);
+    return surplus(observer, std::min(held, observer.reserve)) * (tick_seconds / repayment_time);
+}
+
+/// Largest damping of the passivity controller (N s/m). One encoder count in a tick is a velocity, too. If it is worth
+/// more than this force, the controller shakes a tip that hardly moves. In a faster motion a count matters less.
+double controller_damping(const Servo& servo, vec3 velocity) {
+    constexpr double most_of_a_count = 0.28;  // largest force that one count may be worth (N)
+    if (!(servo.quantum > 0)) return servo.most_damping;
+    const double of_a_count = servo.quantum / tick_seconds;
+    const double counts = std::max(1.0, glm::length(velocity) / (2 * of_a_count));
+    return std::min(servo.most_damping, most_of_a_count / of_a_count * counts);
+}
+
+/// The brake that takes out `taken` (J) from a hand that feels the sources (N).
+vec3 brake_sources(const Servo& servo, ServoState& state, double taken, const Sources& sources) {
+    PassivityObserver& energy = state.energy;
+    if (!(taken > 0) && energy.brake == vec3(0)) return vec3(0);
+    vec3 brake{};
+    // Without it, skips the velocity, which takes half the time of a quiet step.
+    if (taken > 0) {
+        const vec3 velocity = prompt_velocity(state, servo.quantum);
+        brake = passivity_control(taken, velocity, controller_damping(servo, velocity));
+    }
+    const bool held_back = energy.held_back != 0;
+    // The brake of a fluid acts at once and without a limit. With the limit, a flow that comes late created more than the
+    // 0.02 J that are allowed.
+    if (state.fluid.number != 0 && !held_back) return energy.brake = brake;
+    return steady_brake(energy, brake, glm::length(held_back ? sources.springs : sources.passive));
+}
+
+}  // namespace
+
+EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
+                           const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
+                           const FluidForces& fluid, Sources& sources) {
+    const double felt = largest_felt_force(servo, state.safety);
+    const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
+    const double held =
+        felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
+    const bool stopped = is_stopped(state.safety), may_give = may_hold_more(servo, state, tip);
+    double stored = (stopped ? held : springs) +
+                    other_energy(tether, surfaces, stopped ? felt : servo.limits.cap) + fluid.stored;
+    if (tip.stops) stored = std::max(stored, energy_of_output(servo, state.safety));
+    // A tethered hand touches nothing else.
+    const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
+    observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
+    sources.active = within_budget(state.energy, sources.active);
+    EnergyLimits limits;
+    if (may_give && servo.most_stiffness > 0) hold_back(state.energy);
+    const double pull = glm::length(sources.springs);
+    if (state.energy.held_back != 0) {
+        limits.reserve_force = limit_to_reserve(servo, state, pull, sources);
+        forgive(state.energy, pull > 0);
+        const bool fades = state.safety.fade != static_cast<std::uint32_t>(Fade::over);
+        if (!may_give && !fades)
+            release_if_covered(
+                state.energy,
+                {.energy = stored - fluid.stored,
+                 .pull = pull,
+                 .may_lie_ahead = model.primitives.by_proxy() && conservative(model.primitives)},
+                servo.most_stiffness);
+    }
+    const double taken =
+        energy_to_take_out(state.energy, held + expected_creation(servo, state.energy, tether, tip));
+    limits.brake = brake_sources(servo, state, taken, sources);
+    limits.fade_energy = fade_energy(state.energy);
+    return limits;
+}
+
+void record_force(ServoState& state, vec3 output, const Sources& sources) {
+    if (is_stopped(state.safety)) return record_ramp(state.energy, output);
+    record_output(state.energy, output, sources.passive, sources.active, sources.world,
+                  state.safety.unrequested);
 }
 
 }  // namespace thaum::haptics

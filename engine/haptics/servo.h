@@ -15,49 +15,13 @@
 #include "haptics/fluid_touch.h"
 #include "haptics/primitives/balance.h"
 #include "haptics/primitives/settling.h"
+#include "haptics/pulse.h"
 #include "haptics/safety.h"
 #include "haptics/surface/surface.h"
+#include "haptics/tether.h"
+#include "haptics/tip.h"
 
 namespace thaum::haptics {
-
-/// A kick: half a sine wave over `length` ticks. An active source: it may push the hand. It starts and ends
-/// at zero, so it is no switch for the slew limit. That limit would leave little of it: 1.2 N in 15 ms rises
-/// at 251 N/s.
-struct Pulse {
-    vec3 peak{};             ///< largest force (N, device frame)
-    std::uint32_t length{};  ///< duration, > 0 (ticks)
-    std::uint32_t number{};  ///< counts up from 1; a number newer than the last one starts a pulse
-};
-
-/// A force that changes slowly and does not depend on the tip's position, such as a growing charge or a
-/// weight. An active source.
-struct SteadyForce {
-    vec3 force{};            ///< force on the hand (N, device frame)
-    std::uint64_t number{};  ///< changes when the force jumps, which is a switch
-};
-
-inline constexpr std::size_t most_detents = 3;
-
-/// Notches along a line. Each draws the tip to its middle. They are the negative gradient of a potential, so
-/// they create no energy.
-struct Detents {
-    vec3 axis{};  ///< direction of the line through the tether's anchor (unit, device frame)
-    /// Middle of each notch along the axis from the anchor (m).
-    std::array<double, most_detents> places{};
-    double depth{};  ///< largest force of a notch (N); 0: no notches
-    double width{};  ///< width of each notch, > 0, at most the distance between notches (m)
-};
-
-/// A spring and damper from the tip to a point, for example a held thing or a slingshot. A passive source if
-/// the point stands still. If the point belongs to a thing of the world, that thing gets the opposite force.
-struct Tether {
-    vec3 anchor{};           ///< point to which the tip is tied (m, device frame)
-    vec3 anchor_velocity{};  ///< velocity of the anchor (m/s)
-    double stiffness{};      ///< stiffness (N/m); 0: no tether
-    double damping{};        ///< damping (N s/m)
-    Detents detents{};
-    std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which is a switch
-};
 
 /// Motion of the world in the device frame while the player turns or walks: a place p moves by velocity +
 /// spin x p. Bodies of a patch include this motion. It is also given alone because it must not push the hand.
@@ -128,16 +92,6 @@ Servo servo_of(const DeviceSpec& spec, double share);
 /// Limits of a servo whose player has chosen a largest force of `percent` of the device's peak; 0: those of the servo.
 SafetyLimits limits_of(const Servo& servo, std::uint32_t percent);
 
-/// A fifth pulse replaces the oldest, which is a switch.
-inline constexpr std::size_t pulses_at_once = 4;
-inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is measured
-
-struct PlayingPulse {
-    vec3 peak{};
-    std::uint32_t length{};
-    std::uint32_t at{};  ///< ticks played; equal to `length` at the end
-};
-
 /// Bodies of the patch of the last tick.
 struct SeenBodies {
     std::array<double, surface_body_capacity> stiffness{};  ///< (N/m)
@@ -187,37 +141,5 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
 /// State after a device was disconnected. It keeps the motors' heat, latches and counters, the used part of
 /// the energy budget, and which pulses are over. The force starts at zero and grows slowly.
 ServoState resumed(const ServoState& before);
-
-/// Velocity of the tip over the stored positions, or those that are filled (m/s); zero before the second
-/// sample.
-vec3 tip_velocity(const ServoState& state);
-
-/// Smallest deviation from a line that counts as motion, not noise (m).
-inline constexpr double finest_motion = 5e-5;
-
-/// Velocity of the tip (m/s) with the least delay that the quantum (m) allows. It is the mean over the
-/// longest part of the window in which the samples lie on a line. The tolerance is one quantum, or
-/// `finest_motion` if that is larger. That part is the whole window at rest, and two samples in a quick turn.
-/// A damper that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
-/// first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
-vec3 prompt_velocity(const ServoState& state, double quantum);
-
-/// Motion of the tip in the last tick that the servo has seen, by `prompt_velocity` (m).
-vec3 tip_motion(const ServoState& state, double quantum);
-
-/// Speed along the path from sample to sample, less the share that a quantum (m) can add (m/s). A tip that
-/// vibrates between two places has no velocity over the window but is fast. The mean is over the window
-/// because samples may come late and then close together.
-double path_speed(const ServoState& state, double quantum);
-
-/// Force of the tether on the tip (N), given the tip's velocity (m/s).
-vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);
-
-/// Force of the detents along their axis (N), `along` metres from the anchor.
-double detent_force(const Detents& detents, double along);
-
-/// Mean force of a pulse over its tick `at`, as a share of its peak. It is exact: the impulse is 2/pi peak
-/// length.
-double half_sine(std::uint32_t at, std::uint32_t length);
 
 }  // namespace thaum::haptics

@@ -2,6 +2,7 @@
 // Cooper, Persson, Evestedt, Ynnerman 2007, "Enabling design and interactive selection of haptic modes", section
 // 2.3).
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -72,5 +73,12 @@ static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + 2
 
 /// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);
+
+/// A directed force has no minimum of energy. It may push for ever and is an active source.
+inline bool conservative(const PrimitiveSet& set) {
+    const auto items = set.items();
+    return std::none_of(items.begin(), items.end(),
+                        [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
+}
 
 }  // namespace thaum::haptics

@@ -9,50 +9,6 @@
 namespace thaum::haptics {
 namespace {
 
-/// Share of a wall in the force on the hand.
-struct Share {
-    vec3 force{};    ///< N
-    double depth{};  ///< depth that is felt (m)
-};
-using Shares = std::array<Share, most_walls>;
-
-/// Sorts the walls by load. There are at most four.
-void most_loaded_first(Walls& walls) {
-    for (std::size_t i = 1; i < walls.count; ++i)
-        for (std::size_t j = i; j > 0 && walls.items[j - 1].depth < walls.items[j].depth; --j)
-            std::swap(walls.items[j - 1], walls.items[j]);
-}
-
-/// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
-/// proportion to its depth.
-vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares) {
-    double depth = 0, stiffness = 0, damping = 0;
-    vec3 push(0), velocity(0), spring = slide.x - tip.position;
-    for (std::size_t i = 0; i < slide.walls.count; ++i) {
-        const Wall& wall = slide.walls.items[i];
-        const SurfaceBody& body = scene.body_of(wall.surface);
-        const TexturedPush here = textured_push(scene, wall, slide.x);
-        depth += here.depth;
-        stiffness += here.depth * body.material.stiffness;
-        damping += here.depth * body.material.damping;
-        push += here.depth * here.direction;
-        spring += here.depth * here.direction - wall.depth * wall.normal;
-        shares[i] = {here.depth * here.direction, here.depth};
-        velocity += here.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
-    }
-    const double length = glm::length(push);
-    if (!(depth > 0) || !(length > 0)) return vec3(0);
-    const vec3 normal = push / length;
-    const double inward = std::max(0.0, -glm::dot(tip.velocity - velocity / depth, normal));
-    const vec3 force = stiffness / depth * spring + damping / depth * inward * normal;
-    for (std::size_t i = 0; i < slide.walls.count; ++i) {
-        Share& share = shares[i];
-        share.force =
-            stiffness / depth * share.force + share.depth / depth * (force - stiffness / depth * push);
-    }
-    return force;
-}
-
 void remember(const Scene& scene, SurfaceState& state, const SlideState& slide, const Shares& shares) {
     const auto& walls = slide.walls;
     state = {.proxy = slide.x, .begun = 1};

@@ -88,13 +88,12 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
 
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model) {
-    clear_patch(model.patch);
     model.start = vec3(0);
     model.frame_motion = {};
     model.patch_number = hand_state.probe_number;
     const bool probed = hand_state.probing != 0;
     hand_state.probing = can_probe(context, wizard, hand_state) ? 1 : 0;
-    if (hand_state.probing == 0) return;
+    if (hand_state.probing == 0) return clear_patch(model.patch);
     const vec3 eye = eye_of(context.data.wizard, context.world.get<Motion>(wizard).position);
     const HandFrame frame = frame_of(context, wizard, eye);
     HandFrame before{hand_state.frame_origin, hand_state.frame_turn, frame.metres_per_metre};
@@ -107,7 +106,6 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
     hand_state.frame_turn = frame.turn;
     model.patch_number = hand_state.probe_number;
     model.start = frame.to_device(eye);
-    model.frame_motion = frame_motion_of(frame, before);
     const auto& servo = hand_state.servo;
     const vec3 tip = frame.to_world(hand_state.device.position + servo.contact_offset);
     const vec3 proxy = jumped ? eye : servo.surface.begun != 0 ? before.to_world(servo.surface.proxy) : tip;
@@ -116,7 +114,9 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
                         .mask = layer::ground | layer::prop,
                         .ignore = wizard.index};
     const double roughness = context.input.haptic_setup.roughness[context.world.get<Wizard>(wizard).player];
-    fill_patch(model.patch, context.physics.read(), around, frame, before, feel_of(context.data, roughness));
+    const Feel feel = feel_of(context.data, roughness);
+    model.frame_motion = frame_motion_of(frame, before);
+    fill_patch(model.patch, context.physics.read(), around, frame, before, feel);
 }
 
 }  // namespace thaum::game

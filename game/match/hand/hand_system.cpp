@@ -87,13 +87,13 @@ const haptics::HapticModel& next_model(MatchContext& context, const BrewResource
     const auto& world = std::as_const(context.world);
     const bool draws = world.has<DrawnStroke>(wizard) && !world.has<Ladle>(wizard);
     model.viscosity = draws ? context.data.casting->viscosity : 0;
+    feel_station(context, wizard, hand_state, model);
     fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
         feel_brew(context, *brew.read().work, wizard, *ladle, world.single<Match>().played, model.fluid);
     } else if (model.fluid.number != 0) {
         model.fluid = {};
     }
-    feel_station(context, wizard, hand_state, model);
     return model;
 }
 

@@ -21,17 +21,32 @@ TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x) {
     return {std::max(0.0, depth + relief.height), way / length};
 }
 
-double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
-    double reach = 0;
-    for (std::size_t i = 0; i < walls.count; ++i) {
-        const Wall& wall = walls.items[i];
-        const SurfaceMaterial& m = scene.body_of(wall.surface).material;
-        const double friction = sliding ? m.dynamic_friction : m.static_friction;
-        if (!(friction > 0)) continue;
-        const bool smooth = top_of(m.texture) == 0;
-        reach += friction * (smooth ? wall.depth : textured_push(scene, wall, x).depth);
+vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares) {
+    double depth = 0, stiffness = 0, damping = 0;
+    vec3 push(0), velocity(0), spring = slide.x - tip.position;
+    for (std::size_t i = 0; i < slide.walls.count; ++i) {
+        const Wall& wall = slide.walls.items[i];
+        const SurfaceBody& body = scene.body_of(wall.surface);
+        const TexturedPush here = textured_push(scene, wall, slide.x);
+        depth += here.depth;
+        stiffness += here.depth * body.material.stiffness;
+        damping += here.depth * body.material.damping;
+        push += here.depth * here.direction;
+        spring += here.depth * here.direction - wall.depth * wall.normal;
+        shares[i] = {here.depth * here.direction, here.depth};
+        velocity += here.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
     }
-    return reach;
+    const double length = glm::length(push);
+    if (!(depth > 0) || !(length > 0)) return vec3(0);
+    const vec3 normal = push / length;
+    const double inward = std::max(0.0, -glm::dot(tip.velocity - velocity / depth, normal));
+    const vec3 force = stiffness / depth * spring + damping / depth * inward * normal;
+    for (std::size_t i = 0; i < slide.walls.count; ++i) {
+        Share& share = shares[i];
+        share.force =
+            stiffness / depth * share.force + share.depth / depth * (force - stiffness / depth * push);
+    }
+    return force;
 }
 
 }  // namespace thaum::haptics

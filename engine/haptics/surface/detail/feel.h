@@ -1,5 +1,7 @@
-// haptics/surface/detail/feel.h: depth of the tip behind a textured wall, and the reach of friction.
+// haptics/surface/detail/feel.h: depth of the tip behind a textured wall, and the force of all walls.
 #pragma once
+#include <array>
+
 #include "haptics/surface/detail/walls.h"
 
 namespace thaum::haptics {
@@ -12,7 +14,15 @@ struct TexturedPush {
 
 TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
-double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
+/// Share of a wall in the force on the hand.
+struct Share {
+    vec3 force{};    ///< N
+    double depth{};  ///< depth that is felt (m)
+};
+using Shares = std::array<Share, most_walls>;
+
+/// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
+/// proportion to its depth.
+vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares);
 
 }  // namespace thaum::haptics

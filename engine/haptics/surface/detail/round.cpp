@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "haptics/surface/detail/feel.h"
 #include "haptics/surface/detail/sweep.h"
 #include "haptics/surface/detail/texture.h"
 

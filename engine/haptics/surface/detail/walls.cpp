@@ -1,5 +1,10 @@
 #include "haptics/surface/detail/walls.h"
 
+#include <utility>
+
+#include "haptics/surface/detail/feel.h"
+#include "haptics/surface/detail/texture.h"
+
 namespace thaum::haptics {
 namespace {
 
@@ -97,13 +102,17 @@ NearestPlace nearest_place(Walls& walls, vec3 tip) {
     return nearest.found ? nearest : nearest_place(walls, tip, loose);
 }
 
-void add_wall(Walls& walls, const Wall& wall) {
+double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
+    double reach = 0;
     for (std::size_t i = 0; i < walls.count; ++i) {
-        if (walls.items[i].surface != wall.surface) continue;
-        walls.items[i] = wall;
-        return;
+        const Wall& wall = walls.items[i];
+        const SurfaceMaterial& m = scene.body_of(wall.surface).material;
+        const double friction = sliding ? m.dynamic_friction : m.static_friction;
+        if (!(friction > 0)) continue;
+        const bool smooth = top_of(m.texture) == 0;
+        reach += friction * (smooth ? wall.depth : textured_push(scene, wall, x).depth);
     }
-    if (walls.count < most_walls) walls.items[walls.count++] = wall;
+    return reach;
 }
 
 bool stands(const Scene& scene, const Wall& wall, vec3 x) {
@@ -115,6 +124,18 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x) {
     const Distance here = to_solid(s, scene.body_of(i).orientation, x);
     const double turned = glm::length(here.normal - wall.normal) * wall.depth;
     return here.value <= scene.gap[i] + slack && turned <= slack;
+}
+
+bool all_stand(const Scene& scene, const Walls& walls, vec3 x) {
+    for (std::size_t i = 0; i < walls.count; ++i)
+        if (!stands(scene, walls.items[i], x)) return false;
+    return true;
+}
+
+void most_loaded_first(Walls& walls) {
+    for (std::size_t i = 1; i < walls.count; ++i)
+        for (std::size_t j = i; j > 0 && walls.items[j - 1].depth < walls.items[j].depth; --j)
+            std::swap(walls.items[j - 1], walls.items[j]);
 }
 
 }  // namespace thaum::haptics

@@ -1,5 +1,5 @@
-// haptics/surface/detail/walls.h: planes that hold the proxy, and the place in front of all of them that is nearest
-// to the tip.
+// haptics/surface/detail/walls.h: planes that hold the proxy, the place in front of all of them that is nearest to the
+// tip, and the reach of their friction.
 #pragma once
 #include "haptics/surface/detail/scene.h"
 
@@ -29,7 +29,14 @@ inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
 
 /// Adds a wall. It replaces a wall of the same surface, because a round surface has another plane at each
 /// place.
-void add_wall(Walls& walls, const Wall& wall);
+inline void add_wall(Walls& walls, const Wall& wall) {
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        if (walls.items[i].surface != wall.surface) continue;
+        walls.items[i] = wall;
+        return;
+    }
+    if (walls.count < most_walls) walls.items[walls.count++] = wall;
+}
 
 /// Distance of the tip behind a wall (m).
 inline double depth_behind(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
@@ -52,8 +59,17 @@ struct NearestPlace {
 /// walls. Keeps the walls that push, with their depths, or all of them if no place was found.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
+/// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
+double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
+
 /// Whether a wall still exists at the proxy, which may have moved round an edge.
 bool stands(const Scene& scene, const Wall& wall, vec3 x);
+
+/// Whether all walls stand at the proxy.
+bool all_stand(const Scene& scene, const Walls& walls, vec3 x);
+
+/// Sorts the walls by load. There are at most four.
+void most_loaded_first(Walls& walls);
 
 /// State of the proxy on its path to the tip.
 struct SlideState {

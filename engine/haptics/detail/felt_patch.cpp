@@ -1,9 +1,15 @@
-#include "haptics/felt_patch.h"
+#include "haptics/detail/felt_patch.h"
 
 #include <algorithm>
 
 namespace thaum::haptics {
 namespace {
+
+/// Tip that touches a patch.
+struct TouchingTip {
+    vec3 position{}, velocity{};  ///< (m, m/s; device frame)
+    bool switched{};              ///< the patch jumped
+};
 
 std::size_t bodies_of(const SurfacePatch& patch) {
     return patch.count == 0 ? 0 : std::min<std::size_t>(patch.body_count, surface_body_capacity);
@@ -13,6 +19,25 @@ bool contains(const SurfacePatch& patch, std::uint32_t key) {
     const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
     return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
                        [key](const SurfaceBody& body) { return body.key == key; });
+}
+
+/// Returns true if a touched body is no longer there.
+bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
+    if (patch.count == 0) return surface.contacts != 0;
+    for (std::uint32_t i = 0; i < surface.contacts; ++i)
+        if (!contains(patch, surface.touched[i].key)) return true;
+    return false;
+}
+
+/// Returns true if the patch jumped.
+bool detect_patch_jump(ServoState& state, const HapticModel& model) {
+    const bool jumped = model.patch_number != state.patch_number;
+    state.patch_number = model.patch_number;
+    if (jumped) {
+        state.surface = {.proxy = model.start, .begun = 1};
+        state.contact_offset = {};
+    }
+    return jumped;
 }
 
 /// Whether the last patch had the body with the key and stiffness of one of this patch.
@@ -107,17 +132,11 @@ SurfaceForces feel_bodies(ServoState& state, const HapticModel& model, std::uint
 
 }  // namespace
 
-bool has_lost_body(const SurfacePatch& patch, const SurfaceState& surface) {
-    if (patch.count == 0) return surface.contacts != 0;
-    for (std::uint32_t i = 0; i < surface.contacts; ++i)
-        if (!contains(patch, surface.touched[i].key)) return true;
-    return false;
-}
-
-SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
-                            const TouchingTip& probe) {
-    SurfaceForces felt = feel_bodies(state, model, age, probe);
-    felt.switched = has_new_contact(state.seen, model.patch, state.surface);
+SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& tip) {
+    const bool lost = has_lost_body(model.patch, state.surface);
+    const bool jumped = detect_patch_jump(state, model);
+    SurfaceForces felt = feel_bodies(state, model, age, {tip.position, tip.velocity, jumped});
+    felt.switched = lost || jumped || has_new_contact(state.seen, model.patch, state.surface);
     remember(state.seen, model.patch);
     return felt;
 }

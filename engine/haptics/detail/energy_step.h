@@ -1,0 +1,24 @@
+// haptics/detail/energy_step.h: the servo's account of energy in one tick: before the safety stage, and after it.
+#pragma once
+#include "haptics/detail/felt_patch.h"
+#include "haptics/detail/sources.h"
+
+namespace thaum::haptics {
+
+/// What the energy account allows in this tick.
+struct EnergyLimits {
+    vec3 brake{};                    ///< damping that keeps passive sources passive (N)
+    double reserve_force{HUGE_VAL};  ///< largest force of springs (N)
+    double fade_energy{};            ///< work that fading offsets may do (J)
+};
+
+/// Updates the passivity observer. Limits active sources to their budget, and after a switch the springs to their
+/// reserve.
+EnergyLimits update_energy(const Servo& servo, ServoState& state, const HapticModel& model,
+                           const Tether& tether, const Tip& tip, const SurfaceForces& surfaces,
+                           const FluidForces& fluid, Sources& sources);
+
+/// Records the force that the safety stage lets through (N), by kind of source.
+void record_force(ServoState& state, vec3 output, const Sources& sources);
+
+}  // namespace thaum::haptics

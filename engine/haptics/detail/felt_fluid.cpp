@@ -1,0 +1,36 @@
+#include "haptics/detail/felt_fluid.h"
+
+#include <algorithm>
+
+namespace thaum::haptics {
+namespace {
+
+/// Share of the device's damping by which the viscosity of a space changes in a tick. Beside each other, two materials may
+/// differ tenfold, and which of them is at the tip is known by whole voxels.
+constexpr double viscosity_pace = 1.0 / 32;
+
+/// Leads the viscosity to that of the space. Returns true if the space became viscous or free.
+bool follow_viscosity(const Servo& servo, ServoState& state, const HapticModel& model) {
+    const double wanted = model.viscosity > 0 ? std::min(model.viscosity, servo.most_damping) : 0;
+    const bool jumped = (wanted > 0) != (state.viscosity > 0);
+    const double pace = viscosity_pace * servo.most_damping, before = state.viscosity;
+    state.viscosity = jumped ? wanted : std::clamp(wanted, before - pace, before + pace);
+    return jumped;
+}
+
+}  // namespace
+
+FeltFluid feel_space(const Servo& servo, ServoState& state, const HapticModel& model, std::uint32_t age,
+                     const Tip& tip, Sources& sources) {
+    FeltFluid felt;
+    const bool viscous = follow_viscosity(servo, state, model);
+    felt.switched = detect_fluid_switch(state.fluid, model.fluid) || viscous;
+    if (state.viscosity > 0) sources.passive -= state.viscosity * prompt_velocity(state, servo.quantum);
+    if (state.fluid.number == 0) return felt;
+    felt.forces = feel_fluid(model.fluid, state.fluid, {tip.position, tip.velocity, age, servo.most_damping});
+    sources.passive += felt.forces.passive;
+    sources.active += felt.forces.active;
+    return felt;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,18 @@
+// haptics/detail/felt_fluid.h: what the servo feels of the space around the tip: its viscosity, and a stirred fluid.
+#pragma once
+#include "haptics/detail/sources.h"
+#include "haptics/servo.h"
+
+namespace thaum::haptics {
+
+/// Forces of a stirred fluid in one tick.
+struct FeltFluid {
+    FluidForces forces{};
+    bool switched{};  ///< the fluid, or the viscosity of the space, appeared, ended or jumped
+};
+
+/// Adds the forces of a viscous space and of a stirred fluid to the sources. The model is `age` ticks old.
+FeltFluid feel_space(const Servo& servo, ServoState& state, const HapticModel& model, std::uint32_t age,
+                     const Tip& tip, Sources& sources);
+
+}  // namespace thaum::haptics

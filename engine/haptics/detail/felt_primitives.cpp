@@ -1,0 +1,67 @@
+#include "haptics/detail/felt_primitives.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::haptics {
+namespace {
+
+/// Residual up to which the balance counts as solved (N). Beyond it, the spring to the best proxy gives the
+/// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
+constexpr double solved_residual = 1e-9;
+
+/// Ticks after a jump of the set in which the proxy may still find its place: modes read their fields where it was.
+constexpr std::uint32_t unsettled_ticks = first_ticks;
+
+/// Returns true if the set appeared, ended or jumped.
+bool detect_set_switch(ServoState& state, const HapticModel& model) {
+    const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
+    const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
+    state.set_number = count == 0 ? 0 : model.set_number;
+    if (jumped) state.settling = {};
+    auto& unsettled = state.energy.unsettled;
+    unsettled = jumped && count != 0 ? unsettled_ticks : unsettled - std::min(unsettled, 1U);
+    return jumped;
+}
+
+/// Moves the proxy to the balance of spring and primitives. Returns the force on the hand (N). The force is
+/// zero if the tip's position is not finite or out of range; the coupling then starts anew.
+vec3 force_on_proxy(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
+    const vec3 before = state.primitives == 0 ? tip : state.proxy;
+    const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);
+    const Balance found = balance(model.primitives, spring);
+    const bool usable = std::isfinite(found.residual);
+    state.primitives = usable ? static_cast<std::uint32_t>(model.primitives.items().size()) : 0;
+    if (!usable) {
+        state.settling = {};
+        state.proxy = tip;
+        return vec3(0);
+    }
+    state.proxy = found.proxy;
+    if (model.primitives.by_proxy())
+        state.proxy = settle(
+            state.settling, {before, found.proxy, tip, spring, model.coupling.stiffness, model.field_motion});
+    const bool balanced = state.proxy == found.proxy && found.residual <= solved_residual;
+    return (balanced ? found.force : spring.stiffness * (state.proxy - spring.centre)) + state.settling.lag;
+}
+
+}  // namespace
+
+bool feel_primitives(ServoState& state, const HapticModel& model, const Tip& tip, Sources& sources) {
+    const bool switched = detect_set_switch(state, model);
+    if (model.primitives.items().empty()) {
+        state.proxy = tip.position;
+        state.primitives = 0;
+        return switched;
+    }
+    const vec3 force = force_on_proxy(state, model, tip.position, tip.velocity);
+    if (!conservative(model.primitives)) {
+        sources.active += force;
+        return switched;
+    }
+    sources.passive += force;
+    sources.springs += force;
+    return switched;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,12 @@
+// haptics/detail/felt_primitives.h: what the servo feels of the model's primitives.
+#pragma once
+#include "haptics/detail/sources.h"
+#include "haptics/servo.h"
+
+namespace thaum::haptics {
+
+/// Adds the force of the primitives to the sources. Without primitives, the proxy follows the tip. Returns true if the set
+/// appeared, ended or jumped.
+bool feel_primitives(ServoState& state, const HapticModel& model, const Tip& tip, Sources& sources);
+
+}  // namespace thaum::haptics

@@ -1,0 +1,52 @@
+// haptics/pulse.h: forces that push the hand wherever its tip is: pulses and a steady force.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/maths.h"
+
+namespace thaum::haptics {
+
+struct ServoState;
+
+/// A kick: half a sine wave over `length` ticks. An active source: it may push the hand. It starts and ends
+/// at zero, so it is no switch for the slew limit. That limit would leave little of it: 1.2 N in 15 ms rises
+/// at 251 N/s.
+struct Pulse {
+    vec3 peak{};             ///< largest force (N, device frame)
+    std::uint32_t length{};  ///< duration, > 0 (ticks)
+    std::uint32_t number{};  ///< counts up from 1; a number newer than the last one starts a pulse
+};
+
+/// A force that changes slowly and does not depend on the tip's position, such as a growing charge or a
+/// weight. An active source.
+struct SteadyForce {
+    vec3 force{};            ///< force on the hand (N, device frame)
+    std::uint64_t number{};  ///< changes when the force jumps, which is a switch
+};
+
+/// A fifth pulse replaces the oldest, which is a switch.
+inline constexpr std::size_t pulses_at_once = 4;
+
+struct PlayingPulse {
+    vec3 peak{};
+    std::uint32_t length{};
+    std::uint32_t at{};  ///< ticks played; equal to `length` at the end
+};
+
+/// Mean force of a pulse over its tick `at`, as a share of its peak. It is exact: the impulse is 2/pi peak
+/// length.
+double half_sine(std::uint32_t at, std::uint32_t length);
+
+/// Force of pulses and steady force in one tick.
+struct PushForce {
+    vec3 force{};     ///< force on the hand (N)
+    bool cut_off{};   ///< a new pulse ended one that was playing
+    bool switched{};  ///< the steady force jumped
+};
+
+/// Starts the newest pulse if it is new. Plays all pulses for one tick, beside the steady force.
+PushForce feel_pushes(ServoState& state, const Pulse& newest, const SteadyForce& steady);
+
+}  // namespace thaum::haptics

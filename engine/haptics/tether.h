@@ -1,0 +1,51 @@
+// haptics/tether.h: spring and damper from the tip to a point, with notches along a line.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/maths.h"
+#include "haptics/tip.h"
+
+namespace thaum::haptics {
+
+inline constexpr std::size_t most_detents = 3;
+
+/// Notches along a line. Each draws the tip to its middle. They are the negative gradient of a potential, so
+/// they create no energy.
+struct Detents {
+    vec3 axis{};  ///< direction of the line through the tether's anchor (unit, device frame)
+    /// Middle of each notch along the axis from the anchor (m).
+    std::array<double, most_detents> places{};
+    double depth{};  ///< largest force of a notch (N); 0: no notches
+    double width{};  ///< width of each notch, > 0, at most the distance between notches (m)
+};
+
+/// A spring and damper from the tip to a point, for example a held thing or a slingshot. A passive source if
+/// the point stands still. If the point belongs to a thing of the world, that thing gets the opposite force.
+struct Tether {
+    vec3 anchor{};           ///< point to which the tip is tied (m, device frame)
+    vec3 anchor_velocity{};  ///< velocity of the anchor (m/s)
+    double stiffness{};      ///< stiffness (N/m); 0: no tether
+    double damping{};        ///< damping (N s/m)
+    Detents detents{};
+    std::uint64_t number{};  ///< changes when the tether appears, ends or jumps, which is a switch
+};
+
+/// Force of the tether on the tip (N), given the tip's velocity (m/s).
+vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);
+
+/// Force of the detents along their axis (N), `along` metres from the anchor.
+double detent_force(const Detents& detents, double along);
+
+/// Tether and its force in one tick.
+struct TetherForce {
+    Tether tether{};  ///< the tether, moved on to the present
+    vec3 force{};     ///< force on the hand (N)
+    bool switched{};  ///< the tether appeared, ended or jumped
+};
+
+/// Evaluates a tether of a model that is `age` ticks old.
+TetherForce feel_tether(ServoState& state, const Tether& tether, std::uint32_t age, const Tip& tip);
+
+}  // namespace thaum::haptics

@@ -1,0 +1,47 @@
+// haptics/tip.h: motion of the device's tip, from the last positions that the servo has seen.
+#pragma once
+#include <cstddef>
+
+#include "core/maths.h"
+
+namespace thaum::haptics {
+
+struct ServoState;
+
+inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is measured
+
+/// Tip in one tick (device frame).
+struct Tip {
+    vec3 position{};      ///< measured position (m)
+    vec3 velocity{};      ///< velocity over the window (m/s)
+    double path_speed{};  ///< speed along the path, see `path_speed` (m/s)
+    bool switched{};      ///< a source appeared, ended or jumped
+    bool stops{};         ///< the model is stale, or the player wants no forces
+};
+
+/// Stores the position that a device with this quantum (m) has measured. Returns it with its motion.
+Tip move_tip(ServoState& state, vec3 position, double quantum);
+
+/// Velocity of the tip over the stored positions, or those that are filled (m/s); zero before the second
+/// sample.
+vec3 tip_velocity(const ServoState& state);
+
+/// Smallest deviation from a line that counts as motion, not noise (m).
+inline constexpr double finest_motion = 5e-5;
+
+/// Velocity of the tip (m/s) with the least delay that the quantum (m) allows. It is the mean over the
+/// longest part of the window in which the samples lie on a line. The tolerance is one quantum, or
+/// `finest_motion` if that is larger. That part is the whole window at rest, and two samples in a quick turn.
+/// A damper that acts on a velocity of four ticks ago excites a stiff spring instead of calming it. Source:
+/// first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
+vec3 prompt_velocity(const ServoState& state, double quantum);
+
+/// Motion of the tip in the last tick that the servo has seen, by `prompt_velocity` (m).
+vec3 tip_motion(const ServoState& state, double quantum);
+
+/// Speed along the path from sample to sample, less the share that a quantum (m) can add (m/s). A tip that
+/// vibrates between two places has no velocity over the window but is fast. The mean is over the window
+/// because samples may come late and then close together.
+double path_speed(const ServoState& state, double quantum);
+
+}  // namespace thaum::haptics
