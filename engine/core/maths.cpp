@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/double2.h"
+#include "core/detail/double2.h"
 #include "core/sin_cos.h"
 
 // Each function reduces its argument to a small interval and sums a Taylor series there. The number of terms

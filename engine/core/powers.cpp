@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/double2.h"
+#include "core/detail/double2.h"
 #include "core/maths.h"
 
 namespace thaum::det {

@@ -5,7 +5,7 @@
 
 #include "core/assert.h"
 #include "core/hash.h"
-#include "field/carving_extent.h"
+#include "field/detail/carving_extent.h"
 
 namespace thaum::field {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fluid/sums.h"
+#include "fluid/detail/sums.h"
 
 namespace thaum::fluid {
 namespace {

@@ -6,11 +6,11 @@
 
 #include "core/text.h"
 #include "fluid/classic.h"
+#include "fluid/detail/staggered.h"
+#include "fluid/detail/sums.h"
 #include "fluid/fields.h"
 #include "fluid/ghosts.h"
 #include "fluid/sample.h"
-#include "fluid/staggered.h"
-#include "fluid/sums.h"
 
 namespace thaum::fluid {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gesture/vectors.h"
+#include "gesture/detail/vectors.h"
 
 namespace thaum::gesture {
 namespace {

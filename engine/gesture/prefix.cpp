@@ -4,9 +4,9 @@
 
 #include "core/random.h"
 #include "core/text.h"
-#include "gesture/twins.h"
+#include "gesture/detail/twins.h"
+#include "gesture/detail/vectors.h"
 #include "gesture/variations.h"
-#include "gesture/vectors.h"
 
 namespace thaum::gesture {
 namespace {

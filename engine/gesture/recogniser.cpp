@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "gesture/twins.h"
-#include "gesture/vectors.h"
+#include "gesture/detail/twins.h"
+#include "gesture/detail/vectors.h"
 
 namespace thaum::gesture {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "gesture/detail/twins.h"
 #include "gesture/recogniser.h"
-#include "gesture/twins.h"
 #include "gesture/variations.h"
 
 namespace thaum::gesture {

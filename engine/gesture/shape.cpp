@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "gesture/rests.h"
-#include "gesture/vectors.h"
+#include "gesture/detail/rests.h"
+#include "gesture/detail/vectors.h"
 
 namespace thaum::gesture {
 namespace {

@@ -13,11 +13,11 @@
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
+#include "render/detail/simplify.h"
 #include "render/detail/sky_cells.h"
 #include "render/detail/targets.h"
 #include "render/detail/volumes.h"
 #include "render/detail/warm_up.h"
-#include "render/simplify.h"
 
 namespace thaum::render {
 

@@ -50,7 +50,7 @@ public:
     void warm_up(Quality quality);
 
     MeshId upload(const MeshData& mesh);
-    /// Uploads a mesh with coarser copies (render/simplify.h), which replace it if it is small on the screen.
+    /// Uploads a mesh with coarser copies (render/detail/simplify.h), which replace it if it is small on the screen.
     MeshId upload_with_copies(const MeshData& mesh);
     /// Uploads a patchwork. Each view draws one instance of it at most.
     MeshId upload(const Patchwork& patchwork);

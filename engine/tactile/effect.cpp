@@ -4,7 +4,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "tactile/tact.h"
+#include "tactile/detail/tact.h"
 
 namespace thaum::tactile {
 namespace {

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "fluid/cuts.h"
+#include "fluid/detail/cuts.h"
+#include "fluid/detail/separable.h"
+#include "fluid/detail/solids.h"
+#include "fluid/detail/sums.h"
+#include "fluid/detail/viscosity.h"
 #include "fluid/fluid.h"
-#include "fluid/separable.h"
-#include "fluid/solids.h"
-#include "fluid/sums.h"
-#include "fluid/viscosity.h"
 #include "tests/scenes/fluid_bowls.h"
 
 namespace thaum::fluid {

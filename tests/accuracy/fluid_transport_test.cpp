@@ -1,7 +1,7 @@
 // Transport of substances by a given flow: order of convergence, a constant density, conservation,
 // positivity, exact symmetry, solids and diffusion.
+#include "fluid/detail/transport.h"
 #include "fluid/ghosts.h"
-#include "fluid/transport.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "core/maths.h"
 #include "core/random.h"
-#include "fluid/sums.h"
+#include "fluid/detail/sums.h"
 #include "tests/scenes/fluid_substances.h"
 
 namespace thaum::fluid {

@@ -5,8 +5,8 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "fuzz/fuzz.h"
+#include "tactile/detail/tact.h"
 #include "tactile/mixer.h"
-#include "tactile/tact.h"
 #include "unit/tact_writer.h"
 
 namespace thaum::fuzz {

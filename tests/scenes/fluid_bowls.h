@@ -1,5 +1,5 @@
 // Flows between curved walls with known solutions, and their errors. The velocity on a cut face is the
-// mean over its open part (fluid/cuts.h), so it is compared with that mean.
+// mean over its open part (fluid/detail/cuts.h), so it is compared with that mean.
 #pragma once
 #include "tests/scenes/fluid_flows.h"
 

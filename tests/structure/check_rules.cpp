@@ -133,6 +133,19 @@ TEST_F(Rules, HeadersWithoutATitleAreFound) {
     EXPECT_EQ(headers_without_title(root()).size(), 3);
 }
 
+TEST_F(Rules, InternalHeadersBesideDetailAreFound) {
+    add("engine/fluid/open.h", "#include \"fluid/by_header.h\"\n");
+    add("engine/fluid/by_header.h", "");
+    add("engine/fluid/tested.h", "");
+    add("engine/fluid/own.h", "");
+    add("engine/fluid/own.cpp", "#include \"fluid/own.h\"\n#include \"fluid/detail/inner.h\"\n");
+    add("engine/fluid/detail/inner.h", "");
+    add("game/match/a.cpp", "#include \"fluid/open.h\"\n");
+    add("tests/unit/a.cpp", "#include \"fluid/tested.h\"\n");
+    EXPECT_EQ(internal_headers(root()),
+              Faults{"engine/fluid/own.h:1: only its own folder includes it; move it to detail/"});
+}
+
 TEST_F(Rules, FilesOpenedAroundTheRuleAreFound) {
     add("engine/core/file.cpp", "int fd = ::open(name, 0);\n");
     add("engine/audio/good.cpp",

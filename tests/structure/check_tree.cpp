@@ -14,6 +14,7 @@ TEST(structure, includes_point_to_lower_floors) { expect_none(upward_includes(TH
 TEST(structure, machine_paths) { expect_none(machine_paths(THAUM_SOURCE_DIR)); }
 TEST(structure, tests_are_built) { expect_none(unbuilt_tests(THAUM_SOURCE_DIR)); }
 TEST(structure, headers_open_with_their_title) { expect_none(headers_without_title(THAUM_SOURCE_DIR)); }
+TEST(structure, internal_headers_are_in_detail) { expect_none(internal_headers(THAUM_SOURCE_DIR)); }
 TEST(structure, files_are_opened_by_the_rule) { expect_none(opens_around_the_rule(THAUM_SOURCE_DIR)); }
 TEST(structure, files_are_short) { expect_none(long_files(THAUM_SOURCE_DIR)); }
 

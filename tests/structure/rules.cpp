@@ -173,6 +173,20 @@ void check_includes(const fs::path& root, const fs::path& file, Faults& faults) 
     }
 }
 
+/// Headers of the engine that a file includes, relative to the root.
+std::set<std::string> engine_headers_of(const fs::path& root, const fs::path& file) {
+    std::set<std::string> result;
+    std::istringstream lines(read(file));
+    for (std::string line; std::getline(lines, line);) {
+        const std::string_view opening = "#include \"";
+        if (!line.starts_with(opening)) continue;
+        const auto name = line.substr(opening.size(), line.find('"', opening.size()) - opening.size());
+        const auto target = included_file(root, file, name, true);
+        if (target.starts_with("engine/")) result.insert(target);
+    }
+    return result;
+}
+
 // ---- paths of one machine ---------------------------------------------------------------------------------
 
 bool is_word(char c) {
@@ -330,6 +344,33 @@ Faults headers_without_title(const fs::path& root) {
         if (!read(file).starts_with("// " + name + ": ")) {
             faults.push_back(at_line("engine/" + name, 1, "must open with \"// " + name + ": purpose\""));
         }
+    }
+    return faults;
+}
+
+Faults internal_headers(const fs::path& root) {
+    std::map<std::string, std::set<std::string>> includes;
+    for (const auto& file : own_sources(root))
+        includes[relative_to(root, file)] = engine_headers_of(root, file);
+    // What a file of another folder includes is public, and so is what that includes.
+    std::set<std::string> open;
+    std::vector<std::string> next;
+    const auto reach = [&](const std::string& header) {
+        if (open.insert(header).second) next.push_back(header);
+    };
+    for (const auto& [file, headers] : includes)
+        for (const auto& header : headers)
+            if (place_of(file).folder != place_of(header).folder) reach(header);
+    while (!next.empty()) {
+        const auto header = next.back();
+        next.pop_back();
+        for (const auto& included : includes[header]) reach(included);
+    }
+    Faults faults;
+    for (const auto& [file, headers] : includes) {
+        if (!file.starts_with("engine/") || !file.ends_with(".h") || place_of(file).in_detail) continue;
+        if (!open.contains(file))
+            faults.push_back(at_line(file, 1, "only its own folder includes it; move it to detail/"));
     }
     return faults;
 }

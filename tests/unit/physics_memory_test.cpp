@@ -1,5 +1,5 @@
 // Steps and rebuilds do not allocate from the heap once the pool is large enough.
-#include "physics/memory.h"
+#include "physics/detail/memory.h"
 
 #include <gtest/gtest.h>
 

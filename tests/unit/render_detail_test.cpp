@@ -8,8 +8,8 @@
 #include "core/random.h"
 #include "render/detail/batches.h"
 #include "render/detail/hidden.h"
+#include "render/detail/simplify.h"
 #include "render/detail/sky_cells.h"
-#include "render/simplify.h"
 
 namespace thaum::render {
 namespace {

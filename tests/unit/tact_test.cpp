@@ -1,5 +1,5 @@
 // .tact files: what is read, what is refused, and that reading what the designer would write gives the clip.
-#include "tactile/tact.h"
+#include "tactile/detail/tact.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -16,7 +16,7 @@
 
 #include "core/assert.h"
 #include "core/sanitizers.h"
-#include "physics/memory.h"
+#include "physics/detail/memory.h"
 
 namespace thaum::physics {
 namespace detail {

@@ -1,4 +1,4 @@
-// physics/detail/pool.h: the pool behind physics/memory.h.
+// physics/detail/pool.h: the pool behind physics/detail/memory.h.
 #pragma once
 
 namespace thaum::physics::detail {

@@ -1,0 +1,185 @@
+#include "field/detail/carving_extent.h"
+
+#include <bit>
+#include <cmath>
+
+namespace thaum::field {
+namespace {
+
+constexpr double bell_exponent = 4.5;  // the radius is three standard deviations
+constexpr double rim_voxels = 2;
+constexpr double least_weight = 1e-9;
+
+bool is_round(ExtentShape shape) { return shape == ExtentShape::sphere || shape == ExtentShape::gaussian; }
+
+/// Distance beyond each half edge up to which a voxel may have a weight, in the extent's unit.
+vec3 margin_of(const Footprint& f) {
+    if (f.shape == ExtentShape::gaussian) return vec3(0);
+    if (f.shape != ExtentShape::stamp) return vec3(f.rim / 2);
+    return f.half / vec3(f.stamp->cells[0], f.stamp->cells[1], f.stamp->cells[2]);
+}
+
+/// Voxels around the centre, cut at the body's ends. Numbers are cut before they become integers.
+VoxelBox box_of(const Footprint& f, const VoxelBox& all) {
+    vec3 reach = glm::min(f.half + margin_of(f), vec3(1e300));  // a turn of infinity would not be a number
+    if (!is_round(f.shape)) {
+        const mat3 size(glm::abs(f.turn[0]), glm::abs(f.turn[1]), glm::abs(f.turn[2]));
+        reach = size * reach;
+    }
+    VoxelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(axis);
+        const double voxels = reach[a] / f.step[a], end = all.high[axis];
+        box.low[axis] = static_cast<int>(std::clamp(std::ceil(f.centre[a] - voxels), 0.0, end));
+        box.high[axis] = static_cast<int>(std::clamp(std::floor(f.centre[a] + voxels) + 1, 0.0, end));
+    }
+    return box.empty() ? VoxelBox{} : box;
+}
+
+/// A weight within [0, 1]. Rounding must not make it almost 0 or almost 1: a cut would leave a trace of density.
+double clean(double weight) {
+    if (weight < least_weight) return 0;
+    return weight > 1 - least_weight ? 1 : weight;
+}
+
+/// Weight of a voxel this far inside an edge.
+double coverage(double inside, double rim) { return clean(0.5 + inside / rim); }
+
+double box_weight(const Footprint& f, vec3 local) {
+    const vec3 inside = f.half - glm::abs(local);
+    return coverage(inside.x, f.rim) * coverage(inside.y, f.rim) * coverage(inside.z, f.rim);
+}
+
+double cell_weight(const Stamp& stamp, std::array<int, 3> cell) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (cell[axis] < 0 || cell[axis] >= stamp.cells[axis]) return 0;
+    }
+    const int at = cell[0] + stamp.cells[0] * (cell[1] + stamp.cells[1] * cell[2]);
+    return static_cast<double>(stamp.weight[static_cast<std::size_t>(at)]);
+}
+
+/// Trilinear between the middles of the cells, 0 beyond them.
+double stamp_weight(const Footprint& f, vec3 local) {
+    const Stamp& stamp = *f.stamp;
+    const vec3 cells(stamp.cells[0], stamp.cells[1], stamp.cells[2]);
+    const vec3 at = (local / f.half + 1.0) * (0.5 * cells) - 0.5;
+    const vec3 low = glm::floor(glm::clamp(at, vec3(-1), cells)), part = at - low;
+    const std::array cell{static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z)};
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const int x = corner & 1, y = (corner >> 1) & 1, z = corner >> 2;
+        const double w =
+            (x == 1 ? part.x : 1 - part.x) * (y == 1 ? part.y : 1 - part.y) * (z == 1 ? part.z : 1 - part.z);
+        sum += w * cell_weight(stamp, {cell[0] + x, cell[1] + y, cell[2] + z});
+    }
+    return clean(sum);
+}
+
+using BrickAxis = std::array<double, brick_size>;
+
+/// A function of the distance from the centre along each axis, for the voxels of a part.
+template <class Function>
+std::array<BrickAxis, 3> along_axes(const Footprint& f, const VoxelBox& part, Function function) {
+    std::array<BrickAxis, 3> axes{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(axis), first = part.low[axis];
+        for (int i = first; i < part.high[axis]; ++i)
+            axes[axis][static_cast<std::size_t>(i - first)] = function((i - f.centre[a]) * f.step[a]);
+    }
+    return axes;
+}
+
+/// Sets every weight to weight(x, y, z), of the functions along the axes. Returns the number of weights.
+template <class Weight>
+std::size_t combine(const std::array<BrickAxis, 3>& axes, const VoxelBox& part, PartWeights& weights,
+                    Weight weight) {
+    const auto size = [&](std::size_t axis) {
+        return static_cast<std::size_t>(part.high[axis] - part.low[axis]);
+    };
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < size(2); ++k) {
+        for (std::size_t j = 0; j < size(1); ++j) {
+            for (std::size_t i = 0; i < size(0); ++i)
+                weights[at++] = weight(axes[0][i], axes[1][j], axes[2][k]);
+        }
+    }
+    return at;
+}
+
+/// Taylor series of exp(r) up to the power Last, in Horner's form. A template, so that the loop is unrolled before
+/// the compiler looks for work on several voxels.
+template <int Power, int Last>
+double series(double r) {
+    if constexpr (Power > Last) {
+        return 1;
+    } else {
+        return 1 + r * (1.0 / Power) * series<Power + 1, Last>(r);
+    }
+}
+
+/// exp(x) for -most_amount <= x <= 0, without branches: x = n log 2 + r.
+double falling_exp(double x) {
+    constexpr double log_2_high = 0x1.62e42fee00000p-1, log_2_low = 0x1.a39ef35793c76p-33;
+    constexpr double per_log_2 = 1.4426950408889634,
+                     whole = 0x1.8p52;  // adding `whole` rounds to a whole number
+    const double rounded = x * per_log_2 + whole, n = rounded - whole;
+    const double r = (x - n * log_2_high) - n * log_2_low;
+    const auto exponent = (std::bit_cast<std::uint64_t>(rounded) + 1023U) << 52U;
+    return series<1, 11>(r) * std::bit_cast<double>(exponent);
+}
+
+}  // namespace
+
+Footprint footprint_of(const VoxelView& body, const Extent& extent, vec3 place, const mat3& turn) {
+    Footprint f{.shape = extent.shape, .stamp = &extent.stamp, .half = extent.half, .turn = turn};
+    const bool finite = is_finite(place) && is_finite(extent.half) && is_finite(turn[0]) &&
+                        is_finite(turn[1]) && is_finite(turn[2]);
+    const bool hollow = extent.shape == ExtentShape::stamp && extent.stamp.weight.empty();
+    if (!finite || hollow || !(extent.half.x > 0 && extent.half.y > 0 && extent.half.z > 0)) return f;
+    f.step = extent.in_metres ? body.spacing : vec3(1);
+    f.rim = rim_voxels * std::max({f.step.x, f.step.y, f.step.z});
+    f.centre = (place - body.first_place()) / body.spacing;
+    if (is_finite(f.centre)) f.box = box_of(f, body.all());
+    return f;
+}
+
+Footprint plate_of(const VoxelView& body, const Extent& extent, vec3 place, vec3 motion, const mat3& turn) {
+    const vec3 step = extent.in_metres ? vec3(1) : 1.0 / body.spacing;  // m to the extent's unit
+    const vec3 way = motion * step;
+    const double length = glm::length(way);
+    if (!(length > 1e-9)) return footprint_of(body, extent, place, turn);
+    Extent longer = extent;
+    longer.half.z += length / 2;
+    const vec3 z = way / length;
+    vec3 y = turn[1] - z * glm::dot(z, turn[1]);
+    y = glm::length(y) > 1e-6 ? glm::normalize(y) : perpendicular_to(z);
+    return footprint_of(body, longer, place - 0.5 * motion, mat3(glm::cross(y, z), y, z));
+}
+
+std::size_t weigh(const Footprint& f, const VoxelBox& part, PartWeights& weights) {
+    if (f.shape == ExtentShape::gaussian) {
+        const double rim = det::exp(-bell_exponent), scale = 1 / (1 - rim);
+        const auto bells = along_axes(
+            f, part, [&](double d) { return det::exp(-bell_exponent * (d / f.half.x) * (d / f.half.x)); });
+        return combine(bells, part, weights, [&](double x, double y, double z) {
+            return std::max(0.0, (x * y * z - rim) * scale);
+        });
+    }
+    if (f.shape == ExtentShape::sphere) {
+        const auto squares = along_axes(f, part, [](double d) { return d * d; });
+        return combine(squares, part, weights, [&](double x, double y, double z) {
+            return coverage(f.half.x - std::sqrt(x + y + z), f.rim);
+        });
+    }
+    const auto distances = along_axes(f, part, [](double d) { return d; });
+    return combine(distances, part, weights, [&](double x, double y, double z) {
+        const vec3 local = vec3(x, y, z) * f.turn;  // by the transpose: body frame to tool frame
+        return f.shape == ExtentShape::stamp ? stamp_weight(f, local) : box_weight(f, local);
+    });
+}
+
+void to_shares(double amount, std::size_t count, PartWeights& weights) {
+    for (std::size_t i = 0; i < count; ++i) weights[i] = 1 - falling_exp(-amount * weights[i]);
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,33 @@
+// fluid/detail/buoyancy.h: the weight of substances: its force, its motion within a step, and the energy that
+// diffusion adds by lifting it.
+//
+// If the buoyancy force used the densities at the start of a step, waves would grow: an oscillation of
+// frequency w would gain (w dt)^2 / 2 of its kinetic energy in each step. With the densities half a
+// step later, the step neither amplifies nor damps it.
+#pragma once
+#include <array>
+
+#include "core/maths.h"
+#include "fluid/rows.h"
+
+namespace thaum::fluid {
+
+/// Adds gravity on `weight`, whose ghosts must be filled, to the forces on the open faces. Along the
+/// vertical, the mean of every level is left out, because pressure balances it. `open` holds the open shares
+/// of faces; null means all are open.
+void add_weight(const Rows& rows, int order, const std::array<Samples, 3>* open, const vec3& gravity,
+                const Samples& weight, std::array<Samples, 3>& force);
+
+/// Moves `weight` by the velocity for `time` (s), in one step of first order with central differences.
+/// The ghosts of `weight` must be filled. The result is only a prediction: the amount is not conserved,
+/// but a constant stays constant. `open` holds the open shares of faces; null means all are open.
+void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
+                    const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved);
+
+/// Potential energy that diffusion with k = 1 m^2/s adds per second, summed over cells (1/s^2 for a
+/// weight without unit). Diffusion adds energy because it spreads a heavy substance upwards from below.
+/// The ghosts of `weight` must be filled; `open` is as above.
+double lifted_by_diffusion(const Rows& rows, const std::array<Samples, 3>* open, const vec3& gravity,
+                           const Samples& weight);
+
+}  // namespace thaum::fluid

@@ -1,0 +1,18 @@
+// fluid/detail/ceiling.h: the limit that keeps transport from creating densities above those that exist.
+//
+// No cell may rise above the highest cell; otherwise sharp edges overshoot. A smooth hill is the
+// exception. Its top may lie between cells, and a limit at the highest cell would cut it off in each
+// sub-step. Where the cells around the highest one bend evenly, the limit is therefore the top of a
+// parabola through them.
+#pragma once
+#include <array>
+
+#include "fluid/rows.h"
+
+namespace thaum::fluid {
+
+/// Highest value that any cell may reach while `density` is transported. Densities must be finite and
+/// >= 0, with filled ghosts. `aperture` holds the open shares of faces; null means all are open.
+float density_ceiling(const Rows& rows, const std::array<Samples, 3>* aperture, const Samples& density);
+
+}  // namespace thaum::fluid

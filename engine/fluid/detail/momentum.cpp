@@ -1,0 +1,227 @@
+#include "fluid/detail/momentum.h"
+
+#include <algorithm>
+
+#include "fluid/floats8.h"
+
+namespace thaum::fluid {
+namespace {
+
+/// Interpolates the advecting velocity between a sample and the previous one, `step` away. The result
+/// is multiplied by 16 / 9 at order 4 and by 2 at order 2.
+template <bool fourth>
+void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
+    for (std::ptrdiff_t i = 0; i < count; i += 8) {
+        Floats8 sum = load(u + i - step) + load(u + i);
+        if constexpr (fourth) sum -= (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step));
+        store(out + i, sum);
+    }
+}
+
+/// Rows of the advecting velocity around a row of advected values: the previous row, the low side, the
+/// high side, the next row.
+struct CarryingRows {
+    const float* before;
+    const float* low;
+    const float* high;
+    const float* after;
+    std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
+};
+
+/// Flux to the next samples minus flux from the previous ones.
+inline Floats8 flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
+    return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
+}
+/// The same at order 4 by the formula in momentum.h, times a common factor. The sum of 30 T and its neighbours is
+/// 32 times T + delta2(T) / 32.
+inline Floats8 flux_of_fourth(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
+    const Floats8 before = load(by.before + i), low = load(by.low + i);
+    const Floats8 high = load(by.high + i), after = load(by.after + i);
+    const Floats8 near = (30.0F * high + (after + low)) * load(q + by.step) -
+                         (30.0F * low + (high + before)) * load(q - by.step);
+    const Floats8 far = (high + after) * load(q + 2 * by.step) - (low + before) * load(q - 2 * by.step);
+    return near - (far + far);
+}
+inline Floats8 sum_of_both_sides(const float* q, std::ptrdiff_t step) {
+    return load(q - step) + load(q + step);
+}
+
+struct FluxFactors {
+    float flux, spread;
+};
+
+template <bool fourth>
+FluxFactors flux_factors(float h, float viscosity) {
+    return {-(fourth ? 9.0F / 768 : 0.25F) / h, viscosity / (h * h) / (fourth ? 12 : 1)};
+}
+
+/// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
+template <bool fourth, bool viscous>
+inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
+                       std::ptrdiff_t i, const FluxFactors& factors) {
+    Floats8 sum;
+    if constexpr (fourth)
+        sum = factors.flux * (flux_of_fourth(a, q, i) + (flux_of_fourth(b, q, i) + flux_of_fourth(c, q, i)));
+    else
+        sum = factors.flux * (flux(a, q, i) + (flux(b, q, i) + flux(c, q, i)));
+    if constexpr (viscous) {
+        const Floats8 ones =
+            sum_of_both_sides(q, a.step) + (sum_of_both_sides(q, b.step) + sum_of_both_sides(q, c.step));
+        if constexpr (fourth) {
+            const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
+                                 (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
+            // The factors are integers (twelfths), which float holds exactly, so what leaves one sample
+            // enters the others.
+            sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
+        } else {
+            sum += factors.spread * (ones - 6.0F * load(q));
+        }
+    }
+    return sum;
+}
+
+/// Input and output arrays of one row.
+struct RowTargets {
+    const float* start;
+    const float* before;  ///< sum of the earlier stages
+    const float* force;   ///< null: no force
+    const float* open;    ///< open shares of faces; null: all are open
+    float* sum;
+    float* next;  ///< null in the last stage
+};
+
+template <bool fourth, bool viscous>
+[[gnu::always_inline]] inline void take_row(const CarryingRows& a, const CarryingRows& b,
+                                            const CarryingRows& c, const float* q, std::ptrdiff_t count,
+                                            const FluxFactors& factors, const RowTargets& row, float sum_part,
+                                            float next_part) {
+    for (std::ptrdiff_t i = 0; i < count; i += 8) {
+        Floats8 rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
+        if (row.force != nullptr) rate += load(row.force + i);
+        const auto keep = [&](const Floats8& value) {
+            return row.open == nullptr ? value : load(row.open + i) > zero8 ? value : zero8;
+        };
+        store(row.sum + i, keep(load(row.before + i) + sum_part * rate));
+        if (row.next != nullptr) store(row.next + i, keep(load(row.start + i) + next_part * rate));
+    }
+}
+
+/// Index in a plane of the advecting velocity.
+inline std::ptrdiff_t place_in_plane(const Lattice& lattice, int i, int j) {
+    return (j + ghosts) * lattice.stride[1] + i + ghosts;
+}
+
+/// Number of the plane with the advecting velocity along z at layer k: one of a ring of four.
+inline std::size_t plane_along_z(int k) { return 2 + static_cast<std::size_t>(k + 1) % 4; }
+
+/// Rows of the advecting velocity along x, y and z around the row that starts at `place` in layer k.
+[[gnu::always_inline]] inline std::array<CarryingRows, 3> carrying_rows(const std::array<Samples, 6>& planes,
+                                                                        const Lattice& lattice,
+                                                                        std::ptrdiff_t place, int k) {
+    const auto& stride = lattice.stride;
+    const float* x = planes[0].data() + place;
+    const float* y = planes[1].data() + place;
+    const auto z = [&](int layer) { return planes[plane_along_z(layer)].data() + place; };
+    return {CarryingRows{x - 1, x, x + 1, x + 2, 1},
+            CarryingRows{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
+            CarryingRows{z(k - 1), z(k), z(k + 1), z(k + 2), stride[2]}};
+}
+
+/// Arrays of one component from index `at` on.
+[[gnu::always_inline]] inline RowTargets row_targets(const RungeKuttaStage& stage, const Solids* solids,
+                                                     std::size_t axis, std::ptrdiff_t at) {
+    return {.start = stage.start[axis].data() + at,
+            .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
+            .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+            .open = solids != nullptr ? solids->open()[axis].data() + at : nullptr,
+            .sum = stage.sum[axis].data() + at,
+            .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
+}
+
+}  // namespace
+
+Momentum::Momentum(const Lattice& lattice, int order, const Solids* solids)
+    : lattice_(lattice),
+      order_(order),
+      solids_(solids),
+      rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)) {
+    for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(lattice.stride[2]) + 8);
+    for (int k = 0; k < lattice.cells[2]; ++k) layer_bounds_.push_back(bounds_of_layer(k));
+}
+
+Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
+    LayerBounds bounds{.first = lattice_.cells[1], .end = 0, .start = lattice_.cells[0], .count = 0};
+    std::ptrdiff_t end = 0;
+    for (int j = 0; j < lattice_.cells[1]; ++j) {
+        const Row row = rows_.at(j, k);
+        if (row.count == 0) continue;
+        const auto start = row.at - lattice_.at(0, j, k);
+        bounds.first = std::min(bounds.first, j);
+        bounds.end = j + 1;
+        bounds.start = std::min(bounds.start, start);
+        end = std::max(end, start + row.count);
+    }
+    bounds.count = std::max(std::ptrdiff_t{0}, end - bounds.start);
+    return bounds;
+}
+
+/// Interpolates the advecting velocity along z on the low faces of layer k, for all its rows.
+template <bool fourth>
+void Momentum::interpolate_between_layers(const Samples& velocity_z, std::ptrdiff_t step, int k) {
+    float* plane = planes_[plane_along_z(k)].data();
+    for (int j = 0; j < lattice_.cells[1]; ++j)
+        interpolate_row<fourth>(velocity_z.data() + lattice_.at(0, j, k), step, lattice_.cells[0],
+                                plane + place_in_plane(lattice_, 0, j));
+}
+
+/// Interpolates the advecting velocities along x and y within the bounds of layer k.
+template <bool fourth>
+void Momentum::interpolate_in_layer(const std::array<Samples, 3>& velocity, std::ptrdiff_t step, int k) {
+    const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
+    const auto start = static_cast<int>(bounds.start);
+    for (int j = bounds.first; j < bounds.end; ++j)
+        interpolate_row<fourth>(velocity[0].data() + lattice_.at(start - 1, j, k), step,
+                                round_up_to_8(bounds.count + 3),
+                                planes_[0].data() + place_in_plane(lattice_, start - 1, j));
+    for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
+        interpolate_row<fourth>(velocity[1].data() + lattice_.at(start, j, k), step, bounds.count,
+                                planes_[1].data() + place_in_plane(lattice_, start, j));
+}
+
+template <bool fourth, bool viscous, std::size_t axis>
+void Momentum::component(const RungeKuttaStage& stage, float viscosity) {
+    const auto step = lattice_.stride[axis];
+    const auto factors = flux_factors<fourth>(static_cast<float>(lattice_.h), viscosity);
+    for (int k = -1; k < 2; ++k) interpolate_between_layers<fourth>(stage.from[2], step, k);
+    for (int k = 0; k < lattice_.cells[2]; ++k) {
+        interpolate_between_layers<fourth>(stage.from[2], step, k + 2);
+        const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
+        if (bounds.count == 0) continue;
+        interpolate_in_layer<fourth>(stage.from, step, k);
+        for (int j = bounds.first; j < bounds.end; ++j) {
+            const Row row = rows_.at(j, k);
+            const auto i = static_cast<int>(row.at - lattice_.at(0, j, k));
+            const auto by = carrying_rows(planes_, lattice_, place_in_plane(lattice_, i, j), k);
+            take_row<fourth, viscous>(
+                by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3], stage.from[axis].data() + row.at, row.count,
+                factors, row_targets(stage, solids_, axis, row.at), stage.sum_part, stage.next_part);
+        }
+    }
+}
+
+template <bool fourth, bool viscous>
+void Momentum::components(const RungeKuttaStage& stage, float viscosity) {
+    component<fourth, viscous, 0>(stage, viscosity);
+    component<fourth, viscous, 1>(stage, viscosity);
+    component<fourth, viscous, 2>(stage, viscosity);
+}
+
+void Momentum::run_stage(const RungeKuttaStage& stage, double viscosity) {
+    const auto nu = static_cast<float>(viscosity);
+    if (order_ == 4)
+        nu > 0 ? components<true, true>(stage, nu) : components<true, false>(stage, nu);
+    else
+        nu > 0 ? components<false, true>(stage, nu) : components<false, false>(stage, nu);
+}
+
+}  // namespace thaum::fluid

@@ -1,0 +1,69 @@
+#include "fluid/detail/pressure.h"
+
+#include "fluid/detail/independent_iterations.h"
+
+namespace thaum::fluid {
+namespace {
+
+/// Difference across one cell along the stride `s`; it approximates h times the derivative.
+template <bool fourth>
+inline float difference(const float* u, std::ptrdiff_t i, std::ptrdiff_t s) {
+    if constexpr (fourth)
+        return 1.125F * (u[i + s] - u[i]) - (1.0F / 24) * (u[i + 2 * s] - u[i - s]);
+    else
+        return u[i + s] - u[i];
+}
+
+template <bool fourth>
+void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocity, float* out) {
+    const auto [x, y, z] = lattice.stride;
+    const std::ptrdiff_t nx = lattice.cells[0];
+    const auto per_h = static_cast<float>(1 / lattice.h);
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        for (int j = 0; j < lattice.cells[1]; ++j) {
+            const auto at = lattice.at(0, j, k);
+            const float* u = velocity[0].data() + at;
+            const float* v = velocity[1].data() + at;
+            const float* w = velocity[2].data() + at;
+            THAUM_INDEPENDENT_ITERATIONS
+            for (std::ptrdiff_t i = 0; i < nx; ++i)
+                out[i] = per_h * (difference<fourth>(u, i, x) +
+                                  (difference<fourth>(v, i, y) + difference<fourth>(w, i, z)));
+            out += nx;
+        }
+    }
+}
+
+template <bool fourth>
+void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array<Samples, 3>& velocity) {
+    const auto per_h = static_cast<float>(1 / rows.lattice.h);
+    each_row(rows, [&](Row row) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto s = rows.lattice.stride[axis];
+            const float* before = potential.data() + row.at - s;
+            float* u = velocity[axis].data() + row.at;
+            THAUM_INDEPENDENT_ITERATIONS
+            for (std::ptrdiff_t i = 0; i < row.count; ++i) u[i] -= per_h * difference<fourth>(before, i, s);
+        }
+    });
+}
+
+}  // namespace
+
+void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
+                std::span<float> out) {
+    if (order == 4)
+        divergence_of<true>(lattice, velocity, out.data());
+    else
+        divergence_of<false>(lattice, velocity, out.data());
+}
+
+void subtract_gradient(const Rows& rows, int order, const Samples& potential,
+                       std::array<Samples, 3>& velocity) {
+    if (order == 4)
+        subtract_gradient_of<true>(rows, potential, velocity);
+    else
+        subtract_gradient_of<false>(rows, potential, velocity);
+}
+
+}  // namespace thaum::fluid

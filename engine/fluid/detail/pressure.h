@@ -1,0 +1,24 @@
+// fluid/detail/pressure.h: divergence and gradient on the staggered grid, of order 2 or 4. At order 4:
+//
+//     ( 27 (u[1] - u[0]) - (u[2] - u[-1]) ) / 24 h
+//
+// The gradient is minus the transpose of the divergence, so a projection can only remove energy.
+#pragma once
+#include <array>
+#include <span>
+
+#include "fluid/rows.h"
+
+namespace thaum::fluid {
+
+/// Divergence (1/s) of a velocity with filled ghosts. `out` has one value for each cell, x contiguous,
+/// without ghosts.
+void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
+                std::span<float> out);
+
+/// Subtracts the gradient of `potential` from the velocity in `rows`. The ghosts of `potential` must be
+/// filled with GhostRule::even. The ghosts of the velocity are not changed.
+void subtract_gradient(const Rows& rows, int order, const Samples& potential,
+                       std::array<Samples, 3>& velocity);
+
+}  // namespace thaum::fluid

@@ -1,0 +1,86 @@
+// fluid/detail/separable.h: direct solvers on a box, by separation of variables.
+//
+// The Laplacian of a box is a sum of one operator for each axis. The eigenvectors of these operators
+// are waves: cosines where a quantity is even beyond the walls, sines where it is odd, both where it is
+// periodic. An equation in the Laplacian therefore reduces to one number for each product of three
+// waves.
+//
+// The transform to waves and back is one small dense matrix for each axis. Up to 64 cells this is at
+// least as fast as fast Fourier transforms, and the time does not depend on the kind of wave. Every
+// wave is symmetric or antisymmetric about the middle, so folding the two halves saves half of the
+// work. A half whose waves are again symmetric about its own middle, as with cosines, is folded again.
+//
+// Sums are taken in one fixed order. A mirrored input gives the mirrored output to the bit.
+#pragma once
+#include <array>
+#include <span>
+
+#include "fluid/ghosts.h"
+
+namespace thaum::fluid {
+
+/// A range of consecutive cells or faces along an axis.
+struct CellRange {
+    int first{}, count{};
+};
+
+/// The orthonormal waves along one axis, and how to transform to them. Folding a range replaces each
+/// place and its mirror image by their sum and difference. Sums are stored in the lower half, together
+/// with the middle, and differences in the upper half. After all folds each dense range has a matrix of
+/// its own, with as many waves as places.
+struct Waves {
+    int start{};                     ///< first cell or face that is not fixed by the edge
+    int count{};                     ///< number of places, and of waves
+    std::vector<double> angle{};     ///< phase per cell of each wave (rad)
+    std::vector<CellRange> folds{};  ///< ranges to fold, in this order; the first is the whole axis
+    std::vector<CellRange> dense{};
+    std::vector<std::vector<float>>
+        forth{};  ///< places to waves, a matrix for each dense range: [place][wave]
+    std::vector<std::vector<float>>
+        back{};  ///< waves to places, a matrix for each dense range: [wave][place]
+    std::vector<std::vector<double>> exact{};  ///< `back` before it was rounded
+};
+
+Waves make_waves(int cells, Edge edge, GhostRule rule);
+
+/// Symbols: minus the eigenvalue of a wave, times h^2.
+///
+/// Symbol of the divergence of the gradient on the staggered grid, of order 2 or 4.
+double pressure_symbol(double angle, int order);
+/// Symbol of the second difference used for viscosity.
+double laplace_symbol(double angle, int order);
+
+/// Solves the Poisson equation of pressure: replaces a field by the one whose Laplacian it is. The
+/// field has no ghosts, x contiguous. The mean is set to zero.
+class PressureSolver {
+public:
+    PressureSolver(const Lattice& lattice, int order);
+    void solve(std::span<float> field);
+
+private:
+    std::array<Waves, 3> waves_;
+    std::vector<float> along_z_;      ///< symbols of the waves along z
+    std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
+    float scale_;
+    std::vector<float> scratch_;
+};
+
+/// Solves du/dt = nu lap u over a time exactly: each wave decays at its own rate. The viscosity nu must
+/// be uniform.
+class Diffusion {
+public:
+    Diffusion(const Lattice& lattice, int order);
+    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is Settings::lid; if it is not 0, the
+    /// edges across x and z must not be no-slip. The ghosts of the velocity are not changed.
+    void diffuse(double part, double lid, std::array<Samples, 3>& velocity);
+
+private:
+    void component(double part, const std::array<Waves, 3>& waves, Samples& u);
+
+    Lattice lattice_;
+    int order_;
+    std::array<std::array<Waves, 3>, 3> waves_;  ///< waves of each component along each axis
+    std::vector<float> packed_, turned_;
+};
+
+}  // namespace thaum::fluid

@@ -1,0 +1,94 @@
+// fluid/detail/staggered.h: the solver `thaum`. One sub-step is:
+//
+//     four Runge-Kutta stages of momentum, forces and pressure
+//       -> implicit viscosity, unless the stages include viscosity
+//       -> substances
+//
+// Without solids, each stage ends with a direct pressure solve and is free of divergence. With solids,
+// the stages use the pressure of the previous step, and only the last stage is projected (Le and Moin
+// 1991). This is one iterative solve for each sub-step.
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "fluid/detail/continuation.h"
+#include "fluid/detail/momentum.h"
+#include "fluid/detail/separable.h"
+#include "fluid/detail/solids.h"
+#include "fluid/detail/sums.h"
+#include "fluid/detail/transport.h"
+#include "fluid/detail/viscosity.h"
+#include "fluid/fluid.h"
+
+namespace thaum::fluid {
+
+/// Tables and scratch memory, made once for a Fluid; holds no state.
+class StaggeredSolver {
+public:
+    StaggeredSolver(const Settings& settings, const Lattice& lattice);
+
+    StepReport step(const Settings& settings, State& now, double dt);
+    /// Advances only the substances by dt (s), carried by the current velocity.
+    void carry_substances(const Settings& settings, State& now, double dt);
+    /// Null if there are no solids inside the box.
+    const Solids* solids() const { return solids_.get(); }
+    /// Shares by which faces count in the energy: the open ones where the fluid slips along solids. Null: all count
+    /// alike.
+    const std::array<Samples, 3>* energy_shares() const { return continuation_ ? &solids_->open() : nullptr; }
+    /// Writes the ghosts, and 0 on walls and in solids.
+    void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
+
+private:
+    using Velocity = std::array<Samples, 3>;
+
+    void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
+    bool viscosity_varies(const Settings& settings) const;
+    static bool has_weight(const Settings& settings);
+    double substeps_wanted(const Settings& settings, const Velocity& velocity, double dt) const;
+    double plan_substeps(const Settings& settings, State& now, double left, double whole, int allowed);
+    void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
+    void gather_forces(const Settings& settings, const State& now, double share);
+    void mix_property(const Settings& settings, const State& now, double base, double Substance::*part);
+    void add_buoyancy(const Settings& settings, const State& now);
+    void predict_buoyancy(const Settings& settings, const State& now, double dt);
+    void add_gravity(const Settings& settings);
+    void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
+    void end_stage(const Settings& settings, Velocity& velocity);
+    void run_stage(const RungeKuttaStage& stage, double viscosity);
+    const Velocity& carrying_velocity(const Settings& settings, const Velocity& velocity);
+    void clear_divergence(const Settings& settings, State& now, StepReport& report);
+    void end_step(const Settings& settings, State& now, double dt, StepReport& report);
+    void find_pushed_rows(const State& now);
+    void clear_pushes(State& now) const;
+    double work_of_pushes(const State& now, const Velocity& velocity) const;
+    void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
+    void diffuse_velocity(const Settings& settings, const State& now, double dt);
+    double transport_after_substep(const Settings& settings, State& now, double dt,
+                                   int most_substeps = TransportSettings{}.most_substeps);
+    double transport_substances(const Velocity& before, const Velocity& after, const Settings& settings,
+                                State& now, double dt, int most_substeps = TransportSettings{}.most_substeps);
+    void semi_lagrangian(const Settings& settings, State& now, double dt, double whole, StepReport& report);
+
+    Lattice lattice_;
+    int order_;
+    std::unique_ptr<Solids> solids_;
+    Rows rows_;  ///< cells that hold fluid
+    PressureSolver pressure_;
+    std::optional<Continuation> continuation_;  ///< used where the fluid slips along solids
+    Momentum momentum_;
+    Viscosity viscosity_;
+    Diffusion diffusion_;
+    FaceApertures face_apertures_;  ///< open shares at the solids
+    FaceFlow face_flow_;
+    TransportScratch transport_;
+    std::array<Rows, 3> pushed_rows_;             ///< rows in which this step's pushes are not 0
+    VelocityNorms start_norms_{};                 ///< norms of the velocity before a sub-step
+    std::optional<VelocityNorms> current_norms_;  ///< norms of the current velocity, if known
+    Velocity force_, stage_, second_stage_, sum_;
+    bool has_force_ = false;            ///< true: force_ is not all zero
+    bool viscosity_in_stages_ = false;  ///< true: the stages of this step include viscosity
+    Samples potential_, mixed_property_;
+    std::vector<float> packed_;
+};
+
+}  // namespace thaum::fluid

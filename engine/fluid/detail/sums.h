@@ -1,0 +1,38 @@
+// fluid/detail/sums.h: sums and maxima over all cells or over those with fluid. Sums are in double and in one
+// fixed order.
+#pragma once
+#include "fluid/rows.h"
+
+namespace thaum::fluid {
+
+double total(const Lattice& lattice, const Samples& samples);
+double dot(const Lattice& lattice, const Samples& a, const Samples& b);
+double dot(const Rows& rows, const Samples& a, const Samples& b);
+/// Sum of the products of three samples of one place.
+double dot(const Rows& rows, const Samples& a, const Samples& b, const Samples& weight);
+/// Largest absolute value. If there is a NaN, the result is NaN.
+double largest(const Lattice& lattice, const Samples& samples);
+double largest(const Rows& rows, const Samples& samples);
+/// Largest absolute value of all components.
+double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
+
+/// Largest absolute value of the product of two samples of one place.
+double largest_product(const Rows& rows, const Samples& a, const Samples& b);
+
+/// Intensity of segregation of a density >= 0 over `cells` cells with fluid (Danckwerts 1952), 0 to 1: its variance,
+/// divided by that of a body of its highest density with the same amount. 1: every cell has that density or none.
+double segregation(const Rows& rows, double cells, const Samples& density);
+
+/// Largest components of a velocity, and half its square.
+struct VelocityNorms {
+    double half_square{};     ///< half the sum of squares over all faces (m^2/s^2)
+    double largest{};         ///< largest component (m/s)
+    double sum_of_largest{};  ///< sum over the axes of the largest component along each (m/s)
+};
+
+/// Norms of a velocity. In the sum, a face counts by its share (null: all count alike). With the open shares at
+/// solids it is the energy that a projection lowers. Small openings then have little of it, however fast they are.
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity,
+                             const std::array<Samples, 3>* shares);
+
+}  // namespace thaum::fluid

@@ -1,0 +1,117 @@
+// fluid/detail/transport.h: advection and diffusion of one substance, dc/dt = -div(u c) + k lap c.
+//
+// The method is of finite volumes. The flux that leaves a cell through a face enters its neighbour, so
+// the amount is conserved up to rounding. No cell falls below zero, and none rises above the highest
+// one. A sub-step has three parts:
+//
+//     1. Fluxes of fifth order, slightly upwind-biased, in three stages of Runge-Kutta (Shu and Osher
+//        1988), summed to one flux for each face.
+//     2. Fluxes of first order. By these no cell can fall below zero. Where the flow has no divergence,
+//        no cell can rise above the others either.
+//     3. The difference of the two, limited at each face (Zalesak 1979). It may not take more from a cell
+//        than the cell has, nor fill it beyond the highest density of the lattice. The limit allows for
+//        smooth hills whose top lies between cells, so they are not clipped.
+//
+// Sharp edges: a body of one density would be smeared out, as the limit stops what the fluxes of fifth order would
+// take back from outside. If most of a substance lies in cells of its highest density (sums.h, `segregation`), its
+// fluxes carry a share of the slope back. A smooth hill, a mixture and a substance that diffuses are left as they are.
+//
+// Sub-steps are so short that the first-order fluxes take at most `courant_most` of any cell. There is
+// no splitting by direction: the fluxes of all three axes act at once.
+//
+// Symmetry: if the input is mirrored along any axis, or x and y are exchanged, so is the output, to the
+// bit. Exchanging z with another axis changes the order of a sum of three, so there the symmetry holds
+// only up to rounding. A constant density stays constant up to rounding where the flow has no
+// divergence.
+//
+// Solids: a face has an aperture, 0 closed to 1 open, which multiplies its flux. Every cell that holds
+// fluid counts as a whole cell. Near a closed face the flux is of third or first order, because the
+// cells behind it cannot be read.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "core/maths.h"
+#include "fluid/rows.h"
+
+namespace thaum::fluid {
+
+/// Apertures of the faces, at the positions of the velocities, and the allowed order of each flux. Made
+/// once.
+struct FaceApertures {
+    std::array<Samples, 3> aperture{};
+    std::array<Samples, 3> third{}, fifth{};  ///< 5 and 1 where the flux may have that order, else 0
+    Rows rows{};                              ///< cells with open faces
+    int cells{};                              ///< number of those cells
+};
+
+/// Makes the tables from apertures between 0 and 1, whose ghosts are not read. Faces on the lattice's
+/// own walls do not lower the order of a flux, because cells beyond them are mirrored.
+FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Samples, 3>& aperture);
+
+/// A flow over a time: Courant numbers of the faces, the part of a cell that passes through each. It is
+/// shared by all substances.
+struct FaceFlow {
+    std::array<Samples, 3> courant{};
+    const FaceApertures* face_apertures{};  ///< null: all faces are open
+    Rows whole{};                           ///< all cells; used if all faces are open
+    double outflow{};  ///< largest part that leaves a cell; above 1 if its content is replaced more than once
+    double dt{};       ///< time (s)
+
+    const Rows& rows() const { return face_apertures != nullptr ? face_apertures->rows : whole; }
+};
+
+FaceFlow make_face_flow(const Lattice& lattice);
+
+/// Sets the flow to the mean of two velocities (m/s) over dt (s), >= 0. The velocities must be finite,
+/// with filled ghosts. Does not allocate. `face_apertures` must outlive `face_flow`.
+///
+/// `order` is the order of the divergence that is zero (pressure.h). At order 4 that divergence is a
+/// difference of (26 u[0] - u[-1] - u[1]) / 24 between both sides of a cell, so this expression is the
+/// flow. face_apertures must then be null.
+void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
+                   const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
+                   FaceFlow& face_flow, int order = 2);
+
+/// Scratch memory for any substances on one lattice with the same apertures. Cells without open faces
+/// stay zero.
+struct TransportScratch {
+    Samples first{}, second{}, part{}, room{};
+    std::array<Samples, 3> flux{};
+};
+
+TransportScratch make_transport_scratch(const Lattice& lattice);
+
+/// Largest share of a cell that first-order fluxes take in a sub-step.
+inline constexpr double courant_most = 0.9;
+
+/// Settings of one transport of a substance.
+struct TransportSettings {
+    double diffusion{};  ///< diffusion coefficient, finite, >= 0 (m^2/s)
+    /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
+    /// once.
+    int most_substeps{10};
+    vec3 moved_along{};  ///< nonzero for the axes along which `moved` is wanted
+};
+
+/// Result of one transport of a substance.
+struct TransportReport {
+    int substeps{};  ///< number of sub-steps; 0 if the density is zero or nothing moves it
+    /// Part of dt over which the flow was followed; below 1 if the sub-steps were not enough.
+    double carried{1};
+    /// Part of the diffusion that was applied; below 1 if the sub-steps were not enough. At least half of
+    /// the available sub-steps are reserved for the flow.
+    double spread{1};
+    /// Density that crossed the faces along each axis, positive upwards (cells); the first moment grew
+    /// by this. Circulation of the mean density of a level is left out. It would be zero but for the
+    /// error of the pressure solve.
+    vec3 moved{};
+    std::int64_t cells{};  ///< visited cells, over all sub-steps
+};
+
+/// Transports a density, finite and >= 0, by a flow. Ghosts are filled by this function. Results below
+/// 1e-20 become 0.
+TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
+                          const TransportSettings& settings, Samples& density, TransportScratch& scratch);
+
+}  // namespace thaum::fluid

@@ -1,0 +1,586 @@
+#include "fluid/detail/viscosity.h"
+
+#include <algorithm>
+
+#include "fluid/detail/transpose.h"
+#include "fluid/detail/viscous_links.h"
+#include "fluid/floats8.h"
+#include "fluid/sample.h"
+
+namespace thaum::fluid {
+namespace {
+
+/// Smallest distance to a wall that is used, in h. A place with walls along three axes loses its
+/// velocity by the product of three factors. If that product were thousands, the pressure would take
+/// minutes to settle.
+constexpr double least_way = 0.2;
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces
+/// with less are dragged.
+constexpr double least_factor = 0.25;
+/// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
+/// to the wall in h.
+constexpr float drag_factor = 8;
+/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both
+/// links of a place are at their limit, no wave grows in that half, so energy only falls. Between open
+/// places all values stay within their previous range.
+constexpr float explicit_link_most = 0.25F;
+constexpr float explicit_wall_link_most = 0.5F;
+
+/// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
+struct Slabs {
+    std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
+    std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
+};
+
+Slabs slabs_along(const Lattice& lattice, std::size_t across) {
+    const std::size_t beside = across == 0 ? 1 : 0;
+    return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
+}
+
+/// Parallel lines with their layout and their ends. Row r holds place r of each line, `row` values
+/// after place r - 1.
+struct Lines {
+    float* value;
+    const float* coefficient;  ///< values of face_coefficients_
+    std::ptrdiff_t row;
+    std::ptrdiff_t count;  ///< places along a line
+    std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
+    Edge edge;
+    bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
+    bool no_slip_at_solids;
+    bool varies;      ///< whether the viscosity differs between places
+    float link_most;  ///< largest coefficient of a link, except one that a wall shortens
+    float lid;        ///< speed of the wall at the high end (m/s)
+    std::span<const CutLink> cuts;
+    std::ptrdiff_t skipped;  ///< closed places left out before the first place
+};
+
+/// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
+/// limit.
+inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
+    const Floats8 half = 0.5F * whole;
+    return half < most ? half : most;
+}
+
+/// The same for the link between two places.
+inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
+    const Floats8 most =
+        ((a < zero8) | (b < zero8)) ? zero8 + explicit_wall_link_most : zero8 + explicit_link_most;
+    return explicit_part(whole, most);
+}
+
+/// Largest coefficient of a link.
+float largest_coefficient(const Lattice& lattice, const ViscousStep& step) {
+    return static_cast<float>(step.thickest * step.dt / (step.passes * lattice.h * lattice.h));
+}
+
+/// The lines along one direction that carry one component of the velocity. Each slab sets their arrays.
+Lines lines_along(const Lattice& lattice, const ViscousStep& step, std::size_t axis, std::size_t across) {
+    const Slabs slabs = slabs_along(lattice, across);
+    const bool adjacent = lattice.stride[slabs.beside] == 1;  // else the slab is transposed first
+    return {.value = nullptr,
+            .coefficient = nullptr,
+            .row = adjacent ? lattice.stride[across] : slabs.pitch,
+            .count = lattice.cells[across],
+            .pitch = slabs.pitch,
+            .edge = lattice.edges[across],
+            .through = axis == across,
+            .no_slip_at_solids = step.no_slip_at_solids,
+            .varies = step.varies,
+            .link_most = largest_coefficient(lattice, step),
+            .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
+            .cuts = {},
+            .skipped = 0};
+}
+
+/// Scratch rows with one value for each line.
+struct RowBuffers {
+    float* closed;   ///< coefficients of closed places
+    float* zeros;    ///< zeros
+    float* link;     ///< coefficient of the link to the next place
+    float* below;    ///< implicit part of the link from the previous place
+    float* flux;     ///< explicit flux from the previous place
+    float* to_wall;  ///< implicit part of the link to the wall at the low end
+    float* ring;     ///< explicit flux through the link between the ends of periodic lines
+};
+
+/// Results of the elimination: the factor of each place's next neighbour, and the second solution for
+/// periodic lines.
+struct EliminationFactors {
+    float* upper;   ///< preceded by a row of zeros
+    float* corner;  ///< preceded by a row of zeros
+};
+
+/// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
+/// the nearest place.
+std::array<float, 2> links_to_walls(const Lines& lines) {
+    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
+    if (lines.edge == Edge::periodic) return {};
+    // The first place lies on the wall.
+    if (lines.through) return {0, 1};
+    return {wall, wall};
+}
+
+/// Coefficients of place r of each line. Beyond the ends they are closed, or those of the other end of periodic
+/// lines.
+const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    if (r < 0 || r >= lines.count) {
+        if (lines.edge != Edge::periodic) return buffers.closed;
+        r = (r % lines.count + lines.count) % lines.count;
+    }
+    const bool wall = r == 0 && lines.through && lines.edge != Edge::periodic;
+    return wall ? buffers.closed : lines.coefficient + r * lines.row;
+}
+
+/// Coefficients around the link from place r to the next one, which is the first place for the last one.
+LinkRows rows_around(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    LinkRows rows{};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i] = coefficients_at(lines, buffers, r - 2 + static_cast<std::ptrdiff_t>(i));
+    return rows;
+}
+
+/// Whether a line's viscosity varies and its place r may hold an interface, for any of the lines.
+bool may_hold_interface(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    if (!lines.varies) return false;
+    const PlacesAround rows{coefficients_at(lines, buffers, r - 2), coefficients_at(lines, buffers, r - 1),
+                            coefficients_at(lines, buffers, r + 1), coefficients_at(lines, buffers, r + 2)};
+    auto any = interface_between(rows, 0);
+    for (std::ptrdiff_t i = 8; i < lines.pitch; i += 8) any |= interface_between(rows, i);
+    return any_of(any);
+}
+
+/// Coefficients of the links from place r to place r + 1, including links that a wall cuts. `layered`: whether one
+/// of the two may hold an interface.
+void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r, bool layered,
+                std::span<const CutLink>& cuts) {
+    const bool holds = lines.no_slip_at_solids || (lines.through && lines.edge != Edge::periodic);
+    const float* own = coefficients_at(lines, buffers, r);
+    const float* next = lines.coefficient + (r + 1) * lines.row;
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+        store(buffers.link + i, smaller(link(holds, load(own + i), load(next + i)), zero8 + lines.link_most));
+    if (layered) {
+        const LinkRows rows = rows_around(lines, buffers, r);
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(buffers.link + i,
+                  smaller(layered_link(load(buffers.link + i), rows, i), zero8 + lines.link_most));
+    }
+    if (!holds) return;
+    const std::ptrdiff_t first = (r + lines.skipped) * lines.pitch;
+    std::size_t taken = 0;
+    for (; taken < cuts.size() && cuts[taken].at < first + lines.pitch; ++taken)
+        buffers.link[cuts[taken].at - first] *= cuts[taken].nearer;
+    cuts = cuts.subspan(taken);
+}
+
+/// Explicit and implicit parts of the links to the walls at the low end, and of the link between the
+/// ends of periodic lines.
+template <bool ring>
+void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
+    const auto last = (lines.count - 1) * lines.row;
+    const float multiple = links_to_walls(lines)[0];
+    const float* own = coefficients_at(lines, buffers, 0);
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
+        const Floats8 whole = multiple * smaller(larger(load(own + i), zero8), zero8 + lines.link_most);
+        const Floats8 part = explicit_part(whole, zero8 + explicit_wall_link_most);
+        const Floats8 value = load(lines.value + i);
+        store(buffers.below + i, zero8);
+        store(buffers.flux + i, -part * value);
+        store(buffers.to_wall + i, whole - part);
+        if constexpr (ring) {
+            const Floats8 mean =
+                link(lines.no_slip_at_solids, load(lines.coefficient + last + i), load(own + i));
+            const Floats8 ends = smaller(
+                lines.varies ? layered_link(mean, rows_around(lines, buffers, lines.count - 1), i) : mean,
+                zero8 + lines.link_most);
+            const Floats8 half = explicit_part(ends, zero8 + explicit_link_most);
+            store(buffers.ring + i, half * (value - load(lines.value + last + i)));
+            // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
+            // en)^T.
+            for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
+                store(left.corner + r * lines.pitch + i, zero8);
+            store(left.corner + i, ends - half);
+            store(left.corner + (lines.count - 1) * lines.pitch + i, half - ends);
+        }
+    }
+}
+
+/// One place on each of the parallel lines.
+struct PlaceRows {
+    std::ptrdiff_t index;
+    float* value;
+    const float* coefficient;
+    const float* next_coefficient;  ///< coefficients of the next place; null at the last one
+    float wall_multiple;  ///< link to the wall at the high end, by links_to_walls; 0 before the last
+};
+
+template <bool last>
+PlaceRows place_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    return {.index = r,
+            .value = lines.value + r * lines.row,
+            .coefficient = coefficients_at(lines, buffers, r),
+            .next_coefficient = last ? nullptr : lines.coefficient + (r + 1) * lines.row,
+            .wall_multiple = last ? links_to_walls(lines)[1] : 0};
+}
+
+/// Eight lines at one place after the explicit half.
+struct ExplicitHalf {
+    Floats8 value;
+    Floats8 to_next;        ///< explicit flux to the next place, or to the wall
+    Floats8 implicit_link;  ///< implicit part of that link
+};
+
+template <bool ring, bool last>
+[[gnu::always_inline]] inline ExplicitHalf explicit_half(const Lines& lines, const RowBuffers& buffers,
+                                                         const PlaceRows& place, std::ptrdiff_t i) {
+    const Floats8 here = load(place.value + i), coefficient = load(place.coefficient + i);
+    Floats8 whole, part, to_next;
+    if constexpr (last) {
+        whole = place.wall_multiple * smaller(larger(coefficient, zero8), zero8 + lines.link_most);
+        part = explicit_part(whole, zero8 + explicit_wall_link_most);
+        to_next = part * here;
+    } else {
+        whole = load(buffers.link + i);
+        part = explicit_part(whole, coefficient, load(place.next_coefficient + i));
+        to_next = part * (here - load(place.value + lines.row + i));
+    }
+    Floats8 given = here + (load(buffers.flux + i) - to_next);
+    if constexpr (last)
+        if (lines.lid != 0) given += lines.lid * whole;
+    if constexpr (ring) {
+        if (place.index == 0) given -= load(buffers.ring + i);
+        if constexpr (last) given += load(buffers.ring + i);
+    }
+    return {given, to_next, whole - part};
+}
+
+/// Explicit half of one place on each line, and its elimination from the system of the implicit half.
+template <bool ring, bool last>
+void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
+                     std::ptrdiff_t r) {
+    const auto w = lines.pitch;
+    const PlaceRows place = place_at<last>(lines, buffers, r);
+    // No place precedes the first one.
+    const float* before = r == 0 ? buffers.zeros : place.value - lines.row;
+    const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        const ExplicitHalf half = explicit_half<ring, last>(lines, buffers, place, i);
+        const Floats8 coefficient = load(place.coefficient + i);
+        const Floats8 above = last ? zero8 : half.implicit_link;
+        Floats8 to_walls = load(low_end + i);
+        if constexpr (last) to_walls = to_walls + half.implicit_link;
+        const Floats8 below = load(buffers.below + i);
+        const Floats8 kept = 1.0F - load(left.upper + (r - 1) * w + i);
+        const Floats8 per = 1.0F / (1.0F + below * kept + above + to_walls);
+        const Floats8 open = coefficient < zero8 ? zero8 : per;
+        const Floats8 found = (half.value + below * load(before + i)) * open;
+        store(place.value + i, coefficient < zero8 ? zero8 : found);
+        store(left.upper + r * w + i, above * open);
+        store(buffers.flux + i, half.to_next);
+        store(buffers.below + i, above);
+        if constexpr (ring) {
+            float* corner = left.corner + r * w + i;
+            const Floats8 second = (load(corner) + below * load(corner - w)) * open;
+            store(corner, coefficient < zero8 ? zero8 : second);
+        }
+    }
+}
+
+/// Whether no wall holds any place of these lines, so that only differences of values matter.
+bool is_loose(const Lines& lines, bool solids) {
+    return !solids && (lines.edge == Edge::periodic || (lines.edge == Edge::free_slip && !lines.through));
+}
+
+/// Sets `first` to the value of the first place of each line, and subtracts it from all places.
+void subtract_first(const Lines& lines, float* first) {
+    std::copy_n(lines.value, lines.pitch, first);
+    for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
+        float* value = lines.value + r * lines.row;
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(value + i, load(value + i) - load(first + i));
+    }
+}
+
+void add_first(const Lines& lines, const float* first) {
+    for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
+        float* value = lines.value + r * lines.row;
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(value + i, load(value + i) + load(first + i));
+    }
+}
+
+/// Both halves of the step for all lines at once. The tridiagonal systems are solved by elimination
+/// from the low end to the high one, then substitution back.
+template <bool ring>
+void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
+    const auto n = lines.count;
+    const auto w = lines.pitch;
+    std::span<const CutLink> cuts = lines.cuts;
+    begin<ring>(lines, buffers, left);
+    bool layered = may_hold_interface(lines, buffers, 0);
+    for (std::ptrdiff_t r = 0; r + 1 < n; ++r) {
+        const bool next_layered = may_hold_interface(lines, buffers, r + 1);
+        find_links(lines, buffers, r, layered || next_layered, cuts);
+        layered = next_layered;
+        eliminate_place<ring, false>(lines, buffers, left, r);
+    }
+    eliminate_place<ring, true>(lines, buffers, left, n - 1);
+    for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
+        float* value = lines.value + r * lines.row;
+        float* corner = left.corner + r * w;
+        for (std::ptrdiff_t i = 0; i < w; i += 8) {
+            const Floats8 upper = load(left.upper + r * w + i);
+            store(value + i, load(value + i) + upper * load(value + lines.row + i));
+            if constexpr (ring) store(corner + i, load(corner + i) + upper * load(corner + w + i));
+        }
+    }
+    if constexpr (!ring) return;
+    // Correction of Sherman and Morrison with the second solution.
+    const auto end = (n - 1) * w;
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        const Floats8 by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
+                           (1.0F + load(left.corner + i) - load(left.corner + end + i));
+        for (std::ptrdiff_t r = 0; r < n; ++r) {
+            float* value = lines.value + r * lines.row + i;
+            store(value, load(value) - by * load(left.corner + r * w + i));
+        }
+    }
+}
+
+}  // namespace
+
+Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidShare& solid)
+    : lattice_(lattice),
+      solids_(solids),
+      rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
+      face_coefficients_(lattice.size, -1.0F) {
+    const auto [nx, ny, nz] = lattice.cells;
+    const auto width = static_cast<std::size_t>(round_up_to_8(std::max(nx, ny)));
+    const auto most = width * static_cast<std::size_t>(1 + std::max({nx, ny, nz}));
+    for (auto* slab : {&value_, &coefficient_, &upper_, &corner_}) slab->assign(most, 0.0F);
+    for (auto& row : rows_of_lines_) row.assign(width, 0.0F);
+    closed_.assign(width, -1.0F);
+    if (solids_ == nullptr) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        find_faces(solid, axis);
+        for (std::size_t across = 0; across < 3; ++across) {
+            find_cuts(solid, axis, across);
+            find_open_ranges(axis, across);
+        }
+    }
+}
+
+/// Centre of a face (m).
+vec3 Viscosity::position_of(std::size_t axis, std::size_t at) const {
+    const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
+    const auto [x, y, z] = lattice_.stride;
+    const std::ptrdiff_t i = from % y / x, j = from % z / y, k = from / z;
+    const vec3 cell(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+    return lattice_.h * (cell - double(ghosts) + face_place(axis));
+}
+
+void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
+    const double h = lattice_.h;
+    Samples& on_line = on_lines_[axis];
+    // The ghosts are 0, so no step can depend on them.
+    on_line = make_samples(lattice_);
+    each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
+    for (const CutFace& face : solids_->cut_faces(axis)) {
+        const double centre = distance_to_wall(solid, position_of(axis, face.at), h);
+        const double middle = distance_to_wall(solid, face.middle, h);
+        if (centre >= least_way * h && centre >= least_factor * middle)
+            scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, least_way * h))});
+        else
+            on_line[face.at] = 0;
+    }
+    for (const CutFace& face : solids_->cut_faces(axis))
+        if (!(on_line[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
+    dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
+}
+
+/// Weights from a least-squares fit to neighbours whose velocity grows in proportion to their distance
+/// from the wall.
+DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
+    const double h = lattice_.h;
+    const double middle = distance_to_wall(solid, face.middle, h);
+    DraggedFace result{.at = face.at, .nearer = static_cast<float>(h / std::max(middle, least_way * h))};
+    std::array<double, 6> away{};
+    double squares = 0;
+    for (std::size_t side = 0; side < 6; ++side) {
+        const auto step = static_cast<std::size_t>(lattice_.stride[side / 2]);
+        const auto at = result.from[side] = side % 2 == 0 ? face.at + step : face.at - step;
+        if (on_lines_[axis][at] > 0) away[side] = distance_to_wall(solid, position_of(axis, at), h);
+        squares += away[side] * away[side];
+    }
+    for (std::size_t side = 0; side < 6 && squares > 0; ++side)
+        result.share[side] = static_cast<float>(std::min(middle * away[side] / squares, 1.0));
+    return result;
+}
+
+void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across) {
+    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
+    const auto at = [&](const Cells& c) { return static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2])); };
+    const auto is_on_line = [&](const Cells& c) { return on_lines_[axis][at(c)] > 0; };
+    Cells low{};
+    for (low[outer] = 0; low[outer] < lattice_.cells[outer]; ++low[outer]) {
+        for (low[across] = 0; low[across] + 1 < lattice_.cells[across]; ++low[across]) {
+            for (low[beside] = 0; low[beside] < lattice_.cells[beside]; ++low[beside]) {
+                Cells high = low;
+                ++high[across];
+                if (is_on_line(low) == is_on_line(high)) continue;
+                const vec3 first = position_of(axis, at(low)), second = position_of(axis, at(high));
+                const double way = is_on_line(low) ? way_to_wall(solid, first, second - first, 2)
+                                                   : way_to_wall(solid, second, first - second, 2);
+                cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
+                                               static_cast<float>(1 / std::max(way, least_way))});
+            }
+        }
+    }
+}
+
+/// For each slab, the range of places along its lines that contains all open ones, with one closed
+/// place at either end.
+void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
+    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
+    const int n = lattice_.cells[across];
+    Cells at{};
+    for (at[outer] = 0; at[outer] < lattice_.cells[outer]; ++at[outer]) {
+        int first = n, end = 0;
+        for (at[across] = 0; at[across] < n; ++at[across]) {
+            for (at[beside] = 0; at[beside] < lattice_.cells[beside]; ++at[beside]) {
+                if (!(solids_->open()[axis][static_cast<std::size_t>(lattice_.at(at[0], at[1], at[2]))] > 0))
+                    continue;
+                first = std::min(first, at[across]);
+                end = at[across] + 1;
+            }
+        }
+        CellRange open_range{std::max(first - 1, 0), 0};
+        if (end > 0) open_range.count = std::min(end + 1, n) - open_range.first;
+        if (end > 0 && lattice_.edges[across] == Edge::periodic) open_range = {0, n};
+        open_ranges_[axis][across].push_back(open_range);
+    }
+}
+
+std::span<const CutLink> Viscosity::cuts_of(std::size_t axis, std::size_t across, int slab) const {
+    const auto& cuts = cuts_[axis][across];
+    return {std::ranges::lower_bound(cuts, slab, {}, &CutLink::slab),
+            std::ranges::upper_bound(cuts, slab, {}, &CutLink::slab)};
+}
+
+void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity) {
+    for (std::size_t axis = 0; axis < 3; ++axis) component(step, axis, velocity[axis]);
+}
+
+void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u) {
+    const auto s = lattice_.stride[axis];
+    const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
+    const Floats8 most = zero8 + largest_coefficient(lattice_, step);
+    const float* nu = step.viscosity->data();
+    const bool holds = solids_ != nullptr && step.no_slip_at_solids;
+    const float* open = holds                ? on_lines_[axis].data()
+                        : solids_ != nullptr ? solids_->open()[axis].data()
+                                             : nullptr;
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+            const Floats8 both = half * (load(nu + i - s) + load(nu + i));
+            const Floats8 closed = zero8 - 1.0F;
+            const Floats8 share = open == nullptr ? closed + 2.0F : load(open + i);
+            const Floats8 coefficients = share > zero8 ? both : closed;
+            store(face_coefficients_.data() + i, coefficients);
+            if (step.force != nullptr) add_force(step, axis, -1, smaller(coefficients, most), i, u);
+        }
+    });
+    if (holds) scale_to_lines(axis, u);
+    for (int pass = 0; pass < step.passes; ++pass)
+        for (std::size_t across = 0; across < 3; ++across)
+            along(step, axis, pass % 2 == 0 ? across : 2 - across, u);
+    if (holds) scale_to_faces(step, axis, u);
+    if (step.force == nullptr) return;
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+            add_force(step, axis, 1, smaller(load(face_coefficients_.data() + i), most), i, u);
+    });
+}
+
+/// Adds a force's contribution to eight places with the given coefficients. It is the part that the
+/// explicit half would have seen if the force had acted from the start.
+void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
+                          std::ptrdiff_t at, Samples& u) {
+    const auto half = 0.5F * sign * static_cast<float>(step.dt);
+    const Floats8 share =
+        2 * explicit_link_most < coefficients ? 2 * explicit_link_most / coefficients : zero8 + 1.0F;
+    const Floats8 more = half * share * load((*step.force)[axis].data() + at);
+    store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
+}
+
+/// Scales velocities from the centre of the open part to the centre of the face. Dragged faces are set
+/// aside.
+void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
+    const auto& dragged = dragged_[axis];
+    for (std::size_t i = 0; i < dragged.size(); ++i) {
+        dragged_speeds_[i] = u[dragged[i].at];
+        u[dragged[i].at] = 0;
+    }
+    for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
+}
+
+/// Scales velocities back, and drags the remaining faces towards the result on the lines.
+void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
+    const auto& dragged = dragged_[axis];
+    const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
+    const Samples& nu = *step.viscosity;
+    const auto factor = static_cast<float>(0.5 * step.dt / (lattice_.h * lattice_.h)) * drag_factor;
+    const auto thickest = static_cast<float>(step.thickest);
+    for (std::size_t i = 0; i < dragged.size(); ++i) {
+        const DraggedFace& face = dragged[i];
+        float drawn = 0;
+        for (std::size_t side = 0; side < 6; ++side) drawn += face.share[side] * u[face.from[side]];
+        const float both = std::min(nu[face.at - across], thickest) + std::min(nu[face.at], thickest);
+        const float drag = factor * both * face.nearer;
+        dragged_speeds_[i] = (dragged_speeds_[i] + drag * drawn) / (1 + drag);
+    }
+    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = dragged_speeds_[i];
+    for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
+}
+
+void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u) {
+    const auto [beside, outer, w] = slabs_along(lattice_, across);
+    const auto place = lattice_.stride[across], line = lattice_.stride[beside];
+    const std::ptrdiff_t width = lattice_.cells[beside];
+    Lines lines = lines_along(lattice_, step, axis, across);
+    const bool ring = lines.edge == Edge::periodic;
+    if (ring && lines.count == 1) return;
+    auto& [zeros, link, below, flux, to_wall, ends, firsts] = rows_of_lines_;
+    const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
+                             flux.data(),    to_wall.data(), ends.data()};
+    const EliminationFactors left{upper_.data() + w, corner_.data() + w};
+    // Slabs of another width may have left values here.
+    for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
+    for (int o = 0; o < lattice_.cells[outer]; ++o) {
+        if (solids_ != nullptr) {
+            const CellRange open_range = open_ranges_[axis][across][static_cast<std::size_t>(o)];
+            if (open_range.count == 0) continue;
+            lines.skipped = open_range.first;
+            lines.count = open_range.count;
+        }
+        const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * place;
+        float* values = u.data() + first;
+        const float* coefficients = face_coefficients_.data() + first;
+        lines.cuts = cuts_of(axis, across, o);
+        lines.value = line == 1 ? values : value_.data();
+        lines.coefficient = line == 1 ? coefficients : coefficient_.data();
+        if (line != 1) {
+            transpose({values, line}, {value_.data(), w}, width, lines.count);
+            transpose({coefficients, line}, {coefficient_.data(), w}, width, lines.count);
+        }
+        // A uniform line must stay uniform to the bit. Rounding would give a flow of layers a velocity across
+        // them, and a little of a very thick layer thickens all that it enters.
+        const bool loose = is_loose(lines, solids_ != nullptr);
+        if (loose) subtract_first(lines, firsts.data());
+        ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
+        if (loose) add_first(lines, firsts.data());
+        if (line != 1) transpose({value_.data(), w}, {values, line}, lines.count, width);
+    }
+}
+
+}  // namespace thaum::fluid

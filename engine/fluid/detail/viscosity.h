@@ -1,0 +1,115 @@
+// fluid/detail/viscosity.h: implicit viscosity, for values too large for explicit steps, variable values, or
+// solids.
+//
+//     (1 - A_x / 2) (1 - A_y / 2) (1 - A_z / 2) u' = (1 + A_x / 2) (1 + A_y / 2) (1 + A_z / 2) u
+//
+// where A_x = dt d/dx nu d/dx. The axes are treated one after another (locally one-dimensional, Yanenko
+// 1971), each with an explicit and an implicit half (Crank and Nicolson 1947). The systems are
+// tridiagonal, so the time does not depend on the viscosity. Where nu dt / h^2 exceeds 1/2, the
+// explicit part is limited to its value there, and the implicit part takes the rest. Values then stay
+// within their previous range, and no wave changes its sign. This keeps the pressure stable, since it
+// is solved only after viscosity has acted.
+//
+// A force that is constant over the step must not be damped as if it had acted before the step. Its
+// explicit part is added at the end, so that a steady flow does not depend on dt.
+//
+// Where the viscosity varies, the link between two places has the harmonic mean of their coefficients. A flow
+// along layers is then exact if they meet halfway between places. Where they meet within a cell and nothing else
+// is mixed, its coefficient tells how far each layer reaches into it.
+//
+// Curved walls: the coefficient of a link from an open place to the wall beside it is divided by the
+// open part of its length. No slip then holds at the true position of the wall (Gibou, Fedkiw, Cheng
+// and Kang 2002, in their symmetric form). The velocity on a cut face is the mean over its open part
+// (cuts.h). The lines of this solver use the velocity at the centre of the face instead, which is
+// smaller in proportion to its distance from the wall.
+#pragma once
+#include <limits>
+#include <span>
+
+#include "fluid/detail/solids.h"
+
+namespace thaum::fluid {
+
+/// Arguments of one implicit viscous step.
+struct ViscousStep {
+    const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
+    /// Largest viscosity between two places (m^2/s). Single places may have more, so that one which is only in
+    /// part thick differs from one which is so throughout.
+    double thickest = std::numeric_limits<double>::infinity();
+    bool varies = true;  ///< whether it differs between places
+    /// Constant force of this step, already included in the velocity (m/s^2); null for none.
+    const std::array<Samples, 3>* force{};
+    bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
+    double lid{};                   ///< speed along x of a no-slip wall at the top of y (m/s)
+    double dt{};                    ///< time (s)
+    int passes = 1;                 ///< number of passes into which the step is divided
+};
+
+/// A link between a place that belongs to a line and a neighbour behind a wall.
+struct CutLink {
+    int slab{};
+    std::ptrdiff_t at{};  ///< index in the slab of the lower place
+    float nearer{};       ///< h divided by the distance from the open place to the wall
+};
+
+/// A cut face that belongs to the lines. Its velocity is scaled from the centre of its open part to the
+/// centre of the face.
+struct ScaledFace {
+    std::size_t at{};
+    /// Distance of the centre of the face from the wall, divided by that of the centre of the open part.
+    float factor{};
+};
+
+/// A cut face whose centre lies in the solid or close to it. Drag pulls its velocity towards a profile
+/// that grows in proportion to the distance from the wall and fits its neighbours.
+struct DraggedFace {
+    std::size_t at{};
+    float nearer{};  ///< h divided by the distance from the centre of its open part to the wall
+    std::array<std::size_t, 6> from{};  ///< indices of the neighbours
+    std::array<float, 6> share{};       ///< weights of their velocities; 0 for an unused neighbour
+};
+
+/// Solver for implicit viscosity on one lattice.
+class Viscosity {
+public:
+    /// `solids` and `solid` are null or empty without solids; `solids` must outlive this object.
+    explicit Viscosity(const Lattice& lattice, const Solids* solids = nullptr, const SolidShare& solid = {});
+    /// Applies one step to a velocity; its ghosts are not changed.
+    void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity);
+
+private:
+    void component(const ViscousStep& step, std::size_t axis, Samples& u);
+    void along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u);
+
+    static void add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
+                          std::ptrdiff_t at, Samples& u);
+    void scale_to_lines(std::size_t axis, Samples& u);
+    void scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u);
+
+    vec3 position_of(std::size_t axis, std::size_t at) const;
+    DraggedFace dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const;
+    void find_faces(const SolidShare& solid, std::size_t axis);
+    void find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across);
+    void find_open_ranges(std::size_t axis, std::size_t across);
+    std::span<const CutLink> cuts_of(std::size_t axis, std::size_t across, int slab) const;
+
+    Lattice lattice_;
+    const Solids* solids_;
+    Rows rows_;                        ///< cells that hold fluid
+    std::array<Samples, 3> on_lines_;  ///< above 0 for faces that belong to the lines; empty without solids
+    std::array<std::vector<ScaledFace>, 3> scaled_;
+    std::array<std::vector<DraggedFace>, 3> dragged_;
+    std::vector<float> dragged_speeds_;                        ///< velocities of the dragged faces
+    std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;  ///< by component and direction, sorted by slab
+    /// Range with open places, by component, direction and slab.
+    std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
+    Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
+    // Arrays of parallel lines, [place along a line][line]. Lines along x alone need value_ and
+    // coefficient_.
+    std::vector<float> value_, coefficient_, upper_, corner_;
+    // One value for each of the parallel lines.
+    std::array<std::vector<float>, 7> rows_of_lines_;
+    std::vector<float> closed_;
+};
+
+}  // namespace thaum::fluid

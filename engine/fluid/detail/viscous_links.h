@@ -1,0 +1,83 @@
+// fluid/detail/viscous_links.h: coefficients of the links between places in a flow whose viscosity varies
+// (viscosity.h).
+#pragma once
+#include <array>
+
+#include "fluid/floats8.h"
+
+namespace thaum::fluid {
+
+/// Coefficient of the link between two places: the harmonic mean of theirs, because the layers between the
+/// places resist one after the other. It is exact where the viscosity jumps halfway. With the arithmetic mean, a
+/// thin layer beside a thick one is half a cell too thin. A negative coefficient marks a closed place.
+inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
+    const Floats8 low = smaller(a, b), high = larger(a, b);
+    // The order of the operations keeps equal coefficients as they are, to the bit.
+    const Floats8 both = low * ((high + high) / (low + high + 1e-30F));
+    const Floats8 one = holds ? larger(high, zero8) : zero8;
+    return low < zero8 ? one : both;
+}
+
+/// Ratio of the coefficients of two places from which their link is looked at more closely. Below, the mean is
+/// off by at most a twentieth of a cell.
+inline constexpr float layers_from = 1.1F;
+
+/// Rows of coefficients of six places in turn. The link joins the third and the fourth.
+using LinkRows = std::array<const float*, 6>;
+
+/// Coefficients from the far side of a place to the far side of the neighbour that it faces.
+struct HalfPlaces {
+    Floats8 far_behind, behind, own, faced, far_faced;
+};
+
+/// Difference between a place and the one beyond it; 0 if that one is closed.
+inline Floats8 step_beyond(const Floats8& place, const Floats8& beyond) {
+    const Floats8 step = beyond < zero8 ? zero8 : beyond - place;
+    return larger(step, -step);
+}
+
+/// How surely a place between two others holds an interface, 0 to 1: only if the places beyond them equal them to
+/// within a hundredth of the jump. In a gradual mixture, and in an edge that the flow has smeared over more than
+/// one place, they do not.
+inline Floats8 sureness(const HalfPlaces& at, const Floats8& jump) {
+    const Floats8 uneven = step_beyond(at.behind, at.far_behind) + step_beyond(at.faced, at.far_faced);
+    const Floats8 sure = 2.0F - 200.0F * uneven / (jump + 1e-30F);
+    return smaller(larger(sure, zero8), zero8 + 1.0F);
+}
+
+/// Rows of coefficients of the two places before a place and of the two after it.
+using PlacesAround = std::array<const float*, 4>;
+
+/// Which of eight places may hold an interface: those whose neighbours on either side differ, while the places beyond
+/// equal them.
+inline Magnitudes8 interface_between(const PlacesAround& rows, std::ptrdiff_t i) {
+    const Floats8 before = load(rows[1] + i), after = load(rows[2] + i);
+    const Floats8 uneven = step_beyond(before, load(rows[0] + i)) + step_beyond(after, load(rows[3] + i));
+    const Floats8 low = smaller(before, after), high = larger(before, after);
+    return (low >= zero8) & (high > layers_from * low) & (100.0F * uneven < high - low);
+}
+
+/// Resistance of the half of a place that faces a neighbour. If the place holds an interface, its coefficient tells
+/// how far each neighbour reaches into it. A place beside a closed one is as it is throughout.
+inline Floats8 half_resistance(const HalfPlaces& at) {
+    const Floats8 one = zero8 + 1.0F, whole = one / (at.own + 1e-30F);
+    const Floats8 sign = at.behind > at.faced ? one : -one;
+    const Floats8 jump = sign * (at.behind - at.faced);
+    const Floats8 share = sign * (at.own - at.faced) / (jump + 1e-30F);
+    const Floats8 in_half = larger(share + share - one, zero8);
+    const Floats8 layers = in_half / (at.behind + 1e-30F) + (one - in_half) / (at.faced + 1e-30F);
+    const auto between = (share > zero8) & (share < one) & (at.behind >= zero8) & (at.faced >= zero8);
+    return between ? whole + sureness(at, jump) * (layers - whole) : whole;
+}
+
+/// The links `simple` between two places, corrected where an interface lies within one of them.
+inline Floats8 layered_link(const Floats8& simple, const LinkRows& rows, std::ptrdiff_t i) {
+    const Floats8 before = load(rows[1] + i), a = load(rows[2] + i), b = load(rows[3] + i);
+    const Floats8 after = load(rows[4] + i), low = smaller(a, b);
+    const Floats8 resistance = half_resistance({load(rows[0] + i), before, a, b, after}) +
+                               half_resistance({load(rows[5] + i), after, b, a, before});
+    const auto uneven = (low >= zero8) & (larger(a, b) > layers_from * low);
+    return uneven ? 2.0F / resistance : simple;
+}
+
+}  // namespace thaum::fluid

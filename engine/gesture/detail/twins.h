@@ -1,0 +1,48 @@
+// gesture/detail/twins.h: twins are gestures of one shape whose strokes differ in mean force.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "core/maths.h"
+
+namespace thaum::gesture {
+
+/// Distance below which two gestures are twins if the mean force of one is twice that of the other: as the logarithm of the
+/// ratio of their forces, and no more than the second one. The clearer their force, the less alike their shapes need be.
+inline constexpr double twin_distance = 0.07, most_twin_distance = 0.15;
+/// The same where every third gesture is so many times as far: then the two are one shape, drawn with little care.
+inline constexpr double clear_twin_distance = 0.12, most_clear_twin_distance = 0.25, clear_of_others = 1.6;
+
+/// Whether force tells apart two gestures at a distance whose strokes have these mean forces. `third` is the distance of the
+/// nearest third gesture; 0: there is none.
+inline bool differ_in_force(double distance, double force, double other, double third = 0) {
+    if (!(std::min(force, other) > 0)) return false;
+    const double doublings = std::abs(det::log(force / other)) / det::log(2);
+    if (distance <= std::min(twin_distance * doublings, most_twin_distance)) return true;
+    return distance * clear_of_others <= third &&
+           distance <= std::min(clear_twin_distance * doublings, most_clear_twin_distance);
+}
+
+/// How odd a mean force is for a gesture whose strokes usually have the other one: half the square of their logarithms'
+/// difference. A force that is e^force_scatter times as far from one gesture as from another counts.
+inline double force_oddness(double force, double usual) {
+    constexpr double force_scatter = 0.25;
+    constexpr double least_force = 1e-3;  // share of the usual force
+    const double ratio = std::max(force / usual, least_force);
+    const double off = det::log(ratio) / force_scatter;
+    return off * off / 2;
+}
+
+/// Adds two gestures to each other's list of twins, once.
+inline void add_twins(std::vector<std::vector<std::uint32_t>>& twins, std::uint32_t a, std::uint32_t b) {
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        if (std::find(twins[from].begin(), twins[from].end(), to) == twins[from].end())
+            twins[from].push_back(to);
+    };
+    add(a, b);
+    add(b, a);
+}
+
+}  // namespace thaum::gesture

@@ -1,0 +1,28 @@
+// gesture/detail/vectors.h: numbers side by side, for arithmetic on four or eight of them at once.
+//
+// Arrays of vectors in this folder have no initialiser where all of them are written anyway. The compiler clears long
+// blocks with an instruction that takes longer than the arithmetic.
+#pragma once
+#include <cstdint>
+#include <cstring>
+
+namespace thaum::gesture {
+
+using Floats4 = float __attribute__((vector_size(16)));
+using Floats8 = float __attribute__((vector_size(32)));
+using Ints4 = std::int32_t __attribute__((vector_size(16)));
+using Ints8 = std::int32_t __attribute__((vector_size(32)));
+
+template <class Vector>
+inline Vector load(const void* from) {
+    Vector v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
+}
+
+template <class Vector>
+inline void store(void* to, Vector v) {
+    std::memcpy(to, &v, sizeof v);
+}
+
+}  // namespace thaum::gesture
