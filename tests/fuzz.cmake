@@ -6,7 +6,7 @@ add_executable(thaum_fuzz
     unit/tact_writer.cpp)
 target_include_directories(thaum_fuzz PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(thaum_fuzz PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-target_link_libraries(thaum_fuzz PRIVATE thaum_flags thaum_live thaum_lab thaum_scenario thaum_haptics thaum_audio thaum_tactile PkgConfig::zstd)
+target_link_libraries(thaum_fuzz PRIVATE thaum_flags thaum_live thaum_lab thaum_scenario thaum_haptics thaum_gesture_trials thaum_audio thaum_tactile PkgConfig::zstd)
 set(fuzz_runs ${CMAKE_CURRENT_SOURCE_DIR}/fuzz_runs.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${fuzz_runs})
 file(STRINGS ${fuzz_runs} readers REGEX "^[a-z]")

@@ -3,6 +3,6 @@ thaum_test(test_gesture
         unit/allocations.cpp unit/gesture_comparison_test.cpp unit/gesture_files_test.cpp unit/gesture_network_test.cpp unit/gesture_prefix_test.cpp unit/gesture_recogniser_test.cpp
         unit/gesture_shape_test.cpp unit/gesture_spotter_test.cpp
         accuracy/gesture_accuracy_test.cpp accuracy/gesture_confusion_test.cpp stability/gesture_hostile_test.cpp
-    LINK thaum_gesture
+    LINK thaum_gesture_trials
     NOT_SANITIZED GesturePublicData.*  # the same code as shorter cases, for minutes
     THREADS GestureThreads.*)

@@ -11,7 +11,7 @@ thaum_test(test_haptics
         stability/haptics_z_width_test.cpp stability/haptics_hostile_test.cpp
         stability/haptics_safety_hostile_test.cpp stability/haptics_switches_test.cpp stability/haptics_round_test.cpp
         stability/fluid_touch_hostile_test.cpp
-    LINK thaum_haptics thaum_fluid
+    LINK thaum_haptics_audit thaum_fluid
     NOT_SANITIZED HapticsSwitches.TenThousand* HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore* RoundBodies.NoProxyStays*)
 
 thaum_test(test_haptic_modes

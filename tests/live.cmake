@@ -1,7 +1,7 @@
 thaum_test(test_hud
     SOURCES unit/brew_look_test.cpp unit/hud_anchor_test.cpp unit/hud_carried_test.cpp unit/hud_casting_test.cpp unit/hud_contrast_test.cpp unit/hud_layout_test.cpp unit/hud_moments_test.cpp unit/hud_pictures_test.cpp unit/hud_prompts_test.cpp unit/hud_rim_test.cpp unit/hud_station_card_test.cpp unit/hud_stations_test.cpp unit/ingredient_shapes_test.cpp unit/likely_spell_test.cpp
         unit/hud_test.cpp unit/picture_test.cpp
-    LINK thaum_duel thaum_range
+    LINK thaum_duel thaum_range thaum_render_audit
     NOT_SANITIZED IngredientShapes.DifferInOutline*)
 thaum_test(test_live
     SOURCES unit/arm_pace_test.cpp unit/audio_jacket_test.cpp unit/bhaptics_jacket_test.cpp unit/fake_bhaptics.cpp unit/control_names_test.cpp unit/felt_recorder_test.cpp unit/hid_jacket_test.cpp unit/jacket_test.cpp unit/live_body_test.cpp unit/live_arm_test.cpp unit/live_hands_test.cpp

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/text.h"
-#include "fluid/classic.h"
+#include "fluid/detail/solver_apart.h"
 #include "fluid/detail/staggered.h"
 #include "fluid/detail/sums.h"
 #include "fluid/fields.h"
@@ -16,12 +16,15 @@ namespace thaum::fluid {
 
 struct Workspace {
     std::unique_ptr<StaggeredSolver> staggered;  ///< null for `classic`
-    ClassicScratch classic{};
+    std::unique_ptr<SolverApart> apart;          ///< null for `thaum`
 };
 
 void DeleteWorkspace::operator()(Workspace* workspace) const { delete workspace; }
 
 namespace {
+
+/// Makes the solver of `classic`; null if the program does not link it.
+constinit MakeSolver make_classic = nullptr;
 
 constexpr double h_least = 1e-6;  // m
 constexpr double h_most = 1e3;
@@ -45,6 +48,8 @@ std::optional<std::string> fault_of(const Substance& substance) {
 }
 
 std::optional<std::string> fault_of(const Settings& settings) {
+    if (settings.solver == Solver::classic && make_classic == nullptr)
+        return text("this program has no solver `classic`; link it to thaum_classic");
     for (const int cells : settings.cells)
         if (cells < 1 || cells > cells_most)
             return text("cells must be 1 to ", cells_most, " along each axis");
@@ -141,6 +146,8 @@ double volume_of_cell(const Lattice& lattice) { return lattice.h * lattice.h * l
 
 }  // namespace
 
+ClassicIs::ClassicIs(MakeSolver make) { make_classic = make; }
+
 Expected<void> check(const Settings& settings) {
     if (const auto fault = fault_of(settings)) return fail("fluid: " + *fault);
     return {};
@@ -161,6 +168,8 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     if (settings.solver == Solver::thaum) {
         fluid.work->staggered = std::make_unique<StaggeredSolver>(settings, fluid.lattice);
         fluid.work->staggered->fill(settings, fluid.now.velocity);
+    } else {
+        fluid.work->apart = make_classic();
     }
     return fluid;
 }
@@ -205,14 +214,14 @@ StepReport advance(Fluid& fluid, double dt) {
     if (fluid.now.asleep || !(dt > 0)) return {};
     dt = std::min(dt, 1.0);
     if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.now, dt);
-    return classic_step(fluid, fluid.work->classic, dt);
+    return fluid.work->apart->step(fluid, dt);
 }
 
 void carry_substances(Fluid& fluid, double dt) {
     if (fluid.work->staggered)
         fluid.work->staggered->carry_substances(fluid.settings, fluid.now, dt);
     else
-        classic_carry_substances(fluid, fluid.work->classic, dt);
+        fluid.work->apart->carry_substances(fluid, dt);
 }
 
 vec3 velocity_at(const Fluid& fluid, vec3 place) {
@@ -255,7 +264,7 @@ void refresh_after_edit(Fluid& fluid) {
     if (fluid.work->staggered)
         fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
     else
-        classic_fill(fluid);
+        fluid.work->apart->fill(fluid);
     fill_ghosts(fluid.lattice, all_even, fluid.now.pressure);
     fill_ghosts(fluid.lattice, all_even, fluid.now.projected);
     for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, all_even, substance);

@@ -2,7 +2,7 @@
 // guarantees.
 #include <gtest/gtest.h>
 
-#include "fluid/classic.h"
+#include "fluid/classic/classic.h"
 #include "tests/scenes/fluid_flows.h"
 
 namespace thaum::fluid {

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "gesture/evaluation.h"
-#include "gesture/spotting.h"
 #include "gesture/stroke_files.h"
+#include "gesture/trials/evaluation.h"
+#include "gesture/trials/spotting.h"
 
 namespace thaum::gesture {
 namespace {

@@ -1,5 +1,5 @@
 // Tests the perceptual distance of pictures on pairs with a known distance.
-#include "render/perceptual.h"
+#include "render/audit/perceptual.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "gesture/gesture_file.h"
 #include "gesture/recogniser.h"
 #include "gesture/stroke_csv.h"
-#include "gesture/stroke_networks.h"
+#include "gesture/trials/stroke_networks.h"
 
 namespace thaum::fuzz {
 namespace {

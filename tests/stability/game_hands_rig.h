@@ -10,7 +10,7 @@
 #include "game/data/wand_slots.h"
 #include "game/match/player/walk.h"
 #include "game/match/spawn.h"
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

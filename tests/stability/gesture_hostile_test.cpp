@@ -3,10 +3,10 @@
 
 #include <limits>
 
-#include "gesture/dot.h"
-#include "gesture/methods.h"
 #include "gesture/recogniser.h"
-#include "gesture/stroke_networks.h"
+#include "gesture/trials/dot.h"
+#include "gesture/trials/methods.h"
+#include "gesture/trials/stroke_networks.h"
 #include "unit/gesture_shapes.h"
 
 namespace thaum::gesture {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "haptics/servo.h"
 #include "tests/scenes/safety_attack.h"
 #include "unit/shipped_devices.h"

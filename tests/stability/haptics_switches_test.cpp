@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "tests/scenes/changed_world.h"
 #include "tests/scenes/switches.h"
 #include "unit/shipped_devices.h"

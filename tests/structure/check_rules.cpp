@@ -93,6 +93,16 @@ TEST_F(Rules, DetailAndComponentsAreClosed) {
     EXPECT_EQ(arrow("engine/core/a.h", "\"nowhere/a.h\"").size(), 1);
 }
 
+TEST_F(Rules, BaselinesAndAuditsStandApart) {
+    EXPECT_EQ(arrow("engine/fluid/a.cpp", "\"fluid/classic/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/gesture/a.h", "\"gesture/trials/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/input/a.cpp", "\"haptics/audit/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/match/a.cpp", "\"render/audit/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/app/a.cpp", "\"gesture/trials/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/gesture/trials/a.cpp", "\"gesture/trials/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/fluid/classic/a.cpp", "\"fluid/detail/a.h\""), Faults{});
+}
+
 TEST_F(Rules, NoSpellingOfAnIncludeEscapesTheRules) {
     add("engine/render/mesh.h", "// render/mesh.h: meshes\n");
     EXPECT_EQ(arrow("engine/core/a.h", "\"../render/mesh.h\"").size(), 1);

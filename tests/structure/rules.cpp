@@ -51,6 +51,11 @@ const std::set<std::pair<std::string, std::string>> level_includes = {{"input", 
 /// Parts that take and return plain data. They must not include the ECS.
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
 
+/// Folders of the engine with baselines and audits, each a library of its own. Commands, benchmarks and tests may include
+/// them, and nothing that a program needs.
+const std::set<std::string, std::less<>> folders_apart = {"fluid/classic", "gesture/trials", "haptics/audit",
+                                                          "render/audit"};
+
 std::string read(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -104,6 +109,7 @@ struct Place {
     std::string part;    ///< key of `floors`; empty for files outside engine/ and game/
     std::string folder;  ///< folder whose detail/ the file may include
     bool in_detail = false;
+    std::string apart{};  ///< its folder among `folders_apart`; empty: it is in none
 };
 
 Place place_of(const std::string& path) {
@@ -111,7 +117,9 @@ Place place_of(const std::string& path) {
     if (folders.size() < 2) return {};
     const bool in_detail = std::find(folders.begin(), folders.end(), "detail") != folders.end();
     if (folders[0] == "game") return {"game", folders.size() > 2 ? "game/" + folders[1] : "game", in_detail};
-    return folders[0] == "engine" ? Place{folders[1], folders[1], in_detail} : Place{};
+    if (folders[0] != "engine") return {};
+    const auto inner = folders[1] + "/" + folders[2 < folders.size() ? 2 : 1];
+    return {folders[1], folders[1], in_detail, folders_apart.contains(inner) ? inner : ""};
 }
 
 /// File that an include refers to, relative to the root; empty for a system header.
@@ -142,6 +150,8 @@ std::string game_folder_fault(const std::string& from, const std::string& to) {
 /// Fault of an include; empty: none.
 std::string include_fault(const Place& from, const Place& to) {
     if (to.in_detail && from.folder != to.folder) return "only its own folder may include detail/";
+    if (!to.apart.empty() && from.apart != to.apart && from.folder != "game/app")
+        return "a baseline or an audit is only for commands, benchmarks and tests";
     if (from.part == "game" && to.part == "game")
         return game_folder_fault(game_folder_of(from), game_folder_of(to));
     if (from.part == to.part) return "";

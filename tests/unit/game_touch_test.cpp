@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "game/context/hand_forces.h"
 #include "game/match/tables.h"
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

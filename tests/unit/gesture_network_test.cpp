@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/hash.h"
-#include "gesture/stroke_networks.h"
+#include "gesture/trials/stroke_networks.h"
 #include "gesture/variations.h"
 #include "unit/gesture_shapes.h"
 

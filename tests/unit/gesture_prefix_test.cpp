@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "gesture/evaluation.h"
 #include "gesture/generated_users.h"
+#include "gesture/trials/evaluation.h"
 #include "gesture/variations.h"
 #include "unit/allocations.h"
 #include "unit/gesture_shapes.h"

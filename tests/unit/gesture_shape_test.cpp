@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/random.h"
-#include "gesture/dot.h"
 #include "gesture/elastic.h"
+#include "gesture/trials/dot.h"
 #include "gesture/variations.h"
 #include "unit/gesture_shapes.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
-#include "gesture/spotting.h"
+#include "gesture/trials/spotting.h"
 #include "gesture/variations.h"
 #include "unit/allocations.h"
 #include "unit/gesture_shapes.h"

@@ -1,5 +1,5 @@
 // Unit tests of the safety stage's audit: it reports each violation.
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "tests/scenes/safety_attack.h"
 #include "unit/omni_like.h"
 

@@ -2,7 +2,7 @@
 // seen from the start pads and from the rim. Also the making of texels and skin.
 #include "core/text.h"
 #include "game/scene/brew_look.h"
-#include "render/perceptual.h"
+#include "render/audit/perceptual.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/drawn_duel.h"
 #include "tools/bench/match_scene.h"

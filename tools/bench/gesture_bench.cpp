@@ -7,9 +7,9 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "gesture/methods.h"
 #include "gesture/recogniser.h"
 #include "gesture/spotter.h"
+#include "gesture/trials/methods.h"
 #include "gesture/variations.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"

@@ -3,7 +3,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 #include "haptics/servo.h"
 #include "tests/scenes/safety_attack.h"
 #include "tests/scenes/z_width.h"

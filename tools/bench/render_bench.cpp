@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "render/perceptual.h"
+#include "render/audit/perceptual.h"
 #include "render/priority.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/drawn_duel.h"

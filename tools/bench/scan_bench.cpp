@@ -8,8 +8,8 @@
 
 #include "core/text.h"
 #include "game/data/match_data.h"
+#include "render/audit/perceptual.h"
 #include "render/context.h"
-#include "render/perceptual.h"
 #include "render/renderer.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/match_scene.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "gesture/evaluation.h"
+#include "gesture/trials/evaluation.h"
 
 namespace thaum::app {
 

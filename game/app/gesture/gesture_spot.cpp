@@ -10,8 +10,8 @@
 #include "game/app/command.h"
 #include "game/app/gesture/gesture.h"
 #include "game/command_line/arguments.h"
-#include "gesture/spotting.h"
 #include "gesture/stroke_files.h"
+#include "gesture/trials/spotting.h"
 
 namespace thaum::app {
 

@@ -1,4 +1,4 @@
-// gesture/spotting.h: how well gestures are found in continuous motion.
+// gesture/trials/spotting.h: how well gestures are found in continuous motion.
 //
 // Templates come from other users than the session's. The session is fed to the spotter in ticks of 1 ms; between two
 // points of the session the hand rests at the earlier one. A report is right if it names the gesture of a label and

@@ -1,4 +1,4 @@
-// gesture/methods.h: all recognisers of this folder behind one interface, to compare them.
+// gesture/trials/methods.h: all recognisers of this folder behind one interface, to compare them.
 #pragma once
 #include <memory>
 #include <optional>

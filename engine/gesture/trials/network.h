@@ -1,4 +1,5 @@
-// gesture/network.h: a network of one hidden layer, trained by back-propagation (Rumelhart, Hinton, Williams 1986).
+// gesture/trials/network.h: a network of one hidden layer, trained by back-propagation (Rumelhart, Hinton, Williams
+// 1986).
 //
 //     hidden = tanh(W1 input + b1)        output = tanh(W2 hidden + b2)
 //

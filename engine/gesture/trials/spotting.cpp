@@ -1,11 +1,11 @@
-#include "gesture/spotting.h"
+#include "gesture/trials/spotting.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
 #include "core/units.h"
-#include "gesture/evaluation.h"
+#include "gesture/trials/evaluation.h"
 
 namespace thaum::gesture {
 namespace {

@@ -1,4 +1,4 @@
-#include "gesture/dot.h"
+#include "gesture/trials/dot.h"
 
 #include <algorithm>
 

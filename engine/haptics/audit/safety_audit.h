@@ -1,4 +1,4 @@
-// haptics/safety_audit.h: an independent audit of the safety stage. It counts violations of its rules.
+// haptics/audit/safety_audit.h: an independent audit of the safety stage. It counts violations of its rules.
 //
 //     wanted ---- make_safe ---- output ---- device
 //        |                         |

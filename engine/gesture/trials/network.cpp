@@ -1,4 +1,4 @@
-#include "gesture/network.h"
+#include "gesture/trials/network.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
-#include "fluid/classic.h"
+#include "fluid/classic/classic.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "fluid/detail/solver_apart.h"
 #include "fluid/detail/sums.h"
 
 namespace thaum::fluid {
@@ -325,5 +326,23 @@ StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt) {
     classic_carry_substances(fluid, scratch, dt);
     return report_of(fluid, scratch.source);
 }
+
+namespace {
+
+class ClassicSolver final : public SolverApart {
+public:
+    StepReport step(Fluid& fluid, double dt) override { return classic_step(fluid, scratch_, dt); }
+    void carry_substances(Fluid& fluid, double dt) override { classic_carry_substances(fluid, scratch_, dt); }
+    void fill(Fluid& fluid) override { classic_fill(fluid); }
+
+private:
+    ClassicScratch scratch_;
+};
+
+const ClassicIs registered([]() -> std::unique_ptr<SolverApart> {
+    return std::make_unique<ClassicSolver>();
+});
+
+}  // namespace
 
 }  // namespace thaum::fluid

@@ -1,13 +1,13 @@
-#include "gesture/methods.h"
+#include "gesture/trials/methods.h"
 
 #include <algorithm>
 #include <array>
 
 #include "core/text.h"
-#include "gesture/dot.h"
 #include "gesture/prefix.h"
 #include "gesture/recogniser.h"
-#include "gesture/stroke_networks.h"
+#include "gesture/trials/dot.h"
+#include "gesture/trials/stroke_networks.h"
 
 namespace thaum::gesture {
 namespace {

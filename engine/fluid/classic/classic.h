@@ -1,4 +1,4 @@
-// fluid/classic.h: the paper's own solver, the baseline for measurements. It is Stam's stable fluids
+// fluid/classic/classic.h: the paper's own solver, the baseline for measurements. It is Stam's stable fluids
 // ("Real-Time Fluid Dynamics for Games", 2003) in three dimensions, as used by Mora and Lee 2008,
 // section 4.
 //
@@ -13,6 +13,8 @@
 // difference across two cells, and the viscosity is not multiplied by the number of cells. As in the
 // paper, there are no solids inside the box. One viscosity holds for the whole box: that of the base
 // fluid plus the mean of each substance's.
+//
+// It stands in a library of its own, thaum_fluid_classic, all of which a program must link to have it.
 #pragma once
 #include "fluid/fluid.h"
 

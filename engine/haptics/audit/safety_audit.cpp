@@ -1,4 +1,4 @@
-#include "haptics/safety_audit.h"
+#include "haptics/audit/safety_audit.h"
 
 #include <cmath>
 #include <numeric>

@@ -1,4 +1,4 @@
-// render/perceptual.h: measures how different two pictures look to the eye, rather than byte by byte.
+// render/audit/perceptual.h: measures how different two pictures look to the eye, rather than byte by byte.
 //
 // Both pictures are blurred slightly in linear light, since the eye does not resolve single pixels at a
 // normal distance. They are then compared pixel by pixel in CIELAB (CIE 15:2004, 8.2; white D65). There the

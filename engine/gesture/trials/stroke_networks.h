@@ -1,5 +1,5 @@
-// gesture/stroke_networks.h: the two networks of the papers, from stroke to gesture. Baselines; see recogniser.h for
-// the recogniser that the game uses.
+// gesture/trials/stroke_networks.h: the two networks of the papers, from stroke to gesture. Baselines; see
+// recogniser.h for the recogniser that the game uses.
 //
 // Time-delay network (paper 002, section 3.2). The workspace is a grid of 5x5 states in the x-y plane; z is
 // disregarded. The input is a sliding window of the 8 most recent transitions between states: 16 nodes. 24 hidden
@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "gesture/gesture.h"
-#include "gesture/network.h"
+#include "gesture/trials/network.h"
 
 namespace thaum::gesture {
 

@@ -1,4 +1,4 @@
-#include "gesture/evaluation.h"
+#include "gesture/trials/evaluation.h"
 
 #include <algorithm>
 #include <cmath>

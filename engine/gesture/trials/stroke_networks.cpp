@@ -1,8 +1,8 @@
-#include "gesture/stroke_networks.h"
+#include "gesture/trials/stroke_networks.h"
 
 #include <algorithm>
 
-#include "gesture/dot.h"
+#include "gesture/trials/dot.h"
 
 namespace thaum::gesture {
 namespace {

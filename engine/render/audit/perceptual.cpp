@@ -1,4 +1,4 @@
-#include "render/perceptual.h"
+#include "render/audit/perceptual.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// gesture/dot.h: the dot product of paper 000, section 8, as it is printed there. A baseline; see recogniser.h for the
-// recogniser that the game uses.
+// gesture/trials/dot.h: the dot product of paper 000, section 8, as it is printed there. A baseline; see recogniser.h
+// for the recogniser that the game uses.
 //
 // "Since both our gesture templates and captured strokes have the same number of points after normalization, we model
 // our gestures as normalized vectors. These are 4 x N dimensional vectors." Steps: scale to a size of 1, put points

@@ -1,4 +1,4 @@
-// gesture/evaluation.h: how often a method is right on strokes of a data set, and how well it knows that.
+// gesture/trials/evaluation.h: how often a method is right on strokes of a data set, and how well it knows that.
 //
 // Protocols:
 //   user_dependent   templates are K random strokes of each gesture of a user; that user's other strokes are tested
@@ -20,7 +20,7 @@
 
 #include "core/error.h"
 #include "core/random.h"
-#include "gesture/methods.h"
+#include "gesture/trials/methods.h"
 
 namespace thaum::gesture {
 
