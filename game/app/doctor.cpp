@@ -242,36 +242,22 @@ Finding jacket_of_player(const Settings& settings, std::uint32_t player,
             return {"jacket", State::note, text(whose, ": ", layout.error().message),
                     "it has its usual layout"};
     }
-    if (jacket.link == Jacket::Link::record) {
-        const auto folder = std::filesystem::absolute(jacket.name).parent_path();
-        std::error_code ignored;
-        return std::filesystem::is_directory(folder, ignored)
-                   ? Finding{"jacket", State::good, whose, ""}
-                   : Finding{"jacket", State::note, text(whose, ": there is no folder ", folder.string()),
-                             "make it"};
-    }
-    if (const auto opened = output->open(); !opened)
-        return {"jacket", State::note, text(whose, ": ", opened.error().message),
-                "it is looked for every two seconds in a session"};
-    output->close();
-    const bool unknown = jacket.link == Jacket::Link::osc;
-    return {"jacket", State::good,
-            text(whose, unknown ? " is sent to; nobody can tell whether it listens" : " can be used"), ""};
+    const auto checked = jacket.maker->check(jacket, *output);
+    return {"jacket", checked.usable ? State::good : State::note, text(whose, checked.words), checked.advice};
 }
 
-/// Jackets of the settings file, and the names that its forms "audio:DEVICE" and "hid:VVVV:PPPP" may have.
+/// Jackets of the settings file, and others that are there.
 void add_jackets(std::vector<Finding>& findings, const std::filesystem::path& assets) {
     std::error_code ignored;
     const auto file = settings_file();
     const auto read = std::filesystem::exists(file, ignored) ? load_settings(file, assets) : Settings{};
     for (std::uint32_t p = 0; read && p < game::players; ++p)
         if (!read->players.at(p).jacket.empty()) findings.push_back(jacket_of_player(*read, p, assets));
-    for (const auto& name : audio::sound_device_names())
-        findings.push_back({"shakers", State::good,
-                            text("could be on \"audio:", printable(name, most_of_name_shown), "\""), ""});
-    for (const auto& [id, name] : hid_devices())
-        findings.push_back({"HID device", State::good,
-                            text("\"hid:", words_of(id), "\" is ", printable(name, most_of_name_shown)), ""});
+    for (const auto& maker : jacket_makers()) {
+        if (maker.find == nullptr) continue;
+        for (const auto& found : maker.find())
+            findings.push_back({std::string(found.what), State::good, found.words, ""});
+    }
 }
 
 /// Pads, joysticks that SDL does not know, and those that may not be read.

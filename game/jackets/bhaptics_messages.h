@@ -14,7 +14,8 @@
 
 namespace thaum::app {
 
-inline constexpr std::uint16_t bhaptics_port = 15881;
+/// Address of the Player on this machine.
+inline constexpr std::string_view bhaptics_place = "127.0.0.1:15881";
 inline constexpr std::string_view bhaptics_path = "/v2/feedbacks?app_id=thaum&app_name=Thaum";
 inline constexpr std::size_t most_reply_bytes = 1U << 16U;
 

@@ -1,13 +1,14 @@
-// The devices of the system as HidPorts, by hidapi.
+#include "game/jackets/hid_port.h"
+
 #include <hidapi.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <mutex>
 #include <string>
 
 #include "core/text.h"
-#include "game/jackets/hid_jacket.h"
 
 namespace thaum::app {
 namespace {
@@ -61,7 +62,29 @@ FoundDevices find_devices(const HidId& id) {
     return found;
 }
 
+/// A number of exactly four hexadecimal digits.
+std::optional<std::uint16_t> hid_number_of(std::string_view words) {
+    std::uint16_t number = 0;
+    const auto* const end = words.data() + words.size();
+    const auto read = std::from_chars(words.data(), end, number, 16);
+    return words.size() == 4 && read.ec == std::errc() && read.ptr == end ? std::optional(number)
+                                                                          : std::nullopt;
+}
+
 }  // namespace
+
+std::string words_of(const HidId& id) {
+    const auto digits = [](std::uint16_t number) { return hex(number).substr(hex(number).size() - 4); };
+    return text(digits(id.vendor), ":", digits(id.product));
+}
+
+std::optional<HidId> read_hid_id(std::string_view words) {
+    const auto colon = words.find(':');
+    if (colon == std::string_view::npos) return std::nullopt;
+    const auto vendor = hid_number_of(words.substr(0, colon));
+    const auto product = hid_number_of(words.substr(colon + 1));
+    return vendor && product ? std::optional(HidId{*vendor, *product}) : std::nullopt;
+}
 
 std::vector<std::pair<HidId, std::string>> hid_devices() {
     const std::lock_guard lock(library_mutex());

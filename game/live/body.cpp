@@ -30,25 +30,23 @@ tactile::Layout layout_of(const std::filesystem::path& assets, std::string_view 
 Expected<LiveBody> LiveBody::load(const std::filesystem::path& assets) {
     auto effects = tactile::load_effects(assets / "tactile" / "effects");
     if (!effects) return effects.error();
-    LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}, .jackets = {}};
+    LiveBody body{.effects = std::move(*effects), .figure = {}, .pad = {}};
     for (const auto& effect : body.effects.faulty) {
         const auto lines = lines_of(effect.fault);
         body.faults.insert(body.faults.end(), lines.begin(), lines.end());
     }
-    body.figure = layout_of(assets, name_of(Jacket::Layout::figure), 0, body.faults);
+    body.figure = layout_of(assets, figure_layout.name, 0, body.faults);
     body.pad = layout_of(assets, "pad", 0, body.faults);
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i) {
-        const auto layout = jacket_layouts.at(i);
-        body.jackets.at(i) = layout_of(assets, name_of(layout), motors_of(layout), body.faults);
-    }
+    for (const auto& [name, motors] : jacket_layouts())
+        body.jackets.push_back({name, layout_of(assets, name, motors, body.faults)});
     return body;
 }
 
 const tactile::Layout* LiveBody::jacket_of(std::uint32_t player, std::string_view name) const {
-    for (std::size_t i = 0; i < jacket_layouts.size(); ++i)
-        if (name == name_of(jacket_layouts.at(i))) return &jackets.at(i);
+    const auto usual = std::ranges::find(jackets, name, &Worn::name);
+    if (usual != jackets.end()) return &usual->layout;
     const auto& written = own.at(player);
-    return written && name == name_of(Jacket::Layout::own) ? &*written : nullptr;
+    return written && name == own_layout.name ? &*written : nullptr;
 }
 
 std::vector<tactile::Purpose> LiveBody::purposes() const {
@@ -72,7 +70,8 @@ void MatchBody::begin(const game::Simulation& match) {
         scenes_.at(p).emplace(*effects_, body_->effects, p);
         const auto figure = scenes_.at(p)->add(body_->figure);
         scenes_.at(p)->add(body_->pad);
-        for (const auto& jacket : body_->jackets) scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket), true);
+        for (const auto& jacket : body_->jackets)
+            scenes_.at(p)->set_hears(scenes_.at(p)->add(jacket.layout), true);
         if (const auto& own = body_->own.at(p)) scenes_.at(p)->set_hears(scenes_.at(p)->add(*own), true);
         // The player's own faders are for motors.
         scenes_.at(p)->set_faders(figure, game::figure_faders());
@@ -105,17 +104,13 @@ void MatchBody::hear(const game::Simulation& match) {
 
 /// Number of the layouts of jackets in a player's scene: the usual ones, and after them the player's own.
 std::size_t MatchBody::jackets_of(std::uint32_t player) const {
-    return jacket_layouts.size() + (body_->own.at(player) ? 1 : 0);
+    return body_->jackets.size() + (body_->own.at(player) ? 1 : 0);
 }
-
-namespace {
 
 /// Name of a layout by its number among those of jackets.
-std::string_view name_of_jacket(std::size_t number) {
-    return name_of(number < jacket_layouts.size() ? jacket_layouts.at(number) : Jacket::Layout::own);
+std::string_view MatchBody::name_of_jacket(std::size_t number) const {
+    return number < body_->jackets.size() ? body_->jackets.at(number).name : own_layout.name;
 }
-
-}  // namespace
 
 /// Makes the frames of the player's outputs, and of no others, and passes them on.
 void MatchBody::feel(std::uint32_t player, const game::Simulation& match) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "game/live/body_sound.h"
 #include "game/live/sound.h"
@@ -19,9 +20,14 @@ namespace thaum::app {
 /// Effects and layouts of the program.
 struct LiveBody {
     tactile::EffectBank effects;
-    tactile::Layout figure;  ///< the picture of a jacket: 4 x 5 cells in front, then as many at the back
+    tactile::Layout figure;  ///< figure_layout
     tactile::Layout pad;     ///< the two motors of a pad
-    std::array<tactile::Layout, jacket_layouts.size()> jackets;  ///< in the order of jacket_layouts
+    /// A usual layout of jackets, by the name of its file.
+    struct Worn {
+        std::string_view name;
+        tactile::Layout layout;
+    };
+    std::vector<Worn> jackets{};  ///< in the order of jacket_layouts()
 
     /// Layouts that players have written for their jackets.
     std::array<std::optional<tactile::Layout>, game::players> own{};
@@ -61,6 +67,7 @@ private:
 
     void take_faders(std::uint32_t player);
     std::size_t jackets_of(std::uint32_t player) const;
+    std::string_view name_of_jacket(std::size_t number) const;
 
     const std::optional<LiveBody>& body_;
     LiveTactile& motors_;

@@ -131,7 +131,7 @@ void load_own_layouts(const LivePlan& plan, LiveShared& shared) {
     for (std::uint32_t p = 0; shared.body && p < game::players; ++p) {
         const auto& player = plan.settings.players.at(p);
         const auto jacket = parse_jacket(player.jacket);
-        if (player.jacket_layout.empty() || !jacket || jacket->link == Jacket::Link::none) continue;
+        if (player.jacket_layout.empty() || !jacket || !*jacket) continue;
         auto layout = load_own_layout(player.jacket_layout, *jacket, plan.assets);
         if (!layout) {
             tell_user(text("player ", p + 1, ": the jacket has its usual layout: ", layout.error().message));

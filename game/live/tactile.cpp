@@ -38,10 +38,9 @@ void LiveTactile::use_jacket(std::uint32_t player, const std::string& words) {
     seat.jacket_words = words;
     const auto jacket = parse_jacket(words).value_or(Jacket{});
     // Frames of the former layout do not reach the next jacket.
-    seat.layout = Jacket::Layout::none;
+    seat.layout = &no_layout;
     seat.jacket.use(make_jacket_(jacket, player));
-    seat.layout =
-        seat.own_motors > 0 && jacket.link != Jacket::Link::none ? Jacket::Layout::own : jacket.layout;
+    seat.layout = seat.own_motors > 0 && jacket ? &own_layout : &jacket.layout();
 }
 
 void LiveTactile::use_own_layout(std::uint32_t player, std::size_t motors) {
@@ -49,8 +48,8 @@ void LiveTactile::use_own_layout(std::uint32_t player, std::size_t motors) {
 }
 
 std::size_t LiveTactile::motors_of_seat(const Seat& seat) {
-    const auto layout = seat.layout.load();
-    return layout == Jacket::Layout::own ? seat.own_motors : motors_of(layout);
+    const auto* layout = seat.layout.load();
+    return layout == &own_layout ? seat.own_motors : layout->motors;
 }
 
 void LiveTactile::Socket::use(std::unique_ptr<input::TactileOutput> output) {
@@ -130,7 +129,7 @@ void LiveTactile::try_out_jacket(std::uint32_t player, const tactile::TactileFra
 
 std::string_view LiveTactile::jacket_layout(std::uint32_t player) const {
     const auto& seat = seats_.at(player);
-    return seat.jacket.is_open() ? name_of(seat.layout) : std::string_view();
+    return seat.jacket.is_open() ? seat.layout.load()->name : std::string_view();
 }
 
 game::FeltSoundWish LiveTactile::felt_sound(std::uint32_t player) const {

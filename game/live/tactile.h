@@ -22,6 +22,9 @@
 
 namespace thaum::app {
 
+/// A layout that a player has written. Its motors are counted for each player.
+inline constexpr JacketLayout own_layout{"own", 0};
+
 class LiveTactile {
 public:
     using MakeOutput = std::function<std::unique_ptr<input::TactileOutput>(const input::PadState&)>;
@@ -92,7 +95,7 @@ private:
         std::array<std::atomic<double>, tactile::purpose_count> faders{};
         std::string jacket_words{};  ///< the setting
         Socket jacket{};
-        std::atomic<Jacket::Layout> layout{};
+        std::atomic<const JacketLayout*> layout = &no_layout;
         std::size_t own_motors{};  ///< actuators of the player's own layout; 0: there is none
         std::atomic<bool> figure{};
         std::atomic<double> sound{};

@@ -22,8 +22,7 @@ void read_jacket(const ConfigTable& table, PlayerSettings& player) {
 
 void divide_jackets(const ConfigTable& root, Settings& s) {
     const auto first = parse_jacket(s.players[0].jacket), second = parse_jacket(s.players[1].jacket);
-    if (!first || !second || first->link == Jacket::Link::none) return;
-    if (!is_same_device(*first, *second)) return;
+    if (!first || !second || !*first || !is_same_device(*first, *second)) return;
     root.table(player_tables[1]).report("jacket", "'jacket': it is player 1's; give each player another");
     s.players[1].jacket.clear();
 }

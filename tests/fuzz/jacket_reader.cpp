@@ -16,13 +16,14 @@ Outcome read_setting(const std::string& input, const Places&) {
     const auto jacket = app::parse_jacket(input);
     if (!jacket) return {.refusal = jacket.error().message};
     const auto output = app::jacket_output(*jacket, 0);
-    const bool none = jacket->link == app::Jacket::Link::none;
+    const bool none = !*jacket;
     if (none != (output == nullptr)) return {.fault = "a jacket without an output"};
-    using Link = app::Jacket::Link;
-    const bool net = jacket->link == Link::osc || jacket->link == Link::bhaptics;
-    if (net && (jacket->address.host.empty() || jacket->address.port == 0)) return {.fault = "no address"};
-    if (jacket->link == Link::record && jacket->name.empty()) return {.fault = "no file"};
-    if (none != (app::motors_of(jacket->layout) == 0)) return {.fault = "no motors"};
+    if (none != (jacket->layout().motors == 0)) return {.fault = "no motors"};
+    if (none) return {.accepted = true};
+    if (jacket->place.empty() && jacket->maker->name != "audio") return {.fault = "no place"};
+    // A place is read as itself, so equal places are one device.
+    const auto again = jacket->maker->read(jacket->form->word, jacket->place);
+    if (!jacket->place.empty() && (!again || *again != jacket->place)) return {.fault = "another place"};
     return {.accepted = true};
 }
 

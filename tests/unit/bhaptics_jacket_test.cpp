@@ -1,6 +1,6 @@
 // A vest of bHaptics: the texts of requests and replies, and the connection to a Player that behaves, is slow, lies, or
 // goes away. The Player is a fake. Tests wait for what it got, not for a time.
-#include "game/jackets/bhaptics_jacket.h"
+#include "game/jackets/makers/bhaptics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The recorder of what a player feels: its rows, the names of its files, and a full disk.
-#include "game/jackets/felt_recorder.h"
+#include "game/jackets/makers/recorder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

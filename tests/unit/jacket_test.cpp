@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <sstream>
 #include <thread>
 
+#include "core/file.h"
 #include "core/text.h"
+#include "game/jackets/net_address.h"
+#include "game/jackets/osc_message.h"
 #include "game/live/tactile.h"
-#include "input/detail/osc_message.h"
 #include "tactile/layout.h"
 #include "unit/felt_output_rig.h"
 #include "unit/udp_receiver.h"
@@ -21,27 +25,60 @@ using input::rig::FakeOutput;
 using input::rig::Felt;
 using input::rig::jacket_frame;
 using input::rig::UdpReceiver;
-using Link = Jacket::Link;
-using Layout = Jacket::Layout;
+
+/// Maker, layout and place of a jacket, in one line.
+std::string read_as(std::string_view words) {
+    const auto jacket = parse_jacket(words);
+    if (!jacket) return jacket.error().message;
+    return *jacket ? text(jacket->maker->name, " ", jacket->layout().name, " ", jacket->place) : "none";
+}
 
 TEST(Jacket, WordsOfTheSettingAreRead) {
-    EXPECT_EQ(parse_jacket("").value(), Jacket{});
-    EXPECT_EQ(parse_jacket("osc:192.168.1.7:1027").value(),
-              (Jacket{Link::osc, {"192.168.1.7", 1027}, Layout::x40}));
-    EXPECT_EQ(parse_jacket("bhaptics").value(), (Jacket{Link::bhaptics, {"127.0.0.1", 15881}, Layout::x40}));
-    EXPECT_EQ(parse_jacket("bhaptics:box:2").value(), (Jacket{Link::bhaptics, {"box", 2}, Layout::x40}));
-    EXPECT_EQ(parse_jacket("osc16:my-vest_2.local:65535").value(),
-              (Jacket{Link::osc, {"my-vest_2.local", 65535}, Layout::x16}));
-    EXPECT_EQ(parse_jacket("osc:[fe80::1%eth0]:1").value(),
-              (Jacket{Link::osc, {"fe80::1%eth0", 1}, Layout::x40}));
-    EXPECT_EQ(parse_jacket("hid:1209:C0de").value(), (Jacket{Link::hid, {}, Layout::x40, {0x1209, 0xC0DE}}));
-    EXPECT_EQ(parse_jacket("audio").value(), (Jacket{Link::audio, {}, Layout::speakers}));
-    EXPECT_EQ(parse_jacket("audio8").value(), (Jacket{Link::audio, {}, Layout::shakers8}));
-    EXPECT_EQ(parse_jacket("audio:Box: 7.1 (left)").value(),
-              (Jacket{Link::audio, {}, Layout::speakers, {}, "Box: 7.1 (left)"}));
-    EXPECT_EQ(parse_jacket("audio8:Box").value(), (Jacket{Link::audio, {}, Layout::shakers8, {}, "Box"}));
-    EXPECT_EQ(parse_jacket("record:/tmp/felt.csv").value(),
-              (Jacket{Link::record, {}, Layout::figure, {}, "/tmp/felt.csv"}));
+    EXPECT_EQ(read_as(""), "none");
+    EXPECT_EQ(read_as("osc:192.168.1.7:1027"), "osc x40 192.168.1.7:1027");
+    EXPECT_EQ(read_as("bhaptics"), "bhaptics x40 127.0.0.1:15881");
+    EXPECT_EQ(read_as("bhaptics:box:2"), "bhaptics x40 box:2");
+    EXPECT_EQ(read_as("osc16:my-vest_2.local:65535"), "osc x16 my-vest_2.local:65535");
+    EXPECT_EQ(read_as("osc:[fe80::1%eth0]:1"), "osc x40 [fe80::1%eth0]:1");
+    EXPECT_EQ(read_as("osc:[vest]:01"), "osc x40 vest:1") << "one place, one name";
+    EXPECT_EQ(read_as("osc:[vest%eth0]:1"), "osc x40 [vest%eth0]:1");
+    EXPECT_EQ(read_as("hid:1209:C0de"), "hid x40 1209:c0de");
+    EXPECT_EQ(read_as("audio"), "audio speakers ");
+    EXPECT_EQ(read_as("audio8"), "audio shakers8 ");
+    EXPECT_EQ(read_as("audio:Box: 7.1 (left)"), "audio speakers Box: 7.1 (left)");
+    EXPECT_EQ(read_as("audio8:Box"), "audio shakers8 Box");
+    EXPECT_EQ(read_as("record:/tmp/felt.csv"), "recorder abstract_4x5 /tmp/felt.csv");
+}
+
+TEST(Jacket, WordsOfNoFormAreAnsweredWithAllForms) {
+    EXPECT_EQ(read_as("drum:1"),
+              "'drum:1' is no jacket: use \"\", \"bhaptics\", \"osc:HOST:PORT\", \"osc16:HOST:PORT\", "
+              "\"hid:VVVV:PPPP\", \"audio\", \"audio8\", \"audio:DEVICE\" or \"record:FILE.csv\"");
+}
+
+/// Words in quotes of a part of a file.
+std::vector<std::string> quoted_in(const std::string& file, std::string_view from, std::string_view to) {
+    const auto all = read_text_file(std::string(THAUM_SOURCE_DIR) + file, 1U << 20U).value_or("");
+    const auto begin = all.find(from);
+    std::istringstream part(all.substr(begin, all.find(to, begin) - begin));
+    std::vector<std::string> words;
+    for (std::string word; std::getline(part, word, '"') && std::getline(part, word, '"');)
+        if (!word.empty()) words.push_back(word);
+    return words;
+}
+
+TEST(Jacket, TheManualAndTheSettingsFileNameFormsThatThereAre) {
+    auto words = quoted_in("/assets/settings.toml", "jacket = \"\"", "\njacket_layout");
+    const auto table = quoted_in("/game/MANUAL.md", "| `jacket = ` |", "\n\n");
+    EXPECT_EQ(words.size(), 8U);
+    EXPECT_EQ(table.size(), 6U);
+    words.insert(words.end(), table.begin(), table.end());
+    for (const auto& one : words) {
+        const auto word = one.substr(0, one.find(':'));
+        EXPECT_TRUE(std::ranges::any_of(jacket_makers(), [&](const JacketMaker& maker) {
+            return std::ranges::find(maker.forms, word, &JacketForm::word) != maker.forms.end();
+        })) << one;
+    }
 }
 
 constexpr const char* no_jackets[] = {"osc",
@@ -99,15 +136,15 @@ TEST(Jacket, WordsThatNameNoJacketAreRefusedInOneLine) {
 }
 
 TEST(Jacket, EachLayoutIsAShippedFileWithItsMotors) {
-    for (const auto layout : jacket_layouts) {
+    for (const auto& layout : jacket_layouts()) {
         const auto file = std::filesystem::path(THAUM_SOURCE_DIR) / "assets/tactile/layouts" /
-                          (std::string(name_of(layout)) + ".toml");
+                          (std::string(layout.name) + ".toml");
         const auto read = tactile::load_layout(file);
         ASSERT_TRUE(read) << read.error().message;
-        EXPECT_EQ(read->actuators.size(), motors_of(layout));
+        EXPECT_EQ(read->actuators.size(), layout.motors);
     }
-    EXPECT_EQ(name_of(Layout::none), "");
-    EXPECT_EQ(motors_of(Layout::none), 0U);
+    EXPECT_EQ(Jacket{}.layout().name, "");
+    EXPECT_EQ(Jacket{}.layout().motors, 0U);
 }
 
 TEST(Jacket, AnOwnLayoutIsAFileWithNoMoreActuatorsThanTheJacketHasMotors) {
@@ -170,8 +207,8 @@ public:
     LiveTactile::MakeJacket maker() {
         return [this](const Jacket& jacket, std::uint32_t) -> std::unique_ptr<input::TactileOutput> {
             ++made;
-            if (jacket.link == Link::none) return nullptr;
-            return std::make_unique<FakeOutput>(of(jacket.address.port));
+            if (!jacket) return nullptr;
+            return std::make_unique<FakeOutput>(of(read_address(jacket.place).value().port));
         };
     }
     const std::shared_ptr<Felt>& of(std::uint16_t port) {
@@ -251,7 +288,7 @@ TEST(LiveJacketThreads, OneThatCannotBeOpenedCostsOneLineAndNoFrames) {
 /// Passes frames until the receiver has a certain message.
 bool reaches(LiveTactile& tactile, std::uint32_t player, UdpReceiver& receiver,
              const tactile::TactileFrame& frame) {
-    const auto wanted = input::detail::osc_message(frame, frame.count);
+    const auto wanted = osc_message(frame, frame.count);
     for (int i = 0; i < input::rig::patience_ms; ++i) {
         tactile.feel_jacket(player, frame);
         if (receiver.next(1) == wanted) return true;

@@ -69,7 +69,7 @@ struct FeltDuel {
     Settings settings;
     LiveTactile tactile{[](const input::PadState&) { return nullptr; },
                         [this](const Jacket& jacket, std::uint32_t) -> std::unique_ptr<input::TactileOutput> {
-                            if (jacket.link == Jacket::Link::none) return nullptr;
+                            if (!jacket) return nullptr;
                             return std::make_unique<input::rig::FakeOutput>(felt);
                         }};
     std::uint64_t state = 0;

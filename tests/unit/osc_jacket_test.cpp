@@ -1,6 +1,6 @@
 // A jacket by UDP and OSC: its bytes, when they go out, and that a dead jacket costs nothing. The byte traces in
 // tests/tactile are of the VRCH server's protocol, and were not made by this program.
-#include "input/osc_jacket.h"
+#include "game/jackets/makers/osc.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@
 #include <string>
 #include <thread>
 
-#include "input/detail/osc_message.h"
+#include "game/jackets/osc_message.h"
 #include "input/tactile_player.h"
 #include "unit/two_addresses.h"
 #include "unit/udp_receiver.h"
 
-namespace thaum::input {
+namespace thaum::app {
 namespace {
 
-using rig::jacket_frame;
-using rig::trace;
-using rig::UdpReceiver;
+using input::rig::jacket_frame;
+using input::rig::trace;
+using input::rig::UdpReceiver;
 
 const std::string& silent() {
     static const auto bytes = trace("osc_x16_silent.hex");
@@ -27,15 +27,15 @@ const std::string& silent() {
 }
 tactile::TactileFrame some_frame() { return jacket_frame(16, {{0, 1.0F}, {6, 1e-5F}, {15, 0.5F}}); }
 
-std::unique_ptr<TactileOutput> jacket_for(const UdpReceiver& receiver, std::size_t motors = 16) {
+std::unique_ptr<input::TactileOutput> jacket_for(const UdpReceiver& receiver, std::size_t motors = 16) {
     return osc_jacket({"127.0.0.1", receiver.port()}, motors);
 }
 
 TEST(OscMessage, HasTheBytesOfTheTraces) {
-    EXPECT_EQ(detail::osc_message(some_frame(), 16), trace("osc_x16.hex"));
-    EXPECT_EQ(detail::osc_message(jacket_frame(40, {{20, 0.25F}, {39, 0.75F}}), 40), trace("osc_x40.hex"));
-    EXPECT_EQ(detail::osc_message({}, 16), silent());
-    EXPECT_EQ(detail::osc_ping(1500), trace("osc_ping.hex"));
+    EXPECT_EQ(osc_message(some_frame(), 16), trace("osc_x16.hex"));
+    EXPECT_EQ(osc_message(jacket_frame(40, {{20, 0.25F}, {39, 0.75F}}), 40), trace("osc_x40.hex"));
+    EXPECT_EQ(osc_message({}, 16), silent());
+    EXPECT_EQ(osc_ping(1500), trace("osc_ping.hex"));
 }
 
 TEST(OscMessage, AnyAmplitudesGiveALegalMessage) {
@@ -46,18 +46,17 @@ TEST(OscMessage, AnyAmplitudesGiveALegalMessage) {
                                    {4, 1.5F}});
     const std::string head("/h\0\0,s\0\0", 8);
     const std::string words = "0000ffff00000000ffff" + std::string(44, '0');
-    EXPECT_EQ(detail::osc_message(frame, 16), head + words + std::string(4, '\0'));
+    EXPECT_EQ(osc_message(frame, 16), head + words + std::string(4, '\0'));
     frame.count = ~0ULL;
     const auto size = head.size() + 4 * 40 + 4;
-    EXPECT_EQ(detail::osc_message(frame, 40).size(), size);
+    EXPECT_EQ(osc_message(frame, 40).size(), size);
     frame.count = 2;
-    EXPECT_EQ(detail::osc_message(frame, 40).substr(8, 20), "0000ffff000000000000")
-        << "motors without actuator";
+    EXPECT_EQ(osc_message(frame, 40).substr(8, 20), "0000ffff000000000000") << "motors without actuator";
 }
 
 TEST(OscMessage, EachSizeIsAMultipleOfFourAndEndsInNul) {
     for (std::size_t motors = 0; motors <= 64; ++motors) {
-        const auto message = detail::osc_message({}, motors);
+        const auto message = osc_message({}, motors);
         EXPECT_EQ(message.size() % 4, 0U);
         EXPECT_EQ(message.back(), '\0');
         EXPECT_EQ(message.size(), 8 + 4 * motors + 4);
@@ -69,13 +68,13 @@ TEST(OscJacket, SendsAFrameWhenItChangedAndAfterHalfOfItsTime) {
     const auto jacket = jacket_for(receiver);
     ASSERT_TRUE(jacket->open());
     const auto ping = receiver.next();
-    EXPECT_EQ(ping, detail::osc_ping(receiver.sender_port())) << "first it tells where heartbeats may go";
+    EXPECT_EQ(ping, osc_ping(receiver.sender_port())) << "first it tells where heartbeats may go";
     EXPECT_EQ(receiver.next(), silent()) << "motors that were left on stop at once";
     const auto frame = some_frame();
     for (const double now_s : {1.0, 1.008, 1.016, 1.04, 1.0499}) jacket->write(frame, now_s);
     for (const double now_s : {1.051, 1.06, 1.1}) jacket->write(frame, now_s);
     jacket->write(jacket_frame(16, {{3, 1.0F}}), 1.1);
-    const auto marker = detail::osc_message(jacket_frame(16, {{3, 1.0F}}), 16);
+    const auto marker = osc_message(jacket_frame(16, {{3, 1.0F}}), 16);
     EXPECT_EQ(receiver.count_until(marker), 2);
     EXPECT_EQ(jacket->name(), "jacket at 127.0.0.1:" + std::to_string(receiver.port()));
 }
@@ -84,7 +83,7 @@ TEST(OscJacket, AHostGetsTheMessagesAtEachOfItsAddresses) {
     UdpReceiver receiver;
     const auto jacket = osc_jacket({"two-addresses", receiver.port()}, 16);
     ASSERT_TRUE(jacket->open());
-    EXPECT_EQ(receiver.next(), detail::osc_ping(receiver.sender_port()));
+    EXPECT_EQ(receiver.next(), osc_ping(receiver.sender_port()));
     EXPECT_EQ(receiver.next(), silent());
     jacket->write(some_frame(), 1);
     EXPECT_EQ(receiver.next(), trace("osc_x16.hex"));
@@ -129,7 +128,7 @@ TEST(OscJacket, AFrameTooWeakForTheJacketIsSilence) {
 
 TEST(OscJacket, ADeadJacketCostsNothingAndIsServedWhenItIsBack) {
     std::uint16_t port = 0;
-    std::unique_ptr<TactileOutput> jacket;
+    std::unique_ptr<input::TactileOutput> jacket;
     {
         const UdpReceiver receiver;
         port = receiver.port();
@@ -165,12 +164,12 @@ TEST(OscJacket, AnIpv6AddressIsWrittenInBrackets) {
 
 TEST(TactilePlayerThreads, AnOscJacketIsSilentWhenFramesStop) {
     UdpReceiver receiver;
-    TactilePlayer player;
+    input::TactilePlayer player;
     player.use(jacket_for(receiver));
     while (!player.is_open()) std::this_thread::yield();
     const auto wanted = trace("osc_x16.hex");
     bool felt = false;
-    for (int i = 0; i < rig::patience_ms && !felt; ++i) {
+    for (int i = 0; i < input::rig::patience_ms && !felt; ++i) {
         player.feel(some_frame());
         felt = receiver.next(1) == wanted;
     }
@@ -180,4 +179,4 @@ TEST(TactilePlayerThreads, AnOscJacketIsSilentWhenFramesStop) {
 }
 
 }  // namespace
-}  // namespace thaum::input
+}  // namespace thaum::app

@@ -1,4 +1,4 @@
-// input/detail/osc_message.h: the bytes that an OSC jacket gets (Open Sound Control 1.0).
+// game/jackets/osc_message.h: the bytes that an OSC jacket gets (Open Sound Control 1.0).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "tactile/frame.h"
 
-namespace thaum::input::detail {
+namespace thaum::app {
 
 /// OSC message to "/h" with one string: four hexadecimal digits for each motor, 0000 (off) to ffff. Amplitudes may be
 /// anything; motors without an actuator in the frame are off.
@@ -15,4 +15,4 @@ std::string osc_message(const tactile::TactileFrame& frame, std::size_t motors);
 /// OSC message to "/ping" with one whole number: the port to which a jacket may send its heartbeats.
 std::string osc_ping(std::uint16_t port);
 
-}  // namespace thaum::input::detail
+}  // namespace thaum::app

@@ -1,4 +1,4 @@
-#include "game/jackets/bhaptics_jacket.h"
+#include "game/jackets/makers/bhaptics.h"
 
 #include <libwebsockets.h>
 #include <netinet/tcp.h>
@@ -14,6 +14,7 @@
 
 #include "core/text.h"
 #include "game/jackets/bhaptics_messages.h"
+#include "game/jackets/jacket.h"
 #include "input/tactile_playback.h"
 
 namespace thaum::app {
@@ -45,7 +46,7 @@ public:
     PlayerLink(const PlayerLink&) = delete;
     PlayerLink& operator=(const PlayerLink&) = delete;
 
-    Expected<void> connect(const input::NetAddress& address);
+    Expected<void> connect(const NetAddress& address);
     /// Sends a request as soon as the Player takes it. An earlier one that still waits is dropped.
     void send(std::string request);
     /// Does what is due, without waiting.
@@ -101,7 +102,7 @@ PlayerLink::~PlayerLink() {
     if (context_ != nullptr) lws_context_destroy(context_);
 }
 
-Expected<void> PlayerLink::connect(const input::NetAddress& address) {
+Expected<void> PlayerLink::connect(const NetAddress& address) {
     if (!start_context()) return fail("the system has no room for a connection");
     const std::string path(bhaptics_path);
     lws_client_connect_info info{};
@@ -221,7 +222,7 @@ constexpr const char* no_vest = "the Player has no vest; switch it on and pair i
 
 class BhapticsJacket final : public input::TactileOutput {
 public:
-    explicit BhapticsJacket(input::NetAddress address) : address_(std::move(address)) {}
+    explicit BhapticsJacket(NetAddress address) : address_(std::move(address)) {}
     ~BhapticsJacket() override { end(); }
 
     Expected<void> open() override;
@@ -230,13 +231,13 @@ public:
     bool is_connected() override;
     std::string fault() override;
     void close() override { end(); }
-    std::string name() const override { return text("bHaptics Player at ", input::words_of(address_)); }
+    std::string name() const override { return text("bHaptics Player at ", words_of(address_)); }
 
 private:
     bool has_vest() const { return link_->reply().value_or(BhapticsReply{}).may_have_vest(); }
     void end();
 
-    const input::NetAddress address_;
+    const NetAddress address_;
     const std::string silent_ = bhaptics_request({});
     std::unique_ptr<PlayerLink> link_{};
     std::string last_{};     ///< the last request
@@ -292,9 +293,20 @@ void BhapticsJacket::end() {
     last_.clear();
 }
 
+std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t) {
+    return bhaptics_jacket(read_address(jacket.place).value());
+}
+
+const JacketRegistration registration({.name = "bhaptics",
+                                       .order = 1,
+                                       .forms = {{"bhaptics", {"x40", 40}, bhaptics_place}},
+                                       .shown = {"bhaptics"},
+                                       .read = read_net_place,
+                                       .make = make});
+
 }  // namespace
 
-std::unique_ptr<input::TactileOutput> bhaptics_jacket(const input::NetAddress& player) {
+std::unique_ptr<input::TactileOutput> bhaptics_jacket(const NetAddress& player) {
     return std::make_unique<BhapticsJacket>(player);
 }
 

@@ -1,11 +1,11 @@
-#include "input/detail/osc_message.h"
+#include "game/jackets/osc_message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
 
-namespace thaum::input::detail {
+namespace thaum::app {
 namespace {
 
 constexpr float strongest = 0xFFFF;
@@ -46,4 +46,4 @@ std::string osc_ping(std::uint16_t port) {
     return message;
 }
 
-}  // namespace thaum::input::detail
+}  // namespace thaum::app

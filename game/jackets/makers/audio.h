@@ -1,4 +1,4 @@
-// game/jackets/audio_jacket.h: speakers or shakers that are worn on the body, on the channels of a sound device. Each
+// game/jackets/makers/audio.h: speakers or shakers that are worn on the body, on the channels of a sound device. Each
 // actuator of the layout is one channel: a sine wave of its frame's amplitude and frequency (audio/channels.h).
 //
 // The device is fed in blocks of 8 ms. A wave ends within a block after its frame's time to live, whether or not

@@ -1,19 +1,16 @@
-// game/jackets/hid_jacket.h: a jacket of 40 motors that takes HID reports (hid_report.h) by USB or Bluetooth.
-//
-// A report goes out when it has changed, and after half of the frame's time to live. Only an interface of the device
-// with reports of its maker's own kind is opened, so no keyboard gets one by mistake. A device that takes longer than
-// 100 ms for a report gets one of silence and is closed: what it would play would come too late.
+// game/jackets/hid_port.h: the devices of the system that take HID reports, by hidapi.
 #pragma once
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/error.h"
-#include "input/tactile_output.h"
 
 namespace thaum::app {
 
@@ -24,6 +21,8 @@ struct HidId {
 };
 /// "1234:abcd".
 std::string words_of(const HidId& id);
+/// Reads two numbers of four hexadecimal digits each; std::nullopt: they are none.
+std::optional<HidId> read_hid_id(std::string_view words);
 
 /// An open device. Tests have a fake. Each call may block.
 class HidPort {
@@ -45,13 +44,5 @@ Expected<std::unique_ptr<HidPort>> open_hid_port(const HidId& id);
 
 /// Devices that have an interface with reports of their maker's own kind, with their names.
 std::vector<std::pair<HidId, std::string>> hid_devices();
-
-/// A steady clock (s).
-using ClockSeconds = std::function<double()>;
-double steady_seconds();
-
-/// Tests pass a fake of the device, and a clock.
-std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort open = open_hid_port,
-                                                 ClockSeconds clock = steady_seconds);
 
 }  // namespace thaum::app

@@ -1,16 +1,19 @@
-#include "game/jackets/hid_jacket.h"
+#include "game/jackets/makers/hid.h"
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "core/one_line.h"
 #include "core/text.h"
 #include "game/jackets/hid_report.h"
+#include "game/jackets/jacket.h"
 #include "input/tactile_playback.h"
 
 namespace thaum::app {
 namespace {
 
+constexpr std::size_t most_of_name_shown = 100;
 constexpr double longest_report_s = 0.1;  ///< longest time that a device may take for a report
 
 class HidJacket final : public input::TactileOutput {
@@ -96,12 +99,32 @@ void HidJacket::end() {
     port_.reset();
 }
 
-}  // namespace
-
-std::string words_of(const HidId& id) {
-    const auto digits = [](std::uint16_t number) { return hex(number).substr(hex(number).size() - 4); };
-    return text(digits(id.vendor), ":", digits(id.product));
+Expected<std::string> read(std::string_view, std::string_view place) {
+    if (const auto id = read_hid_id(place)) return words_of(*id);
+    return fail("write \"hid:VVVV:PPPP\" with four hexadecimal digits each, as `lsusb` prints them");
 }
+
+std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t) {
+    return hid_jacket(read_hid_id(jacket.place).value());
+}
+
+std::vector<FoundJacket> find() {
+    std::vector<FoundJacket> found;
+    for (const auto& [id, name] : hid_devices())
+        found.push_back(
+            {"HID device", text("\"hid:", words_of(id), "\" is ", printable(name, most_of_name_shown))});
+    return found;
+}
+
+const JacketRegistration registration({.name = "hid",
+                                       .order = 3,
+                                       .forms = {{"hid", {"x40", 40}}},
+                                       .shown = {"hid:VVVV:PPPP"},
+                                       .read = read,
+                                       .make = make,
+                                       .find = find});
+
+}  // namespace
 
 double steady_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

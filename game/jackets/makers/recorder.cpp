@@ -1,4 +1,4 @@
-#include "game/jackets/felt_recorder.h"
+#include "game/jackets/makers/recorder.h"
 
 #include <optional>
 #include <utility>
@@ -8,6 +8,8 @@
 #include "core/tell_user.h"
 #include "core/text.h"
 #include "game/jackets/felt_rows.h"
+#include "game/jackets/jacket.h"
+#include "game/jackets/place_name.h"
 
 namespace thaum::app {
 namespace {
@@ -93,6 +95,34 @@ void FeltRecorder::end() {
     fault_ = in_one_line(closed.error().message);
     tell_user(text("player ", player_ + 1, ": recording of what is felt: ", fault_));
 }
+
+Expected<std::string> read(std::string_view, std::string_view file) {
+    if (fits_name(file) && file.ends_with(".csv") && file != ".csv" && !file.ends_with("/.csv"))
+        return std::string(file);
+    return fail("write \"record:FILE.csv\"");
+}
+
+std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t player) {
+    return felt_recorder(jacket.place, player);
+}
+
+/// Looks for the folder. Nothing is recorded.
+JacketCheck check(const Jacket& jacket, input::TactileOutput&) {
+    const auto folder = std::filesystem::absolute(jacket.place).parent_path();
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) return {true, "", ""};
+    return {false, text(": there is no folder ", folder.string()), "make it"};
+}
+
+// The table has a column for each cell of the figure.
+const JacketRegistration registration({.name = "recorder",
+                                       .order = 5,
+                                       .forms = {{"record", figure_layout}},
+                                       .shown = {"record:FILE.csv"},
+                                       .read = read,
+                                       .make = make,
+                                       .check = check,
+                                       .keeps_layout = "a recording always has the cells of the figure"});
 
 }  // namespace
 

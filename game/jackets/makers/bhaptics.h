@@ -1,4 +1,4 @@
-// game/jackets/bhaptics_jacket.h: a vest of bHaptics, by the WebSocket of the Player that it is paired with. The Player is
+// game/jackets/makers/bhaptics.h: a vest of bHaptics, by the WebSocket of the Player that it is paired with. The Player is
 // a program of bHaptics, or one that takes its place, such as the VRCH server.
 //
 // A request goes out when the frame has changed, and after half of its time to live. Requests are absolute, so one that
@@ -8,11 +8,12 @@
 #pragma once
 #include <memory>
 
-#include "input/osc_jacket.h"
+#include "game/jackets/net_address.h"
+#include "input/tactile_output.h"
 
 namespace thaum::app {
 
 /// `open` takes up to 1.3 s: it waits for the connection, and for a reply that tells whether there is a vest.
-std::unique_ptr<input::TactileOutput> bhaptics_jacket(const input::NetAddress& player);
+std::unique_ptr<input::TactileOutput> bhaptics_jacket(const NetAddress& player);
 
 }  // namespace thaum::app

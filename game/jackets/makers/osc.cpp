@@ -1,4 +1,4 @@
-#include "input/osc_jacket.h"
+#include "game/jackets/makers/osc.h"
 
 #include <netdb.h>
 #include <netinet/in.h>
@@ -14,10 +14,11 @@
 
 #include "core/one_line.h"
 #include "core/text.h"
-#include "input/detail/osc_message.h"
+#include "game/jackets/jacket.h"
+#include "game/jackets/osc_message.h"
 #include "input/tactile_playback.h"
 
-namespace thaum::input {
+namespace thaum::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -54,10 +55,10 @@ struct Peer {
     socklen_t size{};
 };
 
-class OscJacket final : public TactileOutput {
+class OscJacket final : public input::TactileOutput {
 public:
     OscJacket(NetAddress address, std::size_t motors)
-        : address_(std::move(address)), motors_(motors), silent_(detail::osc_message({}, motors)) {}
+        : address_(std::move(address)), motors_(motors), silent_(osc_message({}, motors)) {}
     ~OscJacket() override { end(); }
 
     Expected<void> open() override;
@@ -100,7 +101,7 @@ void send_ping(const Peer& peer) {
     if (::bind(peer.socket, address, size) != 0 || ::getsockname(peer.socket, address, &size) != 0) return;
     const auto port = own.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6*>(&own)->sin6_port
                                                 : reinterpret_cast<const sockaddr_in*>(&own)->sin_port;
-    send_to(peer, detail::osc_ping(ntohs(port)));
+    send_to(peer, osc_ping(ntohs(port)));
 }
 
 Expected<void> OscJacket::open() {
@@ -124,7 +125,7 @@ Expected<void> OscJacket::open() {
 }
 
 void OscJacket::write(const tactile::TactileFrame& frame, double now_s) {
-    auto message = detail::osc_message(frame, motors_);
+    auto message = osc_message(frame, motors_);
     if (message == silent_) {
         if (last_ != silent_) silence();
         return;
@@ -134,7 +135,7 @@ void OscJacket::write(const tactile::TactileFrame& frame, double now_s) {
     if (!send(message)) return;
     last_ = std::move(message);
     const double life_s = 1e-3 * static_cast<double>(frame.time_to_live);
-    again_at_s_ = now_s + std::min(life_s, TactilePlayback::longest_life_s) / 2;
+    again_at_s_ = now_s + std::min(life_s, input::TactilePlayback::longest_life_s) / 2;
 }
 
 void OscJacket::silence() {
@@ -172,16 +173,28 @@ void OscJacket::end() {
     silences_left_ = 0;
 }
 
-}  // namespace
-
-std::string words_of(const NetAddress& address) {
-    const bool colons = address.host.find(':') != std::string::npos;
-    const auto host = printable(address.host, most_of_host_shown);
-    return text(colons ? "[" : "", host, colons ? "]:" : ":", address.port);
+std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t) {
+    return osc_jacket(read_address(jacket.place).value(), jacket.layout().motors);
 }
 
-std::unique_ptr<TactileOutput> osc_jacket(const NetAddress& address, std::size_t motors) {
+JacketCheck check(const Jacket& jacket, input::TactileOutput& output) {
+    auto checked = check_by_opening(jacket, output);
+    if (checked.usable) checked.words = " is sent to; nobody can tell whether it listens";
+    return checked;
+}
+
+const JacketRegistration registration({.name = "osc",
+                                       .order = 2,
+                                       .forms = {{"osc", {"x40", 40}}, {"osc16", {"x16", 16}}},
+                                       .shown = {"osc:HOST:PORT", "osc16:HOST:PORT"},
+                                       .read = read_net_place,
+                                       .make = make,
+                                       .check = check});
+
+}  // namespace
+
+std::unique_ptr<input::TactileOutput> osc_jacket(const NetAddress& address, std::size_t motors) {
     return std::make_unique<OscJacket>(address, motors);
 }
 
-}  // namespace thaum::input
+}  // namespace thaum::app

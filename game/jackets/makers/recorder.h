@@ -1,4 +1,4 @@
-// game/jackets/felt_recorder.h: an output that writes what one player feels to a CSV file (felt_rows.h): a row for every
+// game/jackets/makers/recorder.h: an output that writes what one player feels to a CSV file (game/jackets/felt_rows.h): a row for every
 // frame that is not silent. Each match begins at tick 0 again.
 //
 // It replaces no file: if there is a FILE.csv, it writes FILE_2.csv, and so on. The file has its name when the session

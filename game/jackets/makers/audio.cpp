@@ -1,4 +1,4 @@
-#include "game/jackets/audio_jacket.h"
+#include "game/jackets/makers/audio.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,11 +6,15 @@
 #include <utility>
 
 #include "audio/channels.h"
+#include "core/one_line.h"
 #include "core/text.h"
+#include "game/jackets/jacket.h"
+#include "game/jackets/place_name.h"
 
 namespace thaum::app {
 namespace {
 
+constexpr std::size_t most_words_shown = 60, most_of_name_shown = 100;
 /// Blocks that are written at once. A device that wants ever more would keep a core busy.
 constexpr std::size_t most_at_once = 4;
 /// Looks at a device that takes no block before it is given up. The player looks about every 4 ms.
@@ -112,6 +116,39 @@ void AudioJacket::end() {
     device_->close();
     open_ = false;
 }
+
+Expected<std::string> read(std::string_view, std::string_view device) {
+    if (fits_name(device)) return std::string(device);
+    return fail("write a device's name after the colon, as `thaum doctor` prints it");
+}
+
+std::string audio_name(const Jacket& jacket) {
+    const auto where = jacket.place.empty() ? std::string("the usual sound device")
+                                            : text("'", printable(jacket.place, most_words_shown), "'");
+    return text(jacket.layout().motors, " shakers on ", where);
+}
+
+std::unique_ptr<input::TactileOutput> make(const Jacket& jacket, std::uint32_t) {
+    const auto channels = jacket.layout().motors;
+    return audio_jacket(audio_name(jacket), channels, audio::openal_channels(jacket.place, channels));
+}
+
+std::vector<FoundJacket> find() {
+    std::vector<FoundJacket> found;
+    for (const auto& name : audio::sound_device_names())
+        found.push_back({"shakers", text("could be on \"audio:", printable(name, most_of_name_shown), "\"")});
+    return found;
+}
+
+// Without a name it is the usual sound device.
+const JacketRegistration registration({.name = "audio",
+                                       .order = 4,
+                                       .forms = {{"audio", {"speakers", 2}, ""},
+                                                 {"audio8", {"shakers8", 8}, ""}},
+                                       .shown = {"audio", "audio8", "audio:DEVICE"},
+                                       .read = read,
+                                       .make = make,
+                                       .find = find});
 
 }  // namespace
 

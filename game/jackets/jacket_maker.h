@@ -1,0 +1,71 @@
+// game/jackets/jacket_maker.h: what a maker of jackets brings: one source of game/jackets/makers, which registers a
+// JacketMaker. The settings, their messages, `thaum doctor` and a session know its jackets by this table alone.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "input/tactile_output.h"
+
+namespace thaum::app {
+
+struct Jacket;
+
+/// Motors of a jacket, and where they sit.
+struct JacketLayout {
+    std::string_view name{};  ///< file of assets/tactile/layouts, without its ending
+    std::size_t motors{};     ///< number of its actuators
+};
+
+/// One kind of jacket. The setting is "WORD:PLACE", or "WORD" alone.
+struct JacketForm {
+    std::string_view word;
+    JacketLayout layout;
+    /// Place that the word alone means, as JacketMaker::read returns it; std::nullopt: the word alone is no jacket.
+    std::optional<std::string_view> usual_place{};
+};
+
+/// What `thaum doctor` finds out about a jacket.
+struct JacketCheck {
+    bool usable{};
+    std::string words{};   ///< what follows the jacket's name in one line, with the space or colon before it
+    std::string advice{};  ///< what to do; empty: nothing
+};
+/// Opens the jacket, which stays silent, and closes it.
+JacketCheck check_by_opening(const Jacket& jacket, input::TactileOutput& output);
+
+/// A device that is there, and the setting that would name it.
+struct FoundJacket {
+    std::string_view what;  ///< one or two words for what it is
+    std::string words;
+};
+
+struct JacketMaker {
+    std::string_view name;  ///< of the source
+    int order = 100;        ///< order in lists: smaller ones first, equal ones by their names
+    std::vector<JacketForm> forms;
+    std::vector<std::string_view> shown;  ///< settings as lists show them: "osc:HOST:PORT"
+    /// Reads what follows the colon. Returns it in the same words for the same device. The error says how to write it.
+    Expected<std::string> (*read)(std::string_view word, std::string_view place);
+    /// Makes the output. It is not opened yet.
+    std::unique_ptr<input::TactileOutput> (*make)(const Jacket& jacket, std::uint32_t player);
+    JacketCheck (*check)(const Jacket& jacket, input::TactileOutput& output) = check_by_opening;
+    /// Devices that are plugged in, whatever the settings say; null: they cannot be listed.
+    std::vector<FoundJacket> (*find)() = nullptr;
+    /// Why players may write no layout for it; empty: they may.
+    std::string_view keeps_layout{};
+};
+
+/// Registers a maker when the program starts.
+struct JacketRegistration {
+    explicit JacketRegistration(const JacketMaker& maker);
+};
+
+/// All makers, in the order of lists.
+const std::vector<JacketMaker>& jacket_makers();
+
+}  // namespace thaum::app

@@ -1,0 +1,23 @@
+// game/jackets/makers/hid.h: a jacket of 40 motors that takes HID reports (game/jackets/hid_report.h) by USB or Bluetooth.
+//
+// A report goes out when it has changed, and after half of the frame's time to live. Only an interface of the device
+// with reports of its maker's own kind is opened, so no keyboard gets one by mistake. A device that takes longer than
+// 100 ms for a report gets one of silence and is closed: what it would play would come too late.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "game/jackets/hid_port.h"
+#include "input/tactile_output.h"
+
+namespace thaum::app {
+
+/// A steady clock (s).
+using ClockSeconds = std::function<double()>;
+double steady_seconds();
+
+/// Tests pass a fake of the device, and a clock.
+std::unique_ptr<input::TactileOutput> hid_jacket(const HidId& id, OpenHidPort open = open_hid_port,
+                                                 ClockSeconds clock = steady_seconds);
+
+}  // namespace thaum::app

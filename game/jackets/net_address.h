@@ -1,0 +1,28 @@
+// game/jackets/net_address.h: where a jacket or its program listens in the network.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace thaum::app {
+
+struct NetAddress {
+    std::string host{};  ///< name, or IPv4 or IPv6 address without brackets
+    std::uint16_t port{};
+    bool operator==(const NetAddress&) const = default;
+};
+
+/// Reads "HOST:PORT": a name, an IPv4 address, or an IPv6 address in brackets; std::nullopt: it is none.
+std::optional<NetAddress> read_address(std::string_view words);
+/// The only words for an address that read_address reads as it: "192.168.1.7:1027", "[::1]:1027".
+std::string place_of(const NetAddress& address);
+/// The same for messages: a long host is cut.
+std::string words_of(const NetAddress& address);
+
+/// Reads the place of a setting "WORD:HOST:PORT" (JacketMaker::read).
+Expected<std::string> read_net_place(std::string_view word, std::string_view place);
+
+}  // namespace thaum::app

@@ -1,0 +1,13 @@
+// game/jackets/place_name.h: places of jackets that are names of a device, or paths.
+#pragma once
+#include "core/one_line.h"
+
+namespace thaum::app {
+
+/// Whether words may be a device's name or a path: one printable line of a sensible length.
+inline bool fits_name(std::string_view words) {
+    constexpr std::size_t longest_name = 1000;  ///< bytes
+    return !words.empty() && words.size() <= longest_name && printable(words, words.size()) == words;
+}
+
+}  // namespace thaum::app
