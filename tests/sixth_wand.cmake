@@ -13,7 +13,7 @@ endif()
 
 # The same program with the wands' objects linked in either order. The archive of the game gives it everything but
 # the wands, since no object of the archive refers to one.
-set(wand_objects ${THAUM_WANDS} $<TARGET_OBJECTS:wand_hail>)
+set(wand_objects ${THAUM_WANDS} ${THAUM_POTIONS} $<TARGET_OBJECTS:wand_hail>)
 foreach(order forward reverse)
     add_executable(wands_${order} sixth_wand/link_order.cpp ${wand_objects})
     target_compile_definitions(wands_${order} PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

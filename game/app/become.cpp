@@ -9,12 +9,6 @@
 #include "game/app/command.h"
 
 namespace thaum::app {
-namespace {
-
-int run_bench(const std::vector<std::string>& words) { return become("thaum-bench", words); }
-
-}  // namespace
-
 int become(std::string_view program, const std::vector<std::string>& words) {
     std::error_code unreadable;
     const auto self = std::filesystem::read_symlink("/proc/self/exe", unreadable);
@@ -28,8 +22,5 @@ int become(std::string_view program, const std::vector<std::string>& words) {
     return refuse({text("cannot start ", path, ": ", std::strerror(errno),
                         "; build it (./thaum does, given the command) or install it beside this program")});
 }
-
-// The benchmarks are a program of their own, because they count allocations by replacing malloc.
-Command bench_command() { return {"bench", "", run_bench}; }
 
 }  // namespace thaum::app

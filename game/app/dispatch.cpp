@@ -17,7 +17,7 @@ struct Summary {
     std::string_view name, summary;
 };
 
-/// All commands, in the order in which they are listed.
+/// The game's commands in the order in which they are listed, with those that only thaum-tools has.
 constexpr Summary overview[] = {
     {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo"},
     {"range", "practice on a dummy; data files that change are read while it runs"},
@@ -35,18 +35,25 @@ constexpr Summary overview[] = {
     {"doctor", "check this machine and report what is missing"},
 };
 
+void print_line(std::string_view name, std::string_view summary) {
+    std::printf("  %-9s %s\n", std::string(name).c_str(), std::string(summary).c_str());
+}
+
 void print_overview() {
     std::printf("Thaum %s: a duel of two wizards on one machine\n\nusage: thaum [COMMAND] [OPTIONS]\n\n",
                 THAUM_VERSION);
-    for (const auto& [name, summary] : overview)
-        std::printf("  %-9s %s\n", std::string(name).c_str(), std::string(summary).c_str());
+    for (const auto& [name, summary] : overview) print_line(name, summary);
+    // Commands that another program brings.
+    for (const auto& command : commands())
+        if (std::ranges::find(overview, command.name, &Summary::name) == std::end(overview))
+            print_line(command.name, command.summary);
     std::printf(
         "\n`thaum help COMMAND` or `thaum COMMAND --help` explains a command. Without a command: play.\n");
 }
 
 }  // namespace
 
-int dispatch(const std::vector<Command>& commands, std::vector<std::string> words, std::string_view others) {
+int dispatch(std::vector<std::string> words, std::string_view others) {
     if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
         print_overview();
         return done;
@@ -64,7 +71,7 @@ int dispatch(const std::vector<Command>& commands, std::vector<std::string> word
         name = words[0];
         words.erase(words.begin());
     }
-    for (const auto& command : commands) {
+    for (const auto& command : commands()) {
         if (command.name != name) continue;
         if (asks_for_help(words) && !command.help.empty()) {
             std::printf("%s", std::string(command.help).c_str());

@@ -1,4 +1,3 @@
-// thaum shots: makes the README's pictures from a replay. Also implements `replay --shots`.
 #include "game/app/shots.h"
 
 #include <algorithm>
@@ -6,9 +5,6 @@
 #include "core/file.h"
 #include "core/tell_user.h"
 #include "core/text.h"
-#include "game/app/command.h"
-#include "game/command_line/arguments.h"
-#include "game/match/highlight.h"
 #include "game/match/tables.h"
 #include "game/settings/recorded_names.h"
 #include "game/settings/settings.h"
@@ -22,7 +18,8 @@ std::string padded(Tick tick) {
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
 }
 
-/// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
+}  // namespace
+
 std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets) {
     auto loaded = game::SenseData::load(assets, audio::WithSamples::no);
     if (loaded) return game::Senses::create(*loaded, *data.presentation);
@@ -30,13 +27,10 @@ std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::
     return nullptr;
 }
 
-/// The HUD of a player who has changed no setting.
 game::HudSettings hud_of(const game::Playback& playback) {
     const PlayerSettings usual;
     return {.names = recorded_names(playback.log().header()), .heard = {usual.heard, usual.heard}};
 }
-
-}  // namespace
 
 bool ShotPlan::any() const {
     return every != 0 || !at.empty() || on_marks || std::find(on.begin(), on.end(), true) != on.end();
@@ -85,64 +79,5 @@ void Shots::remove_unconfirmed() {
     for (const auto& picture : unconfirmed_) std::filesystem::remove(picture, ignored);
     unconfirmed_.clear();
 }
-
-namespace {
-
-constexpr std::string_view shots_help =
-    R"(usage: thaum shots LOG --out DIR
-
-Makes the README's pictures from a recorded match; needs no display.
-
-  --out DIR   folder for duel.png, which replaces an older one: the moment at which the two
-              wizards were closest while player 1 saw the other and something flew
-)";
-
-/// Plays the replay to its end and returns its highlight.
-Highlight find_highlight(game::Playback& playback) {
-    Highlight best;
-    while (playback.step()) watch_for_highlight(playback.match(), best);
-    return best;
-}
-
-int run_shots(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--out", 1}};
-    const auto arguments = Arguments::parse(words, options);
-    if (!arguments) return refuse(arguments.error());
-    const auto out = arguments->value("--out");
-    if (arguments->plain().size() != 1 || !out)
-        return refuse({"shots needs one log and --out; see `thaum shots --help`"});
-    const auto& log = arguments->plain()[0];
-    const auto file = std::filesystem::path(*out) / "duel.png";
-    if (const auto made = make_folder(*out); !made) return refuse(made.error());
-    if (const auto free = check_output(file); !free) return refuse(free.error());
-    auto playback = game::Playback::open(log, game::find_assets());
-    if (!playback) return refuse(playback.error());
-    const Highlight best = find_highlight(*playback);
-    if (playback->divergence()) {
-        refuse({text(log, ": ", game::described(*playback->divergence()))});
-        return does_not_hold;
-    }
-    if (best.tick == 0)
-        return refuse({text(log, ": the two wizards never meet in this log; take a longer match")});
-    playback = game::Playback::open(log, game::find_assets());
-    if (!playback) return refuse(playback.error());
-    const auto& match = playback->match();
-    const auto senses = senses_of(match.data(), game::find_assets());
-    while (match.now() < best.tick) {
-        if (!playback->step())
-            return refuse({text(log, ": the file changed while it was read; start again")});
-        if (senses) senses->follow(match);
-    }
-    auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
-    if (!still) return refuse(still.error());
-    if (const auto saved = still->save(match, hud_of(*playback), file, senses.get()); !saved)
-        return refuse(saved.error());
-    print_line(text("tick ", best.tick, " in ", file.string()));
-    return done;
-}
-
-}  // namespace
-
-Command shots_command() { return {"shots", shots_help, run_shots}; }
 
 }  // namespace thaum::app

@@ -52,4 +52,9 @@ private:
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 
+/// What is heard and felt, as the live view shows it. Null after an error, which is printed in one line.
+std::unique_ptr<game::Senses> senses_of(const game::MatchData& data, const std::filesystem::path& assets);
+/// The HUD of a player who has changed no setting.
+game::HudSettings hud_of(const game::Playback& playback);
+
 }  // namespace thaum::app

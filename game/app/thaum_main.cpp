@@ -9,10 +9,7 @@
 namespace thaum::app {
 namespace {
 
-int dispatch_words(std::vector<std::string> words) {
-    return dispatch({play_command(), range_command(), check_command(), doctor_command(), bench_command()},
-                    std::move(words), "thaum-tools");
-}
+int dispatch_words(std::vector<std::string> words) { return dispatch(std::move(words), "thaum-tools"); }
 
 }  // namespace
 

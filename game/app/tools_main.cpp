@@ -1,5 +1,5 @@
-// thaum-tools: the program with all commands. A program that links to further wands, spells or drivers of arms has this
-// main function, too.
+// thaum-tools: the program with all commands. A program that links to further wands, spells, commands or drivers of arms
+// has this main function, too.
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,12 +10,7 @@
 namespace thaum::app {
 namespace {
 
-int dispatch_words(std::vector<std::string> words) {
-    return dispatch({play_command(), range_command(), replay_command(), shots_command(), diff_command(),
-                     scenario_command(), league_command(), lab_command(), bench_command(), plot_command(),
-                     sounds_command(), gesture_command(), check_command(), doctor_command()},
-                    std::move(words), "");
-}
+int dispatch_words(std::vector<std::string> words) { return dispatch(std::move(words), ""); }
 
 }  // namespace
 

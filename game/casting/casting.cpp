@@ -211,7 +211,7 @@ CastingAccess access_of_casting(const MatchContext& context) {
     for (const auto& wand : context.data.wands) access.reads |= wand.rules->writes(world);
     if (context.data.cauldron) {
         access.reads |= brew_by_stroke_reads(world);
-        access.writes |= brew_by_stroke_writes(world);
+        access.writes |= brew_by_stroke_writes(context);
     }
     for (const auto& spell : context.data.spells) {
         access.reads |= spell.rules->reads(world);

@@ -13,7 +13,17 @@ struct Command {
     /// Text of `thaum WORD --help`; fits a screen. Empty if `run` prints it.
     std::string_view help;
     int (*run)(const std::vector<std::string>& words);
+    /// A line for the list of commands; empty for one that the list itself describes (game/app/dispatch.cpp).
+    std::string_view summary{};
 };
+
+/// Registers a command when the program starts.
+struct CommandRegistration {
+    explicit CommandRegistration(const Command& command);
+};
+
+/// All commands of this program, sorted by name.
+const std::vector<Command>& commands();
 
 /// Whether the words contain --help or -h.
 bool asks_for_help(const std::vector<std::string>& words);

@@ -40,8 +40,9 @@ struct Dice {
     THAUM_COMPONENT(Dice, spread);
 };
 
-/// Kinds of event of the rules. The hits of wands have the numbers that are missing here and those above the
-/// last (game/data/event_kinds.h, which also names all kinds).
+/// Kinds of event whose numbers recorded matches have. The hits of wands have the numbers that are missing here. New
+/// kinds are not listed here: the source that records one registers it, and it has a number above the last
+/// (game/data/event_kinds.h, which also names all kinds).
 enum class EventKind : std::uint32_t {
     none = 0,
     shot = 1,        ///< detail: EventKind of a hit by this shot

@@ -51,6 +51,8 @@ void declare_magic(ecs::World& world) {
     for (const auto& kind : spell_kinds()) kind.declare(world);
     world.declare<Potions>();
     world.declare<DrawnOrders>();
+    for (const auto& kind : potion_effect_kinds())
+        if (kind.declare != nullptr) kind.declare(world);
 }
 
 /// Declares what belongs to work at stations, beside the cauldron's own.

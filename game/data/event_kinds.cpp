@@ -125,34 +125,61 @@ void set_row(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
     }
 }
 
-/// Gives a cause its number: a fixed one, the one that it already has, or the next one.
-std::size_t cause_number(EventKinds& all, const HitKind& hit) {
-    const auto known = std::find(all.causes.begin(), all.causes.end(), hit.cause);
-    const auto number = hit.fixed                   ? hit.fixed->cause
+/// Gives the cause of a kind its number: a fixed one, the one that it already has, or the next one.
+std::size_t cause_number(EventKinds& all, const EventKindInfo& kind,
+                         const std::optional<FixedNumbers>& fixed) {
+    const auto known = std::find(all.causes.begin(), all.causes.end(), kind.cause);
+    const auto number = fixed                       ? fixed->cause
                         : known != all.causes.end() ? static_cast<std::size_t>(known - all.causes.begin())
                                                     : all.causes.size();
-    if (hit.cause.empty() || number >= most_causes) {
-        all.fault = text("event '", hit.name, "': its cause needs a name, and there are at most ",
+    if (kind.cause.empty() || number >= most_causes) {
+        all.fault = text("event '", kind.name, "': its cause needs a name, and there are at most ",
                          most_causes, " causes");
         return most_causes;
     }
     if (number >= all.causes.size()) all.causes.resize(number + 1);
-    if (!all.causes[number].empty() && all.causes[number] != hit.cause)
+    if (!all.causes[number].empty() && all.causes[number] != kind.cause)
         all.fault =
-            text("causes '", all.causes[number], "' and '", hit.cause, "' both have the number ", number);
-    all.causes[number] = hit.cause;
+            text("causes '", all.causes[number], "' and '", kind.cause, "' both have the number ", number);
+    all.causes[number] = kind.cause;
     return number;
+}
+
+/// A kind whose numbers the program gives. `is_hit`: it must have a cause.
+struct FreeKind {
+    EventKindInfo info;
+    bool is_hit{};
+};
+
+/// Numbers kinds after the largest fixed number, in the order of their names.
+void number_by_name(EventKinds& all, std::vector<FreeKind> kinds) {
+    std::ranges::sort(kinds, {}, [](const FreeKind& kind) { return kind.info.name; });
+    for (auto& [info, is_hit] : kinds) {
+        info.cause_number = is_hit || !info.cause.empty() ? cause_number(all, info, {}) : most_causes;
+        set_row(all, static_cast<std::uint32_t>(all.kinds.size()), info);
+    }
+}
+
+std::vector<EventKindInfo>& registered_kinds() {
+    static std::vector<EventKindInfo> kinds;  // made at the first use, because registrations run in any order
+    return kinds;
 }
 
 EventKinds kinds_of_this_program() {
     std::vector<HitKind> hits;
     for (const auto& wand : wand_kinds()) hits.insert(hits.end(), wand.hits.begin(), wand.hits.end());
-    return number_event_kinds(hits);
+    return number_event_kinds(hits, registered_kinds());
 }
 
 }  // namespace
 
-EventKinds number_event_kinds(std::span<const HitKind> hits) {
+EventRegistration::EventRegistration(const EventKindInfo& info) : name_(info.name) {
+    registered_kinds().push_back(info);
+}
+
+EventKind EventRegistration::kind() const { return event_kind(name_).value(); }
+
+EventKinds number_event_kinds(std::span<const HitKind> hits, std::span<const EventKindInfo> others) {
     EventKinds all;
     for (const auto& [kind, info] : rule_kinds) {
         set_row(all, static_cast<std::uint32_t>(kind), info);
@@ -166,16 +193,23 @@ EventKinds number_event_kinds(std::span<const HitKind> hits) {
         if (a.fixed.has_value() != b.fixed.has_value()) return a.fixed.has_value();
         return a.name < b.name;
     });
+    std::vector<FreeKind> unnumbered;
     for (const auto& hit : sorted) {
-        const auto cause = cause_number(all, hit);
-        const auto next = static_cast<std::uint32_t>(all.kinds.size());
-        set_row(all, hit.fixed ? hit.fixed->kind : next, hit_info(hit.name, hit.cause, cause));
+        auto info = hit_info(hit.name, hit.cause, most_causes);
+        if (hit.fixed) {
+            info.cause_number = cause_number(all, info, hit.fixed);
+            set_row(all, hit.fixed->kind, info);
+        } else {
+            unnumbered.push_back({info, true});
+        }
     }
+    for (const auto& info : others) unnumbered.push_back({info, false});
+    number_by_name(all, std::move(unnumbered));
     return all;
 }
 
 const EventKinds& event_kinds() {
-    // Wands register before `main`, so the first call finds all of them.
+    // Wands and events register before `main`, so the first call finds all of them.
     static const EventKinds all = kinds_of_this_program();
     return all;
 }

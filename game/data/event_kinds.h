@@ -1,8 +1,9 @@
-// game/data/event_kinds.h: all kinds of event of this program: those of the rules, and the hits that wands
-// bring (WandKind::hits). Each kind has one row, which says what its fields mean.
+// game/data/event_kinds.h: all kinds of event of this program: those of EventKind, those that a source registers
+// (EventRegistration), and the hits that wands bring (WandKind::hits). Each kind has one row, which says what its fields
+// mean.
 //
 // Numbers of kinds are part of saved states, so they do not depend on the order in which the linker registers
-// wands. A kind with fixed numbers keeps them. All others are numbered after the largest fixed number, in the
+// kinds. A kind with fixed numbers keeps them. All others are numbered after the largest fixed number, in the
 // order of their names.
 #pragma once
 #include <optional>
@@ -59,6 +60,17 @@ struct HitKind {
     std::optional<FixedNumbers> fixed{};  ///< std::nullopt for a wand that no saved state knows
 };
 
+/// A kind of event that the source which records it brings. Its row in assets/events.toml says how it is shown.
+class EventRegistration {
+public:
+    /// Registers the kind when the program starts. Its numbers are given to it: cause_number is ignored.
+    explicit EventRegistration(const EventKindInfo& info);
+    EventKind kind() const;
+
+private:
+    std::string_view name_;
+};
+
 /// All kinds of event and causes of harm, with their numbers.
 struct EventKinds {
     std::vector<EventKindInfo> kinds;      ///< indexed by EventKind
@@ -67,10 +79,10 @@ struct EventKinds {
     std::string fault;          ///< why the hits cannot be numbered; empty: they can
 };
 
-/// Numbers the kinds of the rules together with these hits.
-EventKinds number_event_kinds(std::span<const HitKind> hits);
+/// Numbers the kinds of EventKind together with these hits and other kinds.
+EventKinds number_event_kinds(std::span<const HitKind> hits, std::span<const EventKindInfo> others = {});
 
-/// The kinds of this program: those of the rules and of all registered wands.
+/// The kinds of this program: those of EventKind, all registered ones, and the hits of all registered wands.
 const EventKinds& event_kinds();
 
 /// Row of a kind; the row of EventKind::none for a number without a kind.

@@ -56,10 +56,7 @@ ChangedBrew read_changed_brew(const ConfigTable& table) {
 PotionGift read_gift(const ConfigTable& table) {
     return {.lasts = ticks(table.number("lasts_s", {0, 3600})),
             .pace = table.number("pace", {0.1, 10}, 1),
-            .harm = table.number("harm", {0, 10}, 1),
             .gravity = table.number("gravity", {0, 2}, 1),
-            .venom = table.number("venom_per_s", {0, 1e3}, 0),
-            .venom_lasts = ticks(table.number("venom_s", {0, 3600}, 0)),
             .work_half = table.boolean("half_of_great_work", false)};
 }
 
@@ -96,7 +93,8 @@ Recipe read_recipe(const Config& file, std::string name, const RecipeNames& name
                   .ingredients = {},
                   .strokes = {},
                   .fluid = read_changed_brew(root.table("fluid")),
-                  .gift = read_gift(root.table("wizard"))};
+                  .gift = read_gift(root.table("wizard")),
+                  .effects = read_potion_effects(root.table("wizard"))};
     if (recipe.effect.empty()) look.report("effect", "effect must say in a few words what the potion does");
     recipe.fluid.colour = read_linear_colour(look, "colour");
     for (const auto& table : root.tables("ingredient"))

@@ -13,6 +13,7 @@
 #include "core/units.h"
 #include "game/components/ingredient.h"
 #include "game/data/cauldron_rules.h"
+#include "game/data/potion_effect.h"
 
 namespace thaum::game {
 
@@ -45,14 +46,11 @@ struct ChangedBrew {
     vec3 colour{};  ///< linear light, 0 to 1; for pictures only
 };
 
-/// What the potion does to the wizard who brewed it.
+/// What the potion does to the wizard who brewed it, besides its effects.
 struct PotionGift {
     Tick lasts{};
     double pace{1};          ///< multiple of the walking speed
-    double harm{1};          ///< share of every harm that is left
     double gravity{1};       ///< share of the weight that is left
-    double venom{};          ///< harm that the next lob adds to those whom it hits (HP/s)
-    Tick venom_lasts{};      ///< time for which that harm goes on
     bool work_half = false;  ///< the wizard holds half of the Great Work until death
 };
 
@@ -65,6 +63,7 @@ struct Recipe {
     std::vector<RecipeStroke> strokes;
     ChangedBrew fluid;
     PotionGift gift;
+    std::vector<std::shared_ptr<const PotionEffect>> effects;
 };
 
 /// The gesture that comes after `done` strokes; null if all are done.

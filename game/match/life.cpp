@@ -86,10 +86,12 @@ Pad farthest_pad(const ecs::World& world, vec3 from) {
 
 void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
+    auto writes = potion_writes(context);
+    writes |= world.mask<Health, Score, Lens, EventLog, resource::Journal>();
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Health, Score, Potions, Lens, WandBelt, EventLog, resource::Journal>(),
+                  .writes = writes,
                   .needs = world.mask<Health>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       const double start = context.data.wizard.health;

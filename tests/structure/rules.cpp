@@ -28,7 +28,7 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"data", 2},                            // contents of data files, and words made of them
     {"brew", 3},          {"context", 3},   // the cauldron's liquid; what all systems share
     {"stations", 4},      {"wands", 4},     // cauldron, crystal and orb; wands
-    {"spells", 4},                          // spells
+    {"spells", 4},        {"potions", 4},   // spells; what potions do to their wizards
     {"casting", 5},                         // strokes that are drawn and read
     {"match", 6},                           // players, hands, order of the systems, logs, results
     {"senses", 7},        {"bots", 7},      // sounds and touches of a match; opponents
@@ -41,7 +41,8 @@ const std::map<std::string, int, std::less<>> game_floors = {
     {"menu", 12},                           // start screen, pause and pages of settings
     {"live", 13},                           // a match in real time: windows, devices, threads, sound
     {"command_line", 13},                   // a command's words, and how it ends
-    {"app", 14},          {"lab", 14},      // the program and its commands; brew and volumes alone
+    {"lab", 14},                            // brew and volumes alone
+    {"app", 15},                            // the program and its commands
 };
 
 /// Allowed includes between parts on the same floor: from, to.
@@ -222,7 +223,7 @@ const std::map<std::string, std::string_view, std::less<>> may_open = {
     {"engine/input/locked_sticks.cpp", "tries whether devices may be opened"},
     {"engine/input/rumble.cpp", "opens devices"},
     {"engine/render/priority.cpp", "reads what the system says of threads"},
-    {"game/app/doctor.cpp", "reads what the system says of devices"},
+    {"game/app/commands/doctor.cpp", "reads what the system says of devices"},
     {"tools/bench/report.cpp", "reads what the system says of the processor"},
     {"tools/bench/soak.cpp", "reads what the system says of memory"},
     {"tools/suite/mutant_switch.h", "is no part of the program"},

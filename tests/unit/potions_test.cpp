@@ -6,117 +6,12 @@
 
 #include "game/match/kind_tables.h"
 #include "game/stations/cauldron/brewing.h"
-#include "unit/game_duel.h"
+#include "unit/kitchen_rig.h"
 
 namespace thaum::game::test {
 namespace {
 
 constexpr std::uint32_t circle = 0, s = 1, star = 2, v = 3;
-
-StrokeReading drawn(std::uint32_t gesture, double force, double turns = 0) {
-    return {.gesture = gesture, .probability = 1, .force = force, .turns = turns};
-}
-
-/// A match whose first wizard stands at the rim and stirs. Its fluid is coarse, and the share that an ingredient has
-/// reached is what the test says.
-class Kitchen {
-public:
-    explicit Kitchen(std::vector<std::string> overrides = {}, std::uint64_t seed = 1) {
-        overrides.emplace_back("cauldron.brew.cells_across=8");
-        auto setup = two_hands();
-        setup.seed = seed;
-        match_ = std::make_unique<Simulation>(duel_data(std::move(overrides)), setup);
-        place(0, {-2.2, 0, 0});
-        place(1, {15, 0, 15});
-        run(ticks(0.2));
-    }
-
-    Simulation& match() { return *match_; }
-    ecs::World& world() { return match_->world_to_change(); }
-    Cauldron& cauldron() { return world().single<Cauldron>(); }
-    ecs::Entity wizard(std::uint32_t player) { return wizard_of(world(), player); }
-    const Potions& potions(std::uint32_t player) { return world().get<Potions>(wizard(player)); }
-    Tick now() { return match_->match().played; }
-
-    void place(std::uint32_t player, vec3 feet) {
-        auto& motion = world().get<Motion>(wizard(player));
-        motion = standing_on(feet);
-        match_->physics().set_state(wizard(player).index, motion);
-    }
-
-    void run(Tick length, bool fire = false) {
-        for (Tick t = 0; t < length; ++t) {
-            input::InputFrame frame;
-            if (stirs_) frame.devices[0].press(input::Button::stir);
-            if (fire) frame.devices[0].press(input::Button::fire);
-            match_->tick(frame);
-        }
-    }
-
-    /// Drops an ingredient into a brew whose newest ingredient has reached this share.
-    void drop(std::string_view name, double reached = 0.7) {
-        const auto& all = match_->data().cauldron->ingredients;
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == name; });
-        ASSERT_NE(found, all.end());
-        world().add(wizard(0), Pouch{static_cast<std::uint32_t>(found - all.begin())});
-        for (Tick t = 0; t < 2 * gameplay_period && world().has<Pouch>(wizard(0)); ++t) {
-            cauldron().reached = reached;
-            run(1, true);
-        }
-        run(2 * fluid_period + gameplay_period);
-    }
-
-    void draw(const StrokeReading& reading, double reached = 0.7, std::uint32_t player = 0) {
-        draw_from(reading, reached, reached, player);
-    }
-    /// A stroke that began when the brew was mixed to `begun_at`, and stirred it up to `reached`.
-    void draw_from(const StrokeReading& reading, double begun_at, double reached, std::uint32_t player = 0) {
-        cauldron().reached = reached;
-        brew_by_stroke(match_->context_to_change(), wizard(player), {reading, begun_at}, now());
-    }
-
-    /// Number of events of a kind so far.
-    std::size_t count(EventKind kind) const {
-        std::size_t sum = 0;
-        const auto& events = match_->events();
-        for (auto i = events.first(); i < events.count(); ++i) sum += events[i].kind == kind ? 1 : 0;
-        return sum;
-    }
-    /// Detail of the newest event of a kind.
-    std::uint32_t newest(EventKind kind) const {
-        const auto& events = match_->events();
-        for (auto i = events.count(); i > events.first(); --i)
-            if (events[i - 1].kind == kind) return events[i - 1].detail;
-        return 0xFFFF'FFFF;
-    }
-    BrewFault fault() const {
-        return count(EventKind::brew_fault) == 0 ? BrewFault::none
-                                                 : static_cast<BrewFault>(newest(EventKind::brew_fault));
-    }
-    /// Name of the potion that was brewed last; empty: none.
-    std::string brewed() const {
-        const auto number = newest(EventKind::potion);
-        return number < match_->data().recipes.size() ? match_->data().recipes[number].name : std::string();
-    }
-    std::uint32_t number_of(std::string_view name) const {
-        const auto& all = match_->data().recipes;
-        const auto found =
-            std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == name; });
-        return static_cast<std::uint32_t>(found - all.begin());
-    }
-    void stop_stirring() { stirs_ = false; }
-
-private:
-    Motion standing_on(vec3 feet) const {
-        Motion motion;
-        motion.position = feet + vec3(0, match_->data().wizard.height / 2, 0);
-        return motion;
-    }
-
-    std::unique_ptr<Simulation> match_;
-    bool stirs_ = true;
-};
 
 void brew_haste(Kitchen& kitchen) {
     kitchen.drop("ember");

@@ -287,6 +287,8 @@ int run_brew_lab(const std::vector<std::string>& words) {
     return arguments->has("--headless") ? run_headless(std::move(*plan)) : run_lab_window(std::move(*plan));
 }
 
+}  // namespace
+
 int run_lab(const std::vector<std::string>& words) {
     const bool fluid = std::ranges::find(words, "--fluid") != words.end();
     if (asks_for_help(words)) {
@@ -295,9 +297,5 @@ int run_lab(const std::vector<std::string>& words) {
     }
     return fluid ? run_brew_lab(words) : run_volume_lab(words);
 }
-
-}  // namespace
-
-Command lab_command() { return {"lab", {}, run_lab}; }
 
 }  // namespace thaum::app

@@ -42,6 +42,9 @@ private:
     std::int64_t every_ = 1;
 };
 
+/// Runs the command `thaum lab`. It prints its help itself.
+int run_lab(const std::vector<std::string>& words);
+
 /// Runs the lab in a window until the window is closed. Returns an exit code.
 int run_lab_window(LabPlan plan);
 

@@ -122,29 +122,19 @@ std::uint32_t counts_for(const Recipe& recipe, std::uint32_t done, const StrokeR
 // ---- success ----------------------------------------------------------------------------------------------
 
 /// Lets the potion act on its wizard.
-void drink(MatchContext& context, ecs::Entity wizard, std::uint32_t number, const PotionGift& gift,
-           Tick tick) {
-    auto& world = context.world;
-    auto& potions = world.get<Potions>(wizard);
-    if (gift.lasts > 0) potions.until[number] = tick + gift.lasts;
-    if (gift.work_half) potions.work_half = 1;
-    if (gift.harm != 1) {
-        auto& health = world.get<Health>(wizard);
-        health.harm_share = gift.harm;
-        health.hardened_until = tick + gift.lasts;
-    }
-    if (gift.venom > 0) {
-        auto& belt = world.get<WandBelt>(wizard);
-        belt.venom = gift.venom;
-        belt.venom_until = tick + gift.lasts;
-        belt.venom_lasts = gift.venom_lasts;
-    }
+void drink(MatchContext& context, ecs::Entity wizard, std::uint32_t number, Tick tick) {
+    const auto& recipe = context.data.recipes[number];
+    auto& potions = context.world.get<Potions>(wizard);
+    if (recipe.gift.lasts > 0) potions.until[number] = tick + recipe.gift.lasts;
+    if (recipe.gift.work_half) potions.work_half = 1;
+    for (const auto& effect : recipe.effects)
+        effect->drunk({context, wizard, number, recipe.gift.lasts, tick});
 }
 
 void succeed(MatchContext& context, Cauldron& cauldron, ecs::Entity wizard, const Recipe& recipe, Tick tick) {
     const auto number = static_cast<std::uint32_t>(&recipe - context.data.recipes.data());
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
-    drink(context, wizard, number, recipe.gift, tick);
+    drink(context, wizard, number, tick);
     forget_filling(cauldron);
     cauldron.spoilt = 1;
     cauldron.potion = number;
@@ -176,16 +166,21 @@ double product_of(const MatchData& data, const Potions* potions, Tick tick, doub
 }
 
 /// Forgets and records the potions whose time is up.
-void end_potions(MatchContext& context, const Wizard& wizard, vec3 place, Potions& potions, Tick tick) {
-    for (std::size_t i = 0; i < potions.until.size(); ++i) {
+void end_potions(MatchContext& context, ecs::Entity e, const Wizard& wizard, vec3 place, Potions& potions,
+                 Tick tick) {
+    for (std::uint32_t i = 0; i < potions.until.size(); ++i) {
         if (potions.until[i] == 0 || tick < potions.until[i]) continue;
         potions.until[i] = 0;
         record(context, {.tick = tick,
                          .kind = EventKind::potion_over,
                          .subject = wizard.player,
                          .by = wizard.player,
-                         .detail = static_cast<std::uint32_t>(i),
+                         .detail = i,
                          .place = place});
+        // The recipe may be gone from edited data.
+        if (i >= context.data.recipes.size()) continue;
+        const auto& recipe = context.data.recipes[i];
+        for (const auto& effect : recipe.effects) effect->over({context, e, i, recipe.gift.lasts, tick});
     }
 }
 
@@ -205,7 +200,7 @@ void run_potions(MatchContext& context, Tick tick) {
     context.world.view<const Wizard, const Motion, Potions, const Health, ecs::Without<Dead>>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Motion& motion, Potions& potions,
             const Health& health) {
-            end_potions(context, wizard, motion.position, potions, tick);
+            end_potions(context, e, wizard, motion.position, potions, tick);
             hurt_by_poison(context, e, health, motion.position, tick);
         });
 }
@@ -344,13 +339,25 @@ void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick) {
                          .subject = now.get<Wizard>(wizard).player,
                          .place = now.get<Motion>(wizard).position});
     world.get<Potions>(wizard) = {};
-    world.get<WandBelt>(wizard).venom = 0;
+    for (std::uint32_t i = 0; i < context.data.recipes.size(); ++i)
+        for (const auto& effect : context.data.recipes[i].effects)
+            effect->lost({context, wizard, i, context.data.recipes[i].gift.lasts, tick});
+}
+
+ecs::Mask potion_writes(const MatchContext& context) {
+    const auto& world = context.world;
+    auto writes = world.mask<Potions, EventLog, resource::Journal>();
+    for (const auto& recipe : context.data.recipes)
+        for (const auto& effect : recipe.effects) writes |= effect->writes(world);
+    return writes;
 }
 
 ecs::Mask brew_by_stroke_reads(const ecs::World& world) { return world.mask<Wizard, DrawnOrders>(); }
 
-ecs::Mask brew_by_stroke_writes(const ecs::World& world) {
-    return world.mask<Cauldron, Potions, Health, WandBelt, EventLog, resource::Journal>();
+ecs::Mask brew_by_stroke_writes(const MatchContext& context) {
+    auto writes = potion_writes(context);
+    writes |= context.world.mask<Cauldron>();
+    return writes;
 }
 
 double pace_of(const MatchData& data, const Potions* potions, Tick tick) {
@@ -427,12 +434,16 @@ void change_brew(const MatchData& data, Cauldron& cauldron, Tick tick) {
 
 void add_potion_systems(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
+    auto writes = potion_writes(context);
+    writes |= world.mask<Health>();
     schedule.add({.name = "potions",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Potions, Health, EventLog, resource::Journal>(),
+                  .writes = writes,
                   .needs = world.mask<Potions>(),
                   .run = [&context](ecs::World&, Tick tick) { run_potions(context, tick); }});
+    for (const auto& recipe : context.data.recipes)
+        for (const auto& effect : recipe.effects) effect->add_systems({context, schedule});
     if (context.data.orb) return;
     schedule.add({.name = "drawn recipes",
                   .period = gameplay_period,

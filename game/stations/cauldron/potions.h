@@ -56,10 +56,12 @@ struct BrewStroke {
 /// The calling system must have declared brew_by_stroke_reads() and brew_by_stroke_writes().
 void brew_by_stroke(MatchContext& context, ecs::Entity wizard, const BrewStroke& stroke, Tick tick);
 ecs::Mask brew_by_stroke_reads(const ecs::World& world);
-ecs::Mask brew_by_stroke_writes(const ecs::World& world);
+ecs::Mask brew_by_stroke_writes(const MatchContext& context);
 
-/// Takes all potions from a wizard who dies. Writes Potions, WandBelt, EventLog and resource::Journal, reads Wizard and
-/// Motion.
+/// Components and resources that potions write when they are drunk, are over or are lost.
+ecs::Mask potion_writes(const MatchContext& context);
+
+/// Takes all potions from a wizard who dies. Writes potion_writes(), reads Wizard and Motion.
 void lose_potions(MatchContext& context, ecs::Entity wizard, Tick tick);
 
 /// Share of the full walking speed that a wizard has by potions. `potions` may be null.

@@ -137,8 +137,10 @@ int run_scenario(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace
+const CommandRegistration registration_of_scenario({.name = "scenario",
+                                                    .help = scenario_help,
+                                                    .run = run_scenario});
 
-Command scenario_command() { return {"scenario", scenario_help, run_scenario}; }
+}  // namespace
 
 }  // namespace thaum::app

@@ -422,8 +422,8 @@ int run_doctor(const std::vector<std::string>& words) {
     return missing ? does_not_hold : done;
 }
 
-}  // namespace
+const CommandRegistration registration_of_doctor({.name = "doctor", .help = doctor_help, .run = run_doctor});
 
-Command doctor_command() { return {"doctor", doctor_help, run_doctor}; }
+}  // namespace
 
 }  // namespace thaum::app

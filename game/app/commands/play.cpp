@@ -213,8 +213,8 @@ int run_play(const std::vector<std::string>& words) {
     return options->headless ? play_off_screen(*options) : play_in_window(*options);
 }
 
-}  // namespace
+const CommandRegistration registration_of_play({.name = "play", .help = play_help, .run = run_play});
 
-Command play_command() { return {"play", play_help, run_play}; }
+}  // namespace
 
 }  // namespace thaum::app

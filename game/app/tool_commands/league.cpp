@@ -339,8 +339,8 @@ int run_league(const std::vector<std::string>& words) {
     return does_not_hold;
 }
 
-}  // namespace
+const CommandRegistration registration_of_league({.name = "league", .help = league_help, .run = run_league});
 
-Command league_command() { return {"league", league_help, run_league}; }
+}  // namespace
 
 }  // namespace thaum::app

@@ -119,8 +119,8 @@ int run_sounds(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace
+const CommandRegistration registration_of_sounds({.name = "sounds", .help = sounds_help, .run = run_sounds});
 
-Command sounds_command() { return {"sounds", sounds_help, run_sounds}; }
+}  // namespace
 
 }  // namespace thaum::app

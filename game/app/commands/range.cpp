@@ -143,8 +143,8 @@ int run_range(const std::vector<std::string>& words) {
     return options->headless ? practise_off_screen(*options, *data) : practise_in_window(*options, *data);
 }
 
-}  // namespace
+const CommandRegistration registration_of_range({.name = "range", .help = range_help, .run = run_range});
 
-Command range_command() { return {"range", range_help, run_range}; }
+}  // namespace
 
 }  // namespace thaum::app

@@ -58,8 +58,8 @@ int run_gesture(const std::vector<std::string>& words) {
     return refuse({text(what, "; `thaum gesture --help` lists them")});
 }
 
-}  // namespace
+const CommandRegistration registration_of_gesture({.name = "gesture", .help = "", .run = run_gesture});
 
-Command gesture_command() { return {"gesture", "", run_gesture}; }
+}  // namespace
 
 }  // namespace thaum::app

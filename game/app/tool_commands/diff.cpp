@@ -183,8 +183,8 @@ int run_diff(const std::vector<std::string>& words) {
         length);
 }
 
-}  // namespace
+const CommandRegistration registration_of_diff({.name = "diff", .help = diff_help, .run = run_diff});
 
-Command diff_command() { return {"diff", diff_help, run_diff}; }
+}  // namespace
 
 }  // namespace thaum::app

@@ -88,8 +88,8 @@ int run_check(const std::vector<std::string>& words) {
     return report.faults.empty() ? done : does_not_hold;
 }
 
-}  // namespace
+const CommandRegistration registration_of_check({.name = "check", .help = check_help, .run = run_check});
 
-Command check_command() { return {"check", check_help, run_check}; }
+}  // namespace
 
 }  // namespace thaum::app

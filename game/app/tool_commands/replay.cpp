@@ -381,8 +381,8 @@ int run_replay(const std::vector<std::string>& words) {
     return watch_from(*arguments, std::move(*playback));
 }
 
-}  // namespace
+const CommandRegistration registration_of_replay({.name = "replay", .help = replay_help, .run = run_replay});
 
-Command replay_command() { return {"replay", replay_help, run_replay}; }
+}  // namespace
 
 }  // namespace thaum::app

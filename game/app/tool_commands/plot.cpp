@@ -41,8 +41,8 @@ int run_plot(const std::vector<std::string>& words) {
     return done;
 }
 
-}  // namespace
+const CommandRegistration registration_of_plot({.name = "plot", .help = plot_help, .run = run_plot});
 
-Command plot_command() { return {"plot", plot_help, run_plot}; }
+}  // namespace
 
 }  // namespace thaum::app

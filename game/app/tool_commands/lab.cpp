@@ -1,0 +1,11 @@
+#include "game/lab/window/lab.h"
+
+#include "game/app/command.h"
+
+namespace thaum::app {
+namespace {
+
+const CommandRegistration registration_of_lab({.name = "lab", .help = "", .run = run_lab});
+
+}  // namespace
+}  // namespace thaum::app

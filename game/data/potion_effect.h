@@ -1,0 +1,72 @@
+// game/data/potion_effect.h: what potions do to their wizards beyond the numbers that each potion has (PotionGift). An effect is
+// one source of game/potions, with the name of the potion whose data file asks for it (assets/potions/NAME.toml). It
+// registers a PotionEffectKind, which reads keys of its own from the table `wizard` of a potion. Any other potion may have
+// these keys, too.
+#pragma once
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+#include "ecs/schedule.h"
+
+namespace thaum::game {
+
+struct MatchContext;
+
+/// Arguments of an effect's functions.
+struct PotionUse {
+    MatchContext& context;
+    ecs::Entity wizard;
+    std::uint32_t potion{};  ///< its number among MatchData::recipes
+    Tick lasts{};            ///< time for which the potion acts; 0: it has none
+    Tick tick{};             ///< tick of play
+};
+
+/// Arguments with which an effect adds its systems.
+struct PotionSystems {
+    MatchContext& context;
+    ecs::Schedule& schedule;
+};
+
+/// One effect with the numbers of a potion's data file. Its state in a match is in the World.
+class PotionEffect {
+public:
+    PotionEffect() = default;
+    PotionEffect(const PotionEffect&) = delete;
+    PotionEffect& operator=(const PotionEffect&) = delete;
+    virtual ~PotionEffect() = default;
+
+    /// The wizard has drunk the potion.
+    virtual void drunk(const PotionUse& use) const = 0;
+    /// The potion's time is up.
+    virtual void over(const PotionUse&) const {}
+    /// The wizard has died, and may not have drunk it.
+    virtual void lost(const PotionUse&) const {}
+    /// Components and resources that these functions write, besides Potions, EventLog and resource::Journal.
+    virtual ecs::Mask writes(const ecs::World& world) const = 0;
+    /// Adds systems that act while the potion does.
+    virtual void add_systems(const PotionSystems&) const {}
+};
+
+/// A kind of effect, as its source registers it.
+struct PotionEffectKind {
+    std::string_view name;
+    /// Declares components of the effect's own; null: it has none.
+    void (*declare)(ecs::World&) = nullptr;
+    /// Reads the effect from the table `wizard` of a potion; null: the potion does not have it.
+    std::shared_ptr<const PotionEffect> (*read)(const ConfigTable& wizard);
+};
+
+/// Registers a kind of effect when the program starts.
+struct PotionEffectRegistration {
+    explicit PotionEffectRegistration(const PotionEffectKind& kind);
+};
+
+/// All kinds of effect, sorted by name.
+const std::vector<PotionEffectKind>& potion_effect_kinds();
+
+/// The effects that a potion has, in the order of their names.
+std::vector<std::shared_ptr<const PotionEffect>> read_potion_effects(const ConfigTable& wizard);
+
+}  // namespace thaum::game
