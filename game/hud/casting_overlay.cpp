@@ -208,7 +208,7 @@ void add_force_band(Overlay& out, const CastingPicture& casting, const ViewLayou
 void add_fog_veil(Overlay& out, const Picture& picture, std::uint32_t player, const ViewLayout& l) {
     double dense = 0;
     for (const auto& fog : picture.fogs) {
-        const double inside = fog.radius - glm::distance(fog.place, picture.wizards[player].eye);
+        const double inside = fog.radius - glm::distance(fog.place, picture.wizards[player].vitals.eye);
         dense = std::max(dense, fog.strength * std::clamp(inside / std::max(fog.sight, 1e-3), 0.0, 1.0));
     }
     if (dense > 0) add_veil(out, l.view, colour(0x8C86A0, static_cast<float>(0.86 * dense)));

@@ -26,9 +26,9 @@ double field_of_crystal(const CrystalPicture& crystal, vec3 eye, double aspect) 
 render::Camera camera_of(const PlayerPicture& player, double fov) {
     render::Camera camera;
     // A dead player looks from slightly above the place of death.
-    const vec3 eye = player.dead ? player.eye + vec3(0, 0.6, 0) : player.eye;
+    const vec3 eye = player.vitals.dead ? player.vitals.eye + vec3(0, 0.6, 0) : player.vitals.eye;
     camera.position = fvec3(eye);
-    camera.orientation = fquat(look_rotation(player.yaw, player.pitch));
+    camera.orientation = fquat(look_rotation(player.vitals.yaw, player.vitals.pitch));
     camera.fov_y = static_cast<float>(fov);
     camera.far_plane = 160;
     return camera;
@@ -39,13 +39,13 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
     auto& instances = memory.instances[player];
     auto& lights = memory.lights[player];
     instances.clear();
-    const auto* brew = visible_brew(arena_scene, picture, picture.wizards[player].eye);
+    const auto* brew = visible_brew(arena_scene, picture, picture.wizards[player].vitals.eye);
     add_instances(arena_scene, picture, player, instances);
-    add_power_ups(arena_scene.power_ups, picture, picture.wizards[player].eye, instances);
-    choose_lights(arena_scene, picture, picture.wizards[player].eye, lights);
+    add_power_ups(arena_scene.power_ups, picture, picture.wizards[player].vitals.eye, instances);
+    choose_lights(arena_scene, picture, picture.wizards[player].vitals.eye, lights);
     auto& scans = memory.scans[player];
     scans.clear();
-    add_crystals(arena_scene, picture, picture.wizards[player].eye, scans);
+    add_crystals(arena_scene, picture, picture.wizards[player].vitals.eye, scans);
     auto& mists = memory.spell_mists[player];
     mists.clear();
     add_spell_mists(arena_scene, picture, player, mists);
@@ -60,7 +60,7 @@ void add_view(const ArenaScene& arena_scene, const Picture& picture, const HudSe
                                   .environment = arena_scene.environment,
                                   .shades = memory.shades,
                                   .mists = mists.empty() ? memory.mists : mists,
-                                  .blocks = blocks_seen_from(arena_scene, picture.wizards[player].eye),
+                                  .blocks = blocks_seen_from(arena_scene, picture.wizards[player].vitals.eye),
                                   .volume = brew,
                                   .scans = scans});
 }
@@ -80,11 +80,12 @@ void add_shared(const ArenaScene& arena_scene, const Picture& picture, FrameMemo
 double field_of_player(const Picture& picture, std::uint32_t player, double usual, double aspect,
                        NearView& near_view) {
     const auto& p = picture.wizards[player];
-    const bool carves = !p.dead && p.carving.carves && p.carving.crystal < picture.crystals.size();
+    const bool carves =
+        !p.vitals.dead && p.stations.carving.carves && p.stations.carving.crystal < picture.crystals.size();
     come_nearer(near_view, picture, carves);
     if (carves)
-        near_view.nearest =
-            std::min(usual, field_of_crystal(picture.crystals[p.carving.crystal], p.eye, aspect));
+        near_view.nearest = std::min(
+            usual, field_of_crystal(picture.crystals[p.stations.carving.crystal], p.vitals.eye, aspect));
     return glm::mix(usual, std::min(usual, near_view.nearest), glm::smoothstep(0.0, 1.0, near_view.share));
 }
 

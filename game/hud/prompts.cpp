@@ -20,7 +20,8 @@ const SpellStats* spell_in_need(const PlayerPicture& p) {
     const auto& casting = p.casting;
     if (!casting.there || casting.first_spell == nullptr || casting.stroke.drawing || casting.ward > 0)
         return nullptr;
-    if (p.health > hurt * p.health_full || casting.focus < casting.first_spell->focus) return nullptr;
+    if (p.vitals.health > hurt * p.vitals.health_full || casting.focus < casting.first_spell->focus)
+        return nullptr;
     return casting.first_spell;
 }
 
@@ -38,36 +39,40 @@ bool is_too_soon(const RecipePicture& recipe) {
 /// The offer to a player who stands at the rim and does not hold the ladle. Without the ladle "use wand" shoots, so a
 /// player who carries an ingredient is told both controls.
 Offer offer_at_rim(const PlayerPicture& p, const ControlNames& controls) {
-    const bool strays = p.recipe.step == RecipeStep::ingredient && !p.recipe.secret;
-    if (!p.carries.empty() && strays && would_spoil(p.carries, p.recipe))
-        return {PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
-    const bool drops = p.recipe.step != RecipeStep::stroke && p.recipe.step != RecipeStep::spoilt;
-    if (p.carries.empty() || !drops || is_too_soon(p.recipe) || controls.stir.empty())
+    const bool strays = p.stations.recipe.step == RecipeStep::ingredient && !p.stations.recipe.secret;
+    if (!p.stations.carries.empty() && strays && would_spoil(p.stations.carries, p.stations.recipe))
+        return {PromptKind::put_away, &controls.throw_, text("Put away ", p.stations.carries)};
+    const bool drops =
+        p.stations.recipe.step != RecipeStep::stroke && p.stations.recipe.step != RecipeStep::spoilt;
+    if (p.stations.carries.empty() || !drops || is_too_soon(p.stations.recipe) || controls.stir.empty())
         return {PromptKind::stir, &controls.stir, "Stir"};
-    return {PromptKind::drop, &controls.fire, text("Drop ", p.carries),
+    return {PromptKind::drop, &controls.fire, text("Drop ", p.stations.carries),
             text(capitalised(hold_or_press(controls.stir_toggles)), "[", controls.stir, "], then ")};
 }
 
 /// Returns the one thing that the player is told to do: the most pressing of those that are possible now.
 std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& controls) {
-    if (p.dead) return std::nullopt;
-    if (p.stirs && !p.carries.empty() && would_spoil(p.carries, p.recipe))
-        return Offer{PromptKind::put_away, &controls.throw_, text("Put away ", p.carries)};
-    if (p.stirs) {
-        if (p.carries.empty() || is_too_soon(p.recipe)) return std::nullopt;
-        return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.carries)};
+    if (p.vitals.dead) return std::nullopt;
+    if (p.stations.stirs && !p.stations.carries.empty() && would_spoil(p.stations.carries, p.stations.recipe))
+        return Offer{PromptKind::put_away, &controls.throw_, text("Put away ", p.stations.carries)};
+    if (p.stations.stirs) {
+        if (p.stations.carries.empty() || is_too_soon(p.stations.recipe)) return std::nullopt;
+        return Offer{PromptKind::drop, &controls.fire, text("Drop ", p.stations.carries)};
     }
-    if (p.scrying.scries && !p.scrying.draws && !p.scrying.told && p.scrying.newest < most_orb_modes)
+    if (p.stations.scrying.scries && !p.stations.scrying.draws && !p.stations.scrying.told &&
+        p.stations.scrying.newest < most_orb_modes)
         return Offer{PromptKind::draw_curve, &controls.trace,
-                     text("Draw the strength of ", p.scrying.modes.at(p.scrying.newest))};
-    if (p.scrying.scries || p.carving.carves) return std::nullopt;
-    if (p.at_rim) return offer_at_rim(p, controls);
-    if (p.scrying.near && p.scrying.faces) return Offer{PromptKind::scry, &controls.stir, "Scry"};
-    if (p.carving.near && p.carving.faces) return Offer{PromptKind::carve, &controls.stir, "Carve"};
-    if (p.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
-    if (p.held) return std::nullopt;
-    if (p.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
-    if (p.target.kind == TargetKind::hook) return Offer{PromptKind::swing, &controls.fire, "Swing"};
+                     text("Draw the strength of ", p.stations.scrying.modes.at(p.stations.scrying.newest))};
+    if (p.stations.scrying.scries || p.stations.carving.carves) return std::nullopt;
+    if (p.stations.at_rim) return offer_at_rim(p, controls);
+    if (p.stations.scrying.near && p.stations.scrying.faces)
+        return Offer{PromptKind::scry, &controls.stir, "Scry"};
+    if (p.stations.carving.near && p.stations.carving.faces)
+        return Offer{PromptKind::carve, &controls.stir, "Carve"};
+    if (p.wand.holds_thing) return Offer{PromptKind::throw_thing, &controls.throw_, "Throw"};
+    if (p.wand.held) return std::nullopt;
+    if (p.wand.target.kind == TargetKind::take) return Offer{PromptKind::lift, &controls.fire, "Lift"};
+    if (p.wand.target.kind == TargetKind::hook) return Offer{PromptKind::swing, &controls.fire, "Swing"};
     if (const auto* spell = spell_in_need(p))
         return Offer{PromptKind::cast, &controls.trace, text("Draw ", spell->gesture, ": ", spell->shown)};
     return std::nullopt;
@@ -76,28 +81,32 @@ std::optional<Offer> offer_to(const PlayerPicture& p, const ControlNames& contro
 void count_uses(const PlayerPicture& before, const PlayerPicture& now, std::uint32_t player,
                 PromptUses& uses) {
     const auto done = [&](PromptKind kind) { ++uses.of(player, kind); };
-    if (before.lives != now.lives || now.dead) return;
-    if (!before.stirs && now.stirs) done(PromptKind::stir);
-    if (!before.scrying.scries && now.scrying.scries) done(PromptKind::scry);
-    if (!before.scrying.draws && now.scrying.draws) done(PromptKind::draw_curve);
-    if (!before.carving.carves && now.carving.carves) done(PromptKind::carve);
-    const bool hands_free = !before.carries.empty() && now.carries.empty();
-    const bool put_away = now.gift.kind == EventKind::put_away && now.gift.tick != before.gift.tick;
-    if (hands_free && (now.stirs || put_away)) done(put_away ? PromptKind::put_away : PromptKind::drop);
-    if (!before.held && now.held) done(now.holds_thing ? PromptKind::lift : PromptKind::swing);
+    if (before.vitals.lives != now.vitals.lives || now.vitals.dead) return;
+    if (!before.stations.stirs && now.stations.stirs) done(PromptKind::stir);
+    if (!before.stations.scrying.scries && now.stations.scrying.scries) done(PromptKind::scry);
+    if (!before.stations.scrying.draws && now.stations.scrying.draws) done(PromptKind::draw_curve);
+    if (!before.stations.carving.carves && now.stations.carving.carves) done(PromptKind::carve);
+    const bool hands_free = !before.stations.carries.empty() && now.stations.carries.empty();
+    const bool put_away =
+        now.senses.gift.kind == EventKind::put_away && now.senses.gift.tick != before.senses.gift.tick;
+    if (hands_free && (now.stations.stirs || put_away))
+        done(put_away ? PromptKind::put_away : PromptKind::drop);
+    if (!before.wand.held && now.wand.held) done(now.wand.holds_thing ? PromptKind::lift : PromptKind::swing);
     const auto& reading = now.casting.reading;
     if (reading.outcome == StrokeOutcome::cast && reading.age_s < before.casting.reading.age_s)
         done(PromptKind::cast);
-    if (before.holds_thing && !now.held && now.fired != before.fired) done(PromptKind::throw_thing);
+    if (before.wand.holds_thing && !now.wand.held && now.wand.fired != before.wand.fired)
+        done(PromptKind::throw_thing);
 }
 
 /// The station that the player tries to work at from out of reach, or has just been thrown away from.
 std::optional<StationKind> missed_station(const PlayerPicture& before, const PlayerPicture& now) {
-    const bool lost_crystal = before.carving.carves && !now.carving.near;
-    const bool lost_orb = before.scrying.scries && !now.scrying.near;
-    if (now.misses_rim || (before.stirs && !now.stirs && !now.at_rim)) return StationKind::cauldron;
-    if (now.scrying.misses || lost_orb) return StationKind::orb;
-    if (now.carving.misses || lost_crystal) return StationKind::crystal;
+    const bool lost_crystal = before.stations.carving.carves && !now.stations.carving.near;
+    const bool lost_orb = before.stations.scrying.scries && !now.stations.scrying.near;
+    if (now.stations.misses_rim || (before.stations.stirs && !now.stations.stirs && !now.stations.at_rim))
+        return StationKind::cauldron;
+    if (now.stations.scrying.misses || lost_orb) return StationKind::orb;
+    if (now.stations.carving.misses || lost_crystal) return StationKind::crystal;
     return std::nullopt;
 }
 
@@ -136,8 +145,9 @@ void count_uses(const Picture& before, const Picture& now, PromptUses& uses) {
         count_uses(before.wizards[player], wizard, player, uses);
         if (const auto missed = missed_station(before.wizards[player], wizard))
             uses.missed[player] = MissedStation{now.tick, *missed};
-        const bool near = wizard.stirs || wizard.at_rim || wizard.scrying.near || wizard.carving.near;
-        if (near || wizard.dead) uses.missed[player].reset();
+        const bool near = wizard.stations.stirs || wizard.stations.at_rim || wizard.stations.scrying.near ||
+                          wizard.stations.carving.near;
+        if (near || wizard.vitals.dead) uses.missed[player].reset();
     }
 }
 

@@ -114,7 +114,7 @@ void add_force_band(Overlay& out, const RecipePicture& recipe, const Panel& bar,
 }  // namespace
 
 std::string words_of_step(const PlayerPicture& player, const ControlNames& controls) {
-    const auto& recipe = player.recipe;
+    const auto& recipe = player.stations.recipe;
     const auto potion = capitalised(recipe.potion);
     switch (recipe.step) {
         case RecipeStep::none: return {};
@@ -123,14 +123,16 @@ std::string words_of_step(const PlayerPicture& player, const ControlNames& contr
             return "Nothing comes of this brew any more: stand back until it has boiled over";
         case RecipeStep::ingredient:
             if (recipe.secret) return "What comes next, only the orb tells";
-            if (player.stirs && !recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
+            if (player.stations.stirs && !recipe.in_time())
+                return text(potion, ": ", words_of_waiting(recipe));
             return text(potion, ": ",
-                        player.carries == recipe.next ? words_of_drop(recipe, player.stirs, controls)
-                                                      : text("fetch ", recipe.next, " next"),
+                        player.stations.carries == recipe.next
+                            ? words_of_drop(recipe, player.stations.stirs, controls)
+                            : text("fetch ", recipe.next, " next"),
                         recipe.choices > 0 ? "   " : "", words_of_choices(recipe, "or "));
         case RecipeStep::stroke:
             if (!recipe.in_time()) return text(potion, ": ", words_of_waiting(recipe));
-            return text(potion, ": ", words_of_stroke(recipe, player.stirs, controls));
+            return text(potion, ": ", words_of_stroke(recipe, player.stations.stirs, controls));
     }
     return {};
 }

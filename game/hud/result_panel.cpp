@@ -184,7 +184,7 @@ Announcement result_of(const Picture& picture, const HudSettings& settings) {
         a.head = text(name_of(settings.names, winner), " wins", what);
         a.paint = opaque(team_colours(winner).light);
     }
-    a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
+    a.line = text(how, "  \u2014  ", picture.wizards[0].vitals.kills, " : ", picture.wizards[1].vitals.kills);
     if (picture.rounds > 1) a.line += text("  \u2014  ", rounds_of(picture));
     const auto next =
         last ? std::string("Enter, A: rematch")

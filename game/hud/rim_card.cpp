@@ -148,13 +148,13 @@ FittedCard sized_card(const RimCard& card, const Parts& parts, float em, float w
 RimCard rim_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
     const auto& p = picture.wizards[player];
     RimCard card;
-    card.gauge = gauge_of(picture.cauldron, p.recipe);
-    const bool draws = p.recipe.step == RecipeStep::stroke && p.recipe.ghost_points > 1;
-    if (draws && p.stirs) card.stroke = &p.recipe;
+    card.gauge = gauge_of(picture.cauldron, p.stations.recipe);
+    const bool draws = p.stations.recipe.step == RecipeStep::stroke && p.stations.recipe.ghost_points > 1;
+    if (draws && p.stations.stirs) card.stroke = &p.stations.recipe;
     if (!settings.captions[player]) return card;
     card.step = words_of_step(p, settings.controls[player]);
-    card.brew = words_of_brew(picture.cauldron, p.recipe, player);
-    if (p.refilled) card.brew += ", refills your wands";
+    card.brew = words_of_brew(picture.cauldron, p.stations.recipe, player);
+    if (p.stations.refilled) card.brew += ", refills your wands";
     card.potions = words_of_potions(p);
     return card;
 }
@@ -162,15 +162,15 @@ RimCard rim_card_of(const Picture& picture, const HudSettings& settings, std::ui
 std::string words_of_potions(const PlayerPicture& p) {
     std::string words;
     const auto add = [&](const std::string& more) { words += text(words.empty() ? "" : "   ", more); };
-    for (std::uint32_t i = 0; i < p.potions; ++i)
-        add(text(capitalised(p.potion_names.at(i)), " ", whole_seconds(p.potion_left_s.at(i))));
-    if (p.work_half && p.work.lens)
+    for (std::uint32_t i = 0; i < p.vitals.potions; ++i)
+        add(text(capitalised(p.vitals.potion_names.at(i)), " ", whole_seconds(p.vitals.potion_left_s.at(i))));
+    if (p.stations.work_half && p.stations.work.lens)
         add("both halves of the Great Work");
-    else if (p.work_half)
+    else if (p.stations.work_half)
         add("half of the Great Work");
-    else if (p.work.lens)
+    else if (p.stations.work.lens)
         add("the Lens");
-    if (p.poisoned_s > 0) add(text("poisoned ", whole_seconds(p.poisoned_s)));
+    if (p.vitals.poisoned_s > 0) add(text("poisoned ", whole_seconds(p.vitals.poisoned_s)));
     return words;
 }
 

@@ -45,7 +45,7 @@ struct FittedCard {
 };
 
 /// Whether a player is at the cauldron, so that a card is shown.
-inline bool at_cauldron(const PlayerPicture& p) { return p.stirs || p.at_rim; }
+inline bool at_cauldron(const PlayerPicture& p) { return p.stations.stirs || p.stations.at_rim; }
 
 RimCard rim_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player);
 

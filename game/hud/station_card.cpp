@@ -62,7 +62,7 @@ std::string words_of_modes(const ScryingPicture& orb, const ControlNames& contro
 
 RimCard orb_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
     const auto& p = picture.wizards[player];
-    const auto& orb = p.scrying;
+    const auto& orb = p.stations.scrying;
     RimCard card;
     card.gauge = {
         .mixed = static_cast<float>(std::clamp(orb.held_s / std::max(orb.wanted_s, 1e-3), 0.0, 1.0)),
@@ -115,7 +115,7 @@ std::string keys_of_turning(const ControlNames& controls) {
 
 RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std::uint32_t player) {
     const auto& p = picture.wizards[player];
-    const auto& crystal = p.carving;
+    const auto& crystal = p.stations.carving;
     RimCard card;
     card.gauge = {.mixed = static_cast<float>(std::clamp(crystal.overlap, 0.0, 1.0)),
                   .fresh = focus_share(p),
@@ -139,9 +139,13 @@ RimCard crystal_card_of(const Picture& picture, const HudSettings& settings, std
 }
 
 /// Whether a wizard works at the station, or is near and looks at it.
-bool at_orb(const PlayerPicture& p) { return p.scrying.scries || (p.scrying.near && p.scrying.faces); }
+bool at_orb(const PlayerPicture& p) {
+    return p.stations.scrying.scries || (p.stations.scrying.near && p.stations.scrying.faces);
+}
 
-bool at_crystal(const PlayerPicture& p) { return p.carving.carves || (p.carving.near && p.carving.faces); }
+bool at_crystal(const PlayerPicture& p) {
+    return p.stations.carving.carves || (p.stations.carving.near && p.stations.carving.faces);
+}
 
 }  // namespace
 

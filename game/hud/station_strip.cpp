@@ -25,12 +25,12 @@ struct Choice {
 /// Modes at the orb or tools at a crystal, in the order of the wand keys.
 std::vector<Choice> choices_of(const PlayerPicture& p) {
     std::vector<Choice> result;
-    const auto& modes = p.scrying.modes;
-    for (std::size_t i = 0; p.scrying.scries && i < modes.size() && !modes.at(i).empty(); ++i)
-        result.push_back({modes.at(i), p.scrying.worn.at(i)});
-    const auto& tools = p.carving.tools;
-    for (std::size_t i = 0; p.carving.carves && i < tools.size() && !tools.at(i).empty(); ++i)
-        result.push_back({tools.at(i), i == p.carving.tool});
+    const auto& modes = p.stations.scrying.modes;
+    for (std::size_t i = 0; p.stations.scrying.scries && i < modes.size() && !modes.at(i).empty(); ++i)
+        result.push_back({modes.at(i), p.stations.scrying.worn.at(i)});
+    const auto& tools = p.stations.carving.tools;
+    for (std::size_t i = 0; p.stations.carving.carves && i < tools.size() && !tools.at(i).empty(); ++i)
+        result.push_back({tools.at(i), i == p.stations.carving.tool});
     return result;
 }
 

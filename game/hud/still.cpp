@@ -41,10 +41,11 @@ void show(const game::Senses& senses, game::Picture& picture) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         auto& shown = picture.wizards.at(p);
         const auto lines = senses.lines(p);
-        shown.heard_lines = static_cast<std::uint32_t>(std::min(lines.size(), shown.heard.size()));
-        std::copy_n(lines.begin(), shown.heard_lines, shown.heard.begin());
-        std::copy_n(senses.felt(p, 0).amplitude.begin(), game::figure_cells, shown.felt.begin());
-        shown.since_felt_s = senses.since_felt_s(p);
+        shown.senses.heard_lines =
+            static_cast<std::uint32_t>(std::min(lines.size(), shown.senses.heard.size()));
+        std::copy_n(lines.begin(), shown.senses.heard_lines, shown.senses.heard.begin());
+        std::copy_n(senses.felt(p, 0).amplitude.begin(), game::figure_cells, shown.senses.felt.begin());
+        shown.senses.since_felt_s = senses.since_felt_s(p);
     }
 }
 

@@ -70,8 +70,8 @@ void add_halves(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
         out.items.emplace_back(ArcItem{centre, radius - 1.5F * u, radius, 0, whole_turn, gold});
     };
     const fvec2 inset(radius + 2 * u, radius + 2 * u);
-    if (p.work_half) half(l.health.low + inset, whole_turn / 2);
-    if (!p.work.lens) return;
+    if (p.stations.work_half) half(l.health.low + inset, whole_turn / 2);
+    if (!p.stations.work.lens) return;
     const fvec2 lens(l.health.high.x - inset.x, l.health.low.y + inset.y);
     half(lens, 0);
     out.items.emplace_back(ArcItem{lens, 0, 3 * u, 0, whole_turn, paints.white});
@@ -81,13 +81,14 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
     const float u = l.unit;
     const fvec2 centre = (l.health.low + l.health.high) / 2.0F;
     const auto arcs = p.casting.there ? with_focus : HealthArcs{};
-    const double share = std::clamp(p.health / std::max(p.health_full, 1.0), 0.0, 1.0);
-    const double extra =
-        std::clamp((p.health - p.health_full) / std::max(p.health_cap - p.health_full, 1.0), 0.0, 1.0);
+    const double share = std::clamp(p.vitals.health / std::max(p.vitals.health_full, 1.0), 0.0, 1.0);
+    const double extra = std::clamp(
+        (p.vitals.health - p.vitals.health_full) / std::max(p.vitals.health_cap - p.vitals.health_full, 1.0),
+        0.0, 1.0);
     out.items.emplace_back(ArcItem{centre, 0, arcs.outer * u + 2 * u, 0, whole_turn, paints.panel});
     out.items.emplace_back(
         ArcItem{centre, arcs.inner * u, arcs.outer * u, arc_start, arc_sweep, paints.track});
-    const bool low = p.health > 0 && p.health < low_health;
+    const bool low = p.vitals.health > 0 && p.vitals.health < low_health;
     const auto paint = low ? paints.red : opaque(team_colours(team).glow);
     const auto arc = [&](float inner, float outer, double part, fvec4 of) {
         if (part > 0)
@@ -102,9 +103,9 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
     arc(arcs.inner, arcs.outer, share, paint);
     arc(arcs.extra_inner, arcs.extra_outer, extra, paints.white);
     if (p.casting.there) add_focus(out, p.casting, centre, u);
-    if (p.shielded)
+    if (p.vitals.shielded)
         out.items.emplace_back(ArcItem{centre, 37 * u, 40 * u, 0, whole_turn, colour(0x9AF0E0, 1.0F)});
-    add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, arcs.number_lift * u),
+    add_text(out, text(static_cast<int>(std::ceil(p.vitals.health))), centre - fvec2(0, arcs.number_lift * u),
              arcs.number_size * u, paints.white, Align::centre);
     add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
     add_halves(out, p, l);
@@ -114,26 +115,26 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
 void add_wands(Overlay& out, const Picture& picture, const ControlNames& controls, std::uint32_t player,
                const ViewLayout& l) {
     const auto& p = picture.wizards[player];
-    if (p.wand.empty()) return;
+    if (p.wand.name.empty()) return;
     const auto& strip = l.strip;
     const float u = strip_unit(l);
     out.items.emplace_back(RectItem{strip.low, strip.high, paints.panel, 8 * u});
     add_wand_strip(out,
                    {.wands = picture.shown->wands,
-                    .charges = p.charges,
+                    .charges = p.wand.charges,
                     .controls = controls.wands,
                     .next_control = controls.next_wand,
-                    .in_hand = p.wand_number,
+                    .in_hand = p.wand.number,
                     .columns = static_cast<std::size_t>(l.strip_columns),
-                    .refilled = p.refilled,
+                    .refilled = p.stations.refilled,
                     .full = opaque(team_colours(player).glow)},
                    strip.low + u * fvec2(strip_margin, strip_head - 1), u);
     const float middle = strip.low.x + 0.66F * (strip.high.x - strip.low.x);
     const Panel name{strip.low + u * fvec2(8, 2), {middle, strip.low.y + u * strip_head}};
-    add_text_in(out, name, capitalised(p.wand), 14 * u, paints.soft, Align::left);
-    const bool empty = p.energy < picture.shown->wands[p.wand_number].energy_cost;
+    add_text_in(out, name, capitalised(p.wand.name), 14 * u, paints.soft, Align::left);
+    const bool empty = p.wand.energy < picture.shown->wands[p.wand.number].energy_cost;
     const Panel energy{{middle, strip.low.y + 2 * u}, {strip.high.x - 8 * u, strip.low.y + u * strip_head}};
-    add_text_in(out, energy, empty ? "empty" : text(static_cast<int>(std::floor(p.energy))), 14 * u,
+    add_text_in(out, energy, empty ? "empty" : text(static_cast<int>(std::floor(p.wand.energy))), 14 * u,
                 empty ? paints.light_red : paints.white, Align::right);
 }
 
@@ -168,7 +169,7 @@ void add_target(const Pen& pen, const PlayerPicture& p, std::uint32_t foe) {
             pen.edged(from * way, way * fvec2(to, from), paint);
         }
     };
-    switch (p.target.kind) {
+    switch (p.wand.target.kind) {
         case TargetKind::nothing: break;
         case TargetKind::foe: corners(13, 7, opaque(team_colours(foe).light)); break;
         case TargetKind::take: pen.ring(12, 14.5F, 0, whole_turn, paints.white); break;
@@ -186,8 +187,8 @@ void add_target(const Pen& pen, const PlayerPicture& p, std::uint32_t foe) {
 
 /// A warning that was given just now; empty if there is none.
 std::string_view warning_of(const Picture& picture, const PlayerPicture& p) {
-    if (p.since_warning_s >= warning_seconds) return {};
-    return row_of(picture.shown->events, p.warning).caption;
+    if (p.senses.since_warning_s >= warning_seconds) return {};
+    return row_of(picture.shown->events, p.senses.warning).caption;
 }
 
 constexpr float warning_size = 14, warning_top = 16;  // units
@@ -201,11 +202,13 @@ bool warns_at_crosshair(const ViewLayout& l) {
 std::string_view words_below(const Picture& picture, const PlayerPicture& p, const ViewLayout& l) {
     if (const auto warning = warning_of(picture, p); !warning.empty())
         return warns_at_crosshair(l) ? warning : std::string_view();
-    switch (p.target.kind) {
+    switch (p.wand.target.kind) {
         case TargetKind::too_far: return "too far";
         case TargetKind::too_heavy: return "too heavy";
         case TargetKind::take:
-            return p.target.mass_share < 0.15 ? "light" : p.target.mass_share < 0.5 ? "medium" : "heavy";
+            return p.wand.target.mass_share < 0.15  ? "light"
+                   : p.wand.target.mass_share < 0.5 ? "medium"
+                                                    : "heavy";
         default: return {};
     }
 }
@@ -214,15 +217,15 @@ void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, c
     const auto& p = picture.wizards[player];
     const Pen pen{out, l.centre, std::min(l.unit, l.ring / 24)};
     // The eyes of a wizard at work turn to what the hand works at, and no wand aims.
-    if (!p.scrying.scries && !p.carving.carves)
+    if (!p.stations.scrying.scries && !p.stations.carving.carves)
         for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)})
             pen.edged(5.0F * way, 11.0F * way, paints.white);
     add_target(pen, p, 1 - player);
-    if (p.readiness > 0) {
+    if (p.wand.readiness > 0) {
         pen.ring(14, 17.5F, 0, whole_turn, paints.track);
-        pen.ring(14, 17.5F, 0, whole_turn * static_cast<float>(p.readiness), paints.white);
+        pen.ring(14, 17.5F, 0, whole_turn * static_cast<float>(p.wand.readiness), paints.white);
     }
-    if (p.since_hit_s < hit_seconds) {
+    if (p.senses.since_hit_s < hit_seconds) {
         for (const fvec2 way :
              {fvec2(0.707F), fvec2(-0.707F), fvec2(0.707F, -0.707F), fvec2(-0.707F, 0.707F)})
             pen.edged(9.0F * way, 18.0F * way, colour(0xFFE08A, 1.0F));
@@ -237,7 +240,7 @@ void add_crosshair(Overlay& out, const Picture& picture, std::uint32_t player, c
 
 /// Direction of a vector in the player's view, clockwise from straight ahead (rad).
 float bearing(const PlayerPicture& p, vec3 towards) {
-    const vec3 local = rotation({0, 1, 0}, -p.yaw) * towards;
+    const vec3 local = rotation({0, 1, 0}, -p.vitals.yaw) * towards;
     return static_cast<float>(std::atan2(local.x, -local.z));
 }
 
@@ -246,10 +249,10 @@ float bearing(const PlayerPicture& p, vec3 towards) {
 void add_hurt_marks(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     // At a station the eyes follow the hand in the middle of the view, so the arcs go round it.
     constexpr float round_work = 2.2F;
-    const bool works = p.stirs || p.scrying.scries || p.carving.carves;
+    const bool works = p.stations.works();
     const float u = l.ring / 66, outer = works ? round_work * l.ring : l.ring;
-    for (std::uint32_t i = 0; i < p.hurts; ++i) {
-        const auto& mark = p.marks[i];
+    for (std::uint32_t i = 0; i < p.senses.hurts; ++i) {
+        const auto& mark = p.senses.marks[i];
         const auto left = static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds));
         // A fall comes from below. A hurt without a direction is marked there as well.
         const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
@@ -313,21 +316,21 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     const auto add = [&](std::string words, fvec4 paint) {
         if (!words.empty()) all.push_back({std::move(words), paint});
     };
-    if (!p.dead && !warns_at_crosshair(l)) add(std::string(warning_of(picture, p)), paints.light_red);
+    if (!p.vitals.dead && !warns_at_crosshair(l)) add(std::string(warning_of(picture, p)), paints.light_red);
     const bool captions = settings.captions[player];
-    const auto fault = fault_of(p.force, !device_message.empty());
+    const auto fault = fault_of(p.senses.force, !device_message.empty());
     add(std::string(fault), paints.white);
-    if (captions && fault.empty()) add(std::string(caption_of(p.force)), paints.white);
+    if (captions && fault.empty()) add(std::string(caption_of(p.senses.force)), paints.white);
     add(device_message, paints.light_red);
-    if (p.dead) return all;
+    if (p.vitals.dead) return all;
     const auto stroke = stroke_caption(p.casting, *picture.shown, settings.controls[player]);
     add(stroke.words, stroke.failed ? paints.light_red : paints.white);
-    const bool given = captions && p.since_gift_s <= gift_seconds;
-    auto gift = given ? event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift,
+    const bool given = captions && p.senses.since_gift_s <= gift_seconds;
+    auto gift = given ? event_words(row_of(picture.shown->events, p.senses.gift.kind).caption, p.senses.gift,
                                     settings.names, {}, picture.shown->brew)
                       : std::string();
     gift = with_controls(gift, settings.controls[player], *picture.shown);
-    const bool fault_of_brew = p.gift.kind == EventKind::brew_fault;
+    const bool fault_of_brew = p.senses.gift.kind == EventKind::brew_fault;
     if (fault_of_brew) add(gift, paints.light_red);
     if (const auto prompt = prompt_of(p, settings.controls[player])) {
         const float strength = strength_of(*prompt, player, settings.prompts[player], settings.prompt_uses);
@@ -335,12 +338,12 @@ std::vector<Message> messages_to(const Picture& picture, const HudSettings& sett
     }
     add(std::string(words_of_missed_station(picture.tick, player, settings.prompt_uses)), paints.white);
     if (!has_card(p) && captions) {
-        if (!p.carries.empty())
-            add(text("Carrying the ", p.carries, ": drop it in the cauldron"), paints.white);
+        if (!p.stations.carries.empty())
+            add(text("Carrying the ", p.stations.carries, ": drop it in the cauldron"), paints.white);
         add(words_of_potions(p), paints.soft);
     }
     // The card says it as well, with the time.
-    const bool at_core = p.gift.kind == EventKind::core_near && p.scrying.core_near;
+    const bool at_core = p.senses.gift.kind == EventKind::core_near && p.stations.scrying.core_near;
     if (!fault_of_brew && !at_core) add(gift, paints.white);
     return all;
 }
@@ -391,7 +394,7 @@ void add_words_below(Overlay& out, const Picture& picture, const HudSettings& se
                      const ViewLayout& l) {
     const auto& p = picture.wizards[player];
     const auto messages = messages_to(picture, settings, player, l);
-    const bool card = !p.dead && has_card(p);
+    const bool card = !p.vitals.dead && has_card(p);
     const auto box = card ? add_card(out, picture, settings, player, l, !messages.empty()) : l.messages;
     if (!card || holds_line(box)) add_messages(out, messages, box, l.unit);
 }
@@ -441,7 +444,7 @@ void add_force_word(Overlay& out, const ForcePicture& force, const ViewLayout& l
 /// Adds the figure of the body while it feels something.
 void add_felt(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     constexpr double shown_s = 0.8;  // time for which the figure stays
-    if (p.since_felt_s <= shown_s) add_figure(out, l.figure, p.felt);
+    if (p.senses.since_felt_s <= shown_s) add_figure(out, l.figure, p.senses.felt);
 }
 
 /// Adds what is heard and felt in words, the newest at the bottom, as many as fit. In a narrow panel one takes up to
@@ -450,8 +453,8 @@ void add_heard(Overlay& out, const PlayerPicture& p, HeardWish wish, const ViewL
     const float u = l.unit, inset = 6 * u, most_high = 2 * heard_line_high * u;
     const float room = l.heard.high.x - l.heard.low.x - 2 * inset;
     float bottom = l.heard.high.y;
-    for (std::uint32_t i = p.heard_lines; i > 0; --i) {
-        const auto& heard = p.heard.at(i - 1);
+    for (std::uint32_t i = p.senses.heard_lines; i > 0; --i) {
+        const auto& heard = p.senses.heard.at(i - 1);
         if (!wants(wish, heard)) continue;
         const float left = bottom - l.heard.low.y;
         if (left < heard_line_high * u - 0.5F) return;
@@ -477,7 +480,7 @@ void add_death(Overlay& out, const PlayerPicture& p, const ViewLayout& l) {
     add_veil(out, l.view, colour(0x0C0616, 0.5F));
     const float half = 0.46F * static_cast<float>(l.view.width);
     add_text_in(out, {l.centre - fvec2(half, 18 * l.unit), l.centre + fvec2(half, 18 * l.unit)},
-                text("Resurrection in ", fixed(p.returns_in_s, 1), " s"), 24 * l.unit, paints.white,
+                text("Resurrection in ", fixed(p.vitals.returns_in_s, 1), " s"), 24 * l.unit, paints.white,
                 Align::centre);
 }
 
@@ -494,10 +497,10 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     const auto& p = picture.wizards[player];
     const int count = seconds_to_start(picture);
     const bool plays = picture.phase == Phase::playing && !picture.paused && count == 0;
-    if (!p.dead) add_fog_veil(out, picture, player, l);
+    if (!p.vitals.dead) add_fog_veil(out, picture, player, l);
     if (count > 0) add_countdown(out, count, layout.count_size, l);
-    if (plays && p.dead) add_death(out, p, l);
-    if (plays && !p.dead) {
+    if (plays && p.vitals.dead) add_death(out, p, l);
+    if (plays && !p.vitals.dead) {
         add_crosshair(out, picture, player, l);
         add_ward(out, p.casting, l);
         add_free_trail(out, p.casting, player, l);
@@ -509,17 +512,17 @@ void add_view_overlay(Overlay& out, const Picture& picture, const HudSettings& s
     add_health(out, p, player, l);
     add_text_on_plate(out, l.name, name_of(settings.names, player), 14 * l.unit,
                       opaque(team_colours(player).light), Align::left);
-    if (plays && !p.dead && p.casting.stroke.drawing)
+    if (plays && !p.vitals.dead && p.casting.stroke.drawing)
         add_spell_strip(out, picture, settings.controls[player], player, l);
     else if (!plays || !add_station_strip(out, picture, settings.controls[player], player, l))
         add_wands(out, picture, settings.controls[player], player, l);
     if (plays) add_feed(out, picture, settings.names, player, l);
-    if (plays && !p.dead) add_heard(out, p, settings.heard[player], l);
+    if (plays && !p.vitals.dead) add_heard(out, p, settings.heard[player], l);
     if (plays && settings.figure[player]) add_felt(out, p, l);
     if (settings.forces)
-        add_force_plot(out, p.force, l);
-    else if (plays && !p.dead)
-        add_force_word(out, p.force, l);
+        add_force_plot(out, p.senses.force, l);
+    else if (plays && !p.vitals.dead)
+        add_force_word(out, p.senses.force, l);
 }
 
 }  // namespace thaum::game

@@ -36,7 +36,7 @@ void add_score(Overlay& out, const Picture& picture, const Panel& box, float u) 
     for (std::uint32_t player = 0; player < players; ++player) {
         const float side = player == 0 ? -1.0F : 1.0F;
         add_mark(out, player, middle + u * fvec2(76 * side, -4), 10 * u);
-        add_text(out, text(picture.wizards[player].kills), middle + u * fvec2(44 * side, -22), 25 * u,
+        add_text(out, text(picture.wizards[player].vitals.kills), middle + u * fvec2(44 * side, -22), 25 * u,
                  opaque(team_colours(player).light), Align::centre);
     }
     add_text(out, clock_left(picture.left_s), middle + u * fvec2(0, -25), 19 * u, paints.white,
@@ -69,7 +69,7 @@ std::vector<Notice> notices_of(const Picture& picture, const HudSettings& settin
     std::vector<Notice> all;
     constexpr float large = 22;  // em of what may end the round (units)
     for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& work = picture.wizards[player].work;
+        const auto& work = picture.wizards[player].stations.work;
         if (picture.phase == Phase::playing && work.left_s > 0)
             all.push_back({text("Great Work of ", name_of(settings.names, player), ": ",
                                 std::lround(std::ceil(work.left_s)), " s"),

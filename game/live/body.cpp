@@ -154,9 +154,9 @@ void MatchBody::show(game::Picture& picture) const {
         if (!scenes_.at(p)) continue;
         auto& shown = picture.wizards.at(p);
         const auto& amplitude = scenes_.at(p)->frame(figure_frame).amplitude;
-        shown.felt.fill(0);
-        if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.felt.begin());
-        shown.since_felt_s = game::since_felt_s(now_, felt_at_.at(p));
+        shown.senses.felt.fill(0);
+        if (!still_) std::copy_n(amplitude.begin(), game::figure_cells, shown.senses.felt.begin());
+        shown.senses.since_felt_s = game::since_felt_s(now_, felt_at_.at(p));
     }
 }
 

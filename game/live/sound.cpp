@@ -128,8 +128,9 @@ void MatchSound::show(game::Picture& picture) const {
     for (std::size_t p = 0; p < game::players; ++p) {
         auto& shown = picture.wizards.at(p);
         const auto lines = heard_.at(p).lines();
-        shown.heard_lines = static_cast<std::uint32_t>(std::min(lines.size(), shown.heard.size()));
-        std::copy_n(lines.begin(), shown.heard_lines, shown.heard.begin());
+        shown.senses.heard_lines =
+            static_cast<std::uint32_t>(std::min(lines.size(), shown.senses.heard.size()));
+        std::copy_n(lines.begin(), shown.senses.heard_lines, shown.senses.heard.begin());
     }
 }
 

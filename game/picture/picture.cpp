@@ -69,13 +69,13 @@ void take_power_ups(const Simulation& match, Picture& out) {
 /// Takes the way of the shot that is being drawn, up to the first thing in the way.
 void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot, PlayerPicture& out) {
     constexpr double step_s = 0.06;
-    const quat looking = look_rotation(out.yaw, out.pitch);
-    vec3 place = out.eye + looking * (wand_tip + out.wand_reach);
+    const quat looking = look_rotation(out.vitals.yaw, out.vitals.pitch);
+    vec3 place = out.vitals.eye + looking * (wand_tip + out.wand.reach);
     vec3 velocity = looking * vec3(0, 0, -shot.speed);
-    while (out.arc_points < out.arc.size()) {
+    while (out.wand.arc_points < out.wand.arc.size()) {
         const vec3 next = place + velocity * step_s + vec3(0, -shot.fall * step_s * step_s / 2, 0);
         const auto hit = match.physics().ray(place, next, physics::all_layers, wizard.index);
-        out.arc.at(out.arc_points++) = hit ? hit->point : next;
+        out.wand.arc.at(out.wand.arc_points++) = hit ? hit->point : next;
         if (hit) return;
         place = next;
         velocity.y -= shot.fall * step_s;
@@ -84,45 +84,45 @@ void take_arc(const Simulation& match, ecs::Entity wizard, const ShotKind& shot,
 
 void take_belt(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, const WandBelt& belt,
                PlayerPicture& out) {
-    out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
-    out.wand_number = wand == nullptr ? 0 : static_cast<std::uint32_t>(wand - match.data().wands.data());
-    out.energy = energy_in_hand(match.data(), belt);
-    out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
-    out.readiness = wand != nullptr ? wand->rules->readiness(match.world(), wizard).value_or(0) : 0;
-    out.fired = belt.fired;
+    out.wand.name = wand == nullptr ? std::string_view{} : wand->kind->name;
+    out.wand.number = wand == nullptr ? 0 : static_cast<std::uint32_t>(wand - match.data().wands.data());
+    out.wand.energy = energy_in_hand(match.data(), belt);
+    out.wand.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
+    out.wand.readiness = wand != nullptr ? wand->rules->readiness(match.world(), wizard).value_or(0) : 0;
+    out.wand.fired = belt.fired;
     const auto& wands = match.data().wands;
     for (std::size_t i = 0; i < wands.size(); ++i)
-        out.charges.at(i) = belt.energy[wands[i].stats.energy_slot];
+        out.wand.charges.at(i) = belt.energy[wands[i].stats.energy_slot];
 }
 
 /// Takes what a drawn wand shows: the way of its shot, and the spring of its sling.
 void take_draw(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand,
                const HandState& hand_state, PlayerPicture& out) {
-    if (wand == nullptr || out.readiness <= 0) return;
-    const auto shot = wand->rules->shot(out.readiness);
+    if (wand == nullptr || out.wand.readiness <= 0) return;
+    const auto shot = wand->rules->shot(out.wand.readiness);
     if (!shot || !(shot->fall > 0)) return;
     take_arc(match, wizard, *shot, out);
     if (!(hand_state.tether.stiffness > 0)) return;
     const auto player = match.world().get<Wizard>(wizard).player;
-    out.spring = match.haptic_setup().wand_per_hand[player] * hand_state.tether.anchor;
+    out.wand.spring = match.haptic_setup().wand_per_hand[player] * hand_state.tether.anchor;
 }
 
 void take_held(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     if (wand == nullptr) return;
-    out.held = wand->rules->held_at(match.world(), wizard);
-    out.holds_thing = out.held && wand->rules->grasp();
+    out.wand.held = wand->rules->held_at(match.world(), wizard);
+    out.wand.holds_thing = out.wand.held && wand->rules->grasp();
 }
 
 /// Fills in the target: the thing that the wand would take hold of or, for a wand that shoots, the foe.
 void take_target(const Simulation& match, ecs::Entity wizard, const LoadedWand* wand, PlayerPicture& out) {
     constexpr double foe_reach = 60;  // distance up to which a foe under the crosshair is marked (m)
-    if (wand == nullptr || out.works()) return;
-    out.target = wand->rules->target(match.context(), wizard);
-    if (out.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
+    if (wand == nullptr || out.stations.works()) return;
+    out.wand.target = wand->rules->target(match.context(), wizard);
+    if (out.wand.target.kind != TargetKind::nothing || !wand->rules->shot(1)) return;
     const auto [eye, ahead] = sight_of(match.context(), wizard);
     const auto hit = match.physics().ray(eye, eye + foe_reach * ahead, physics::all_layers, wizard.index);
     const auto met = hit ? match.world().entity(hit->key) : ecs::Entity{};
-    if (met && match.world().has<Wizard>(met)) out.target.kind = TargetKind::foe;
+    if (met && match.world().has<Wizard>(met)) out.wand.target.kind = TargetKind::foe;
 }
 
 void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t player, const LoadedWand* wand,
@@ -147,38 +147,39 @@ void take_force(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
 
 void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
     const auto& rules = match.data().cauldron;
-    if (!rules || out.dead) return;
+    if (!rules || out.vitals.dead) return;
     const auto* ladle = match.world().find<Ladle>(wizard);
-    out.stirs = ladle != nullptr;
-    out.refilled = ladle != nullptr &&
-                   is_refilling(rules->aura, match.world(), match.brew(), *ladle, match.match().played);
+    out.stations.stirs = ladle != nullptr;
+    out.stations.refilled = ladle != nullptr && is_refilling(rules->aura, match.world(), match.brew(), *ladle,
+                                                             match.match().played);
     const auto& cauldron = match.world().single<Cauldron>();
-    out.at_rim = within_reach(match.data(), cauldron, motion.position);
-    out.misses_rim = presses_stir(match.world(), wizard) && !out.stirs && !out.at_rim &&
-                     glm::length(motion.position - cauldron.middle) <
-                         match.data().arena.bowl->size.radius + rules->ladle.reach + missed_station_m;
+    out.stations.at_rim = within_reach(match.data(), cauldron, motion.position);
+    out.stations.misses_rim =
+        presses_stir(match.world(), wizard) && !out.stations.stirs && !out.stations.at_rim &&
+        glm::length(motion.position - cauldron.middle) <
+            match.data().arena.bowl->size.radius + rules->ladle.reach + missed_station_m;
     const auto* pouch = match.world().find<Pouch>(wizard);
-    if (out.stirs || out.at_rim)
+    if (out.stations.stirs || out.stations.at_rim)
         take_recipe(match, match.world().get<Wizard>(wizard).player, wizard,
-                    pouch != nullptr ? pouch->ingredient : no_ingredient, out.recipe);
+                    pouch != nullptr ? pouch->ingredient : no_ingredient, out.stations.recipe);
     if (pouch == nullptr) return;
     const auto& ingredient = rules->ingredients[pouch->ingredient];
-    out.carries = ingredient.name;
-    out.carried_colour = fvec3(ingredient.colour);
-    out.carried_shape = ingredient.shape;
+    out.stations.carries = ingredient.name;
+    out.stations.carried_colour = fvec3(ingredient.colour);
+    out.stations.carried_shape = ingredient.shape;
 }
 
 void take_potions(const Simulation& match, ecs::Entity wizard, const Health& health, PlayerPicture& out) {
     const auto played = match.match().played;
-    out.poisoned_s = played < health.poisoned_until ? seconds(health.poisoned_until - played) : 0;
+    out.vitals.poisoned_s = played < health.poisoned_until ? seconds(health.poisoned_until - played) : 0;
     const auto* potions = match.world().find<Potions>(wizard);
-    if (potions == nullptr || out.dead) return;
-    out.work_half = potions->work_half != 0;
+    if (potions == nullptr || out.vitals.dead) return;
+    out.stations.work_half = potions->work_half != 0;
     const auto& recipes = match.data().recipes;
     for (std::size_t i = 0; i < recipes.size(); ++i) {
         if (played >= potions->until.at(i)) continue;
-        out.potion_names.at(out.potions) = recipes[i].name;
-        out.potion_left_s.at(out.potions++) = seconds(potions->until.at(i) - played);
+        out.vitals.potion_names.at(out.vitals.potions) = recipes[i].name;
+        out.vitals.potion_left_s.at(out.vitals.potions++) = seconds(potions->until.at(i) - played);
     }
 }
 
@@ -216,10 +217,10 @@ void take_magic(const Simulation& match, ecs::Entity wizard, std::uint32_t playe
     take_brewing(match, wizard, motion, out);
     take_potions(match, wizard, health, out);
     take_casting(match, wizard, player, out.casting);
-    take_work(match, wizard, player, out.work);
-    if (out.dead) return;
-    take_scrying(match, wizard, player, out.scrying);
-    take_carving(match, wizard, player, out.carving);
+    take_work(match, wizard, player, out.stations.work);
+    if (out.vitals.dead) return;
+    take_scrying(match, wizard, player, out.stations.scrying);
+    take_carving(match, wizard, player, out.stations.carving);
 }
 
 void take_wizards(const Simulation& match, Picture& out) {
@@ -233,31 +234,31 @@ void take_wizards(const Simulation& match, Picture& out) {
                   const Dead* dead) {
             auto& p = out.wizards[wizard.player];
             p = {};
-            p.centre = motion.position;
-            p.eye = eye_of(rules, motion.position);
-            p.yaw = gaze.yaw;
-            p.pitch = gaze.pitch;
-            p.dead = dead != nullptr;
-            p.shielded = !p.dead && state.played < health.shielded_until;
-            p.lives = static_cast<std::uint32_t>(score.deaths) * 2 + (p.dead ? 1 : 0);
-            p.health = std::max(health.points, 0.0);
-            p.health_full = rules.health;
-            p.health_cap = rules.health_cap;
-            p.kills = score.kills;
-            p.deaths = score.deaths;
-            p.since_hit_s = p.since_warning_s = p.since_gift_s = long_ago;
+            p.vitals.centre = motion.position;
+            p.vitals.eye = eye_of(rules, motion.position);
+            p.vitals.yaw = gaze.yaw;
+            p.vitals.pitch = gaze.pitch;
+            p.vitals.dead = dead != nullptr;
+            p.vitals.shielded = !p.vitals.dead && state.played < health.shielded_until;
+            p.vitals.lives = static_cast<std::uint32_t>(score.deaths) * 2 + (p.vitals.dead ? 1 : 0);
+            p.vitals.health = std::max(health.points, 0.0);
+            p.vitals.health_full = rules.health;
+            p.vitals.health_cap = rules.health_cap;
+            p.vitals.kills = score.kills;
+            p.vitals.deaths = score.deaths;
+            p.senses.since_hit_s = p.senses.since_warning_s = p.senses.since_gift_s = long_ago;
             if (dead != nullptr && dead->returns_at > state.played)
-                p.returns_in_s = seconds(dead->returns_at - state.played);
+                p.vitals.returns_in_s = seconds(dead->returns_at - state.played);
             const auto* wand = wand_in_hand(match.data(), belt);
             take_belt(match, e, wand, belt, p);
-            if (!p.dead) take_held(match, e, wand, p);
-            p.wand_reach =
+            if (!p.vitals.dead) take_held(match, e, wand, p);
+            p.wand.reach =
                 wand_tip_of(match.haptic_setup().wand_per_hand[wizard.player], hand_state) - wand_tip;
-            p.wand_turn = stylus_turn(match.world(), wizard.player);
-            if (!p.dead) take_draw(match, e, wand, hand_state, p);
-            take_force(match, e, wizard.player, wand, hand_state, p.force);
+            p.wand.turn = stylus_turn(match.world(), wizard.player);
+            if (!p.vitals.dead) take_draw(match, e, wand, hand_state, p);
+            take_force(match, e, wizard.player, wand, hand_state, p.senses.force);
             take_magic(match, e, wizard.player, motion, health, p);
-            if (!p.dead) take_target(match, e, wand, p);
+            if (!p.vitals.dead) take_target(match, e, wand, p);
         });
 }
 
@@ -272,30 +273,30 @@ HurtMark mark_of(const Picture& picture, const Event& event, HudMark how, double
     const auto& victim = picture.wizards[event.subject];
     HurtMark mark{.age_s = age_s};
     if (event.by < players && event.by != event.subject)
-        mark.towards = direction(victim.eye, picture.wizards[event.by].eye);
+        mark.towards = direction(victim.vitals.eye, picture.wizards[event.by].vitals.eye);
     else if (how != HudMark::fall)
-        mark.towards = direction(victim.centre, event.place);
+        mark.towards = direction(victim.vitals.centre, event.place);
     return mark;
 }
 
 void note_hurt(const Event& event, HudMark how, double age_s, Picture& out) {
     if (event.by < players && event.by != event.subject)
-        out.wizards[event.by].since_hit_s = std::min(out.wizards[event.by].since_hit_s, age_s);
+        out.wizards[event.by].senses.since_hit_s = std::min(out.wizards[event.by].senses.since_hit_s, age_s);
     auto& victim = out.wizards[event.subject];
-    if (age_s < mark_seconds && victim.hurts < victim.marks.size())
-        victim.marks[victim.hurts++] = mark_of(out, event, how, age_s);
+    if (age_s < mark_seconds && victim.senses.hurts < victim.senses.marks.size())
+        victim.senses.marks[victim.senses.hurts++] = mark_of(out, event, how, age_s);
 }
 
 void note_gift(const Event& event, double age_s, PlayerPicture& out) {
-    if (age_s >= out.since_gift_s) return;
-    out.since_gift_s = age_s;
-    out.gift = event;
+    if (age_s >= out.senses.since_gift_s) return;
+    out.senses.since_gift_s = age_s;
+    out.senses.gift = event;
 }
 
 void note_warning(const Event& event, double age_s, PlayerPicture& out) {
-    if (age_s >= out.since_warning_s) return;
-    out.since_warning_s = age_s;
-    out.warning = event.kind;
+    if (age_s >= out.senses.since_warning_s) return;
+    out.senses.since_warning_s = age_s;
+    out.senses.warning = event.kind;
 }
 
 void note_mark(const Event& event, HudMark mark, double age_s, Picture& out) {
@@ -387,14 +388,14 @@ void interpolate_thing(const ThingPicture& from, double alpha, double dt, ThingP
 }
 
 void interpolate_wizard(const PlayerPicture& from, double alpha, double dt, PlayerPicture& to) {
-    if (from.lives != to.lives || jumped(from.centre, to.centre, dt)) return;
-    to.centre = glm::mix(from.centre, to.centre, alpha);
-    to.eye = glm::mix(from.eye, to.eye, alpha);
-    to.yaw = turned(from.yaw, to.yaw, alpha);
-    to.pitch = glm::mix(from.pitch, to.pitch, alpha);
-    to.wand_reach = glm::mix(from.wand_reach, to.wand_reach, alpha);
-    if (from.held && to.held) to.held = glm::mix(*from.held, *to.held, alpha);
-    to.readiness = glm::mix(from.readiness, to.readiness, alpha);
+    if (from.vitals.lives != to.vitals.lives || jumped(from.vitals.centre, to.vitals.centre, dt)) return;
+    to.vitals.centre = glm::mix(from.vitals.centre, to.vitals.centre, alpha);
+    to.vitals.eye = glm::mix(from.vitals.eye, to.vitals.eye, alpha);
+    to.vitals.yaw = turned(from.vitals.yaw, to.vitals.yaw, alpha);
+    to.vitals.pitch = glm::mix(from.vitals.pitch, to.vitals.pitch, alpha);
+    to.wand.reach = glm::mix(from.wand.reach, to.wand.reach, alpha);
+    if (from.wand.held && to.wand.held) to.wand.held = glm::mix(*from.wand.held, *to.wand.held, alpha);
+    to.wand.readiness = glm::mix(from.wand.readiness, to.wand.readiness, alpha);
 }
 
 }  // namespace

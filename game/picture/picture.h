@@ -9,17 +9,15 @@
 #include <string_view>
 #include <vector>
 
-#include "game/components/potions.h"
-#include "game/context/arms.h"
 #include "game/data/presentation.h"
 #include "game/match/result.h"
 #include "game/picture/brew_picture.h"
 #include "game/picture/casting_picture.h"
 #include "game/picture/gesture_wall_picture.h"
-#include "game/picture/recipe_picture.h"
-#include "game/picture/station_picture.h"
-#include "game/senses/sound/heard.h"
-#include "haptics/safety.h"
+#include "game/picture/senses_picture.h"
+#include "game/picture/stations_picture.h"
+#include "game/picture/vitals_picture.h"
+#include "game/picture/wand_picture.h"
 
 namespace thaum::game {
 
@@ -96,96 +94,13 @@ struct PowerUpPicture {
     double returned{};  ///< 1: present; below 1: elapsed share of the absence
 };
 
-/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top left of the wearer, then the back.
-inline constexpr std::size_t figure_cells = 40;
-
-/// Time for which a mark shows the direction of a hurt.
-inline constexpr double mark_seconds = 1.2;
-
-/// A recent hurt of a player.
-struct HurtMark {
-    double age_s{};
-    vec3 towards{};  ///< unit vector from the victim to the source (world); zero if unknown
-};
-
-/// Ticks in one column of the force plot, which shows the strongest force among them.
-inline constexpr std::size_t force_column = 16;
-
-/// Force on a player's hand and the state of the device.
-struct ForcePicture {
-    ArmCondition arm{};            ///< condition of a real device
-    haptics::SafetyCause cause{};  ///< reason for a reduced force
-    double cap{};                  ///< limit of the force (N)
-    vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
-    std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
-    double created{};              ///< largest net energy that passive sources have given (J)
-    /// Strongest force of each complete column, the oldest first (N).
-    std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
-
-    /// The present force as a share of its limit.
-    double share() const { return cap > 0 ? glm::length(now) / cap : 0; }
-};
-
+/// What is seen of one wizard, and what the player knows.
 struct PlayerPicture {
-    vec3 centre{};  ///< middle of the body (m)
-    vec3 eye{};     ///< eye position (m)
-    double yaw{}, pitch{};
-    bool dead{}, shielded{};
-    std::uint32_t lives{};  ///< number of deaths; a change marks a teleport
-
-    double health{}, health_full{}, health_cap{};  ///< HP
-    std::string_view wand;                         ///< kind of the wand in hand; empty: none
-    std::uint32_t wand_number{};                   ///< index of the wand in Presentation::wands
-    double energy{}, energy_cap{};
-    std::array<double, input::most_wands> charges{};  ///< energy of each wand of Presentation::wands
-    std::uint32_t fired{};                            ///< number of shots and throws so far
-    Target target{};     ///< the thing under the crosshair, as the wand in hand sees it
-    double readiness{};  ///< charge or draw of the wand, 0 to 1
-    std::int32_t kills{}, deaths{};
-    double returns_in_s{};       ///< time until the wizard returns, if dead
-    double since_hit_s{};        ///< time since this player last hurt the other
-    double since_warning_s{};    ///< time since the last event of this player with HudMark::warning
-    EventKind warning{};         ///< kind of the event of since_warning_s
-    double since_gift_s{};       ///< time since the last event of this player with HudMark::gift
-    Event gift{};                ///< the event of since_gift_s
-    std::string_view carries{};  ///< name of the carried ingredient; empty: none
-    fvec3 carried_colour{};      ///< its colour, linear light
-    IngredientShape carried_shape{};
-    /// Potions that act on the wizard, and the time that is left (s); the first `potions`.
-    std::array<std::string_view, most_potions> potion_names{};
-    std::array<double, most_potions> potion_left_s{};
-    std::uint32_t potions{};
-    bool work_half{};      ///< true if the wizard holds half of the Great Work
-    double poisoned_s{};   ///< time for which poison will hurt the wizard; 0: none does
-    RecipePicture recipe;  ///< next step at the cauldron; for a player who stirs or can start to
-    bool refilled{};       ///< true while stirring refills the wands
-    bool stirs{};          ///< true if the player holds a ladle
-    bool at_rim{};         ///< true if the player can start to stir
-    bool misses_rim{};     ///< true if the player presses Stir a few steps away from the rim
-    ScryingPicture scrying;
-    CarvingPicture carving;
-    WorkPicture work;
-    /// Whether the wizard stirs, scries or carves: the hand moves no wand.
-    bool works() const { return stirs || scrying.scries || carving.carves; }
-    /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
-    vec3 wand_turn{};
-    vec3 wand_reach{};   ///< displacement of the wand's tip by the hand (m, eye frame)
-    bool holds_thing{};  ///< the wand holds a thing that can be thrown
-    /// Points of the way that a shot would fly which the player is drawing, the first `arc_points` (m, world).
-    std::array<vec3, 24> arc{};
-    std::uint32_t arc_points{};
-    /// Displacement of the resting end of a drawn wand's spring from wand_tip (m, eye frame); std::nullopt: no spring.
-    std::optional<vec3> spring{};
-    std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
-    ForcePicture force{};
+    VitalsPicture vitals{};
+    WandPicture wand{};
+    StationsPicture stations{};
     CastingPicture casting{};
-    std::uint32_t
-        heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
-    std::array<HeardLine, 8> heard{};
-    std::array<float, figure_cells> felt{};  ///< strength in each cell, 0 to 1; the session fills it in
-    double since_felt_s{1e6};                ///< time since a cell was last on
-    std::uint32_t hurts{};                   ///< number of entries in `marks`
-    std::array<HurtMark, 6> marks{};
+    SensesPicture senses{};
 };
 
 /// An event whose row has words for the feed, such as a death.

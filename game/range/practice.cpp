@@ -173,8 +173,8 @@ void Practice::show_lesson(game::PracticePicture& picture) {
 
 void Practice::show(game::Picture& picture) {
     const auto& dummy = picture.wizards[game::dummys];
-    const auto health =
-        dummy.dead ? std::string("comes back") : text(std::lround(std::ceil(dummy.health)), " HP");
+    const auto health = dummy.vitals.dead ? std::string("comes back")
+                                          : text(std::lround(std::ceil(dummy.vitals.health)), " HP");
     picture.practice.on = true;
     picture.practice.score = short_words_of(scorer_.score(match()));
     picture.practice.below =

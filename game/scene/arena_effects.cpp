@@ -33,7 +33,7 @@ fmat4 flying(const MissilePicture& missile) {
 /// view.
 float size_of(const Picture& picture, const MissilePicture& missile, std::uint32_t viewer) {
     if (missile.player != viewer || viewer >= players) return 1;
-    const double distance = glm::length(missile.position - picture.wizards[viewer].eye);
+    const double distance = glm::length(missile.position - picture.wizards[viewer].vitals.eye);
     return static_cast<float>(std::clamp(distance / 6, 0.2, 1.0));
 }
 
@@ -59,7 +59,8 @@ void add_burst(const ArenaScene& arena_scene, const Picture& picture, const Burs
     const auto radius = static_cast<float>(burst.radius);
     const auto at = render::translated(fvec3(burst.place));
     const float shell = radius * (0.15F + 0.85F * std::sqrt(age)), core = 0.2F * radius * (1 - age);
-    const double distance = viewer < players ? glm::distance(burst.place, picture.wizards[viewer].eye) : 100;
+    const double distance =
+        viewer < players ? glm::distance(burst.place, picture.wizards[viewer].vitals.eye) : 100;
     const float shown = std::min(core, static_cast<float>(most_of_view * distance));
     if (distance > past_the_eye * double{shell})
         out.push_back({.mesh = team.burst,
@@ -90,7 +91,8 @@ bool is_near_brew(const ArenaScene& arena_scene, vec3 eye) {
 /// True if the viewer sees the simulated brew and not the painted one. The empty arena behind a menu is seen
 /// from afar.
 bool sees_brew(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer) {
-    return viewer < players && visible_brew(arena_scene, picture, picture.wizards[viewer].eye) != nullptr;
+    return viewer < players &&
+           visible_brew(arena_scene, picture, picture.wizards[viewer].vitals.eye) != nullptr;
 }
 
 void add_brew_of(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
@@ -200,7 +202,7 @@ void add_steam(const ArenaScene& arena_scene, const Picture& picture, std::vecto
 void show_brew_near(const ArenaScene& arena_scene, const Picture& picture, const BrewOverlay& overlay) {
     const bool seen = std::any_of(
         picture.wizards.begin(), picture.wizards.end(),
-        [&](const PlayerPicture& p) { return arena_scene.brew && is_near_brew(arena_scene, p.eye); });
+        [&](const PlayerPicture& p) { return arena_scene.brew && is_near_brew(arena_scene, p.vitals.eye); });
     if (seen && picture.cauldron.there) show_brew(picture.cauldron.brew, overlay, *arena_scene.brew);
 }
 

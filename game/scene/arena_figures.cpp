@@ -38,7 +38,7 @@ vec3 drawn_reach(vec3 reach) {
 }
 
 /// Place of a player's own wand's tip as it is drawn (m, eye frame).
-vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand_reach); }
+vec3 own_tip(const PlayerPicture& p) { return wand_tip + drawn_reach(p.wand.reach); }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ namespace {
 /// limited, because the hand would leave the arm at larger angles.
 fmat4 stylus_turned(const PlayerPicture& p) {
     constexpr double most = 0.7;  // rad
-    const vec3 by = limited(p.wand_turn, most);
+    const vec3 by = limited(p.wand.turn, most);
     const double angle = glm::length(by);
     if (!(angle > 1e-6)) return fmat4(1);
     return render::translated(fvec3(wand_tip)) * glm::mat4_cast(fquat(rotation(by / angle, angle))) *
@@ -61,18 +61,18 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
                 std::vector<Instance>& out) {
     const auto& team = arena_scene.teams[number];
     const auto first = out.size();
-    const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
-    const auto standing = render::translated(feet) * looking(p.yaw, 0);
-    out.push_back({.mesh = p.dead ? team.fallen : team.figure, .model = standing});
-    if (!p.dead) {
-        const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
-                         looking(0, p.pitch);
+    const fvec3 feet(p.vitals.centre - vec3(0, arena_scene.wizard_height / 2, 0));
+    const auto standing = render::translated(feet) * looking(p.vitals.yaw, 0);
+    out.push_back({.mesh = p.vitals.dead ? team.fallen : team.figure, .model = standing});
+    if (!p.vitals.dead) {
+        const auto arm = render::translated(fvec3(p.vitals.eye)) * looking(p.vitals.yaw, 0) *
+                         render::translated(shoulder) * looking(0, p.vitals.pitch);
         out.push_back({.mesh = team.arm, .model = arm});
-        if (!p.wand.empty() && !p.stirs)
-            out.push_back({.mesh = arena_scene.wands[p.wand_number],
+        if (!p.wand.name.empty() && !p.stations.stirs)
+            out.push_back({.mesh = arena_scene.wands[p.wand.number],
                            .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
     }
-    set_sun(arena_scene, p.centre, std::span(out).subspan(first));
+    set_sun(arena_scene, p.vitals.centre, std::span(out).subspan(first));
 }
 
 namespace {
@@ -80,7 +80,7 @@ namespace {
 /// The glow at a wand's tip. It grows by `growth` with the wand's charge.
 Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                   const fmat4& tip, double growth) {
-    const auto size = static_cast<float>(1 + growth * p.readiness);
+    const auto size = static_cast<float>(1 + growth * p.wand.readiness);
     return {.mesh = arena_scene.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
 }
 
@@ -88,42 +88,44 @@ Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const Pla
 
 void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, double time,
               std::vector<Instance>& out) {
-    if (p.dead) return;
+    if (p.vitals.dead) return;
     const auto& team = arena_scene.teams[number];
-    const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
-                     looking(0, p.pitch);
-    if (!p.wand.empty())
+    const auto arm = render::translated(fvec3(p.vitals.eye)) * looking(p.vitals.yaw, 0) *
+                     render::translated(shoulder) * looking(0, p.vitals.pitch);
+    if (!p.wand.name.empty())
         out.push_back(spark_at(arena_scene, number, p, arm * render::translated(fvec3(wand_tip) - shoulder),
                                foe_growth));
-    if (!p.carries.empty()) {
-        const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
-        add_ingredient(arena_scene,
-                       render::translated(feet) * looking(p.yaw, 0) * render::translated(foe_carried_at),
-                       foe_carried_scale, p.carried_shape, p.carried_colour, out);
+    if (!p.stations.carries.empty()) {
+        const fvec3 feet(p.vitals.centre - vec3(0, arena_scene.wizard_height / 2, 0));
+        add_ingredient(
+            arena_scene,
+            render::translated(feet) * looking(p.vitals.yaw, 0) * render::translated(foe_carried_at),
+            foe_carried_scale, p.stations.carried_shape, p.stations.carried_colour, out);
     }
-    if (p.shielded) {
+    if (p.vitals.shielded) {
         const auto slowly = looking(0.8 * time, 0);
-        out.push_back(
-            {.mesh = team.shield, .model = render::translated(fvec3(p.centre)) * slowly, .glow = 0.9F});
+        out.push_back({.mesh = team.shield,
+                       .model = render::translated(fvec3(p.vitals.centre)) * slowly,
+                       .glow = 0.9F});
     }
 }
 
 void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
     const auto first = out.size();
-    const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
-                     render::translated(fvec3(drawn_reach(p.wand_reach))) * stylus_turned(p);
-    if (p.works()) return;  // the view of a player at a station shows only the ladle or the tip
+    const auto eye = render::translated(fvec3(p.vitals.eye)) * looking(p.vitals.yaw, p.vitals.pitch) *
+                     render::translated(fvec3(drawn_reach(p.wand.reach))) * stylus_turned(p);
+    if (p.stations.works()) return;  // the view of a player at a station shows only the ladle or the tip
     out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
-    if (!p.wand.empty()) {
-        out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});
+    if (!p.wand.name.empty()) {
+        out.push_back({.mesh = arena_scene.wands[p.wand.number], .model = eye * wand_in_own_hand()});
         out.push_back(
             spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip)), own_growth));
     }
-    set_sun(arena_scene, p.eye, std::span(out).subspan(first));
-    if (!p.carries.empty())
-        add_ingredient(arena_scene, eye * render::translated(carried_at), carried_scale, p.carried_shape,
-                       p.carried_colour, out);
+    set_sun(arena_scene, p.vitals.eye, std::span(out).subspan(first));
+    if (!p.stations.carries.empty())
+        add_ingredient(arena_scene, eye * render::translated(carried_at), carried_scale,
+                       p.stations.carried_shape, p.stations.carried_colour, out);
 }
 
 void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
@@ -169,25 +171,26 @@ void add_coil(const ArenaScene& arena_scene, vec3 from, vec3 way, fvec3 tint, st
 void add_drawn_shot(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                     std::vector<Instance>& out) {
     const fvec3 light = team_colours(number).light;
-    for (std::uint32_t i = 0; i < p.arc_points; ++i) {
-        const bool last = i + 1 == p.arc_points;
+    for (std::uint32_t i = 0; i < p.wand.arc_points; ++i) {
+        const bool last = i + 1 == p.wand.arc_points;
         const float size = last ? 0.12F : 0.035F + 0.002F * static_cast<float>(i);
-        out.push_back(bead_at(arena_scene, p.arc.at(i), size, light, 0.8F));
+        out.push_back(bead_at(arena_scene, p.wand.arc.at(i), size, light, 0.8F));
     }
-    if (!p.spring) return;
-    const auto view = look_rotation(p.yaw, p.pitch);
-    const vec3 from = wand_tip + drawn_reach(*p.spring), way = own_tip(p) - from;
-    add_coil(arena_scene, p.eye + view * from, view * way, tint_of(p.force), out);
+    if (!p.wand.spring) return;
+    const auto view = look_rotation(p.vitals.yaw, p.vitals.pitch);
+    const vec3 from = wand_tip + drawn_reach(*p.wand.spring), way = own_tip(p) - from;
+    add_coil(arena_scene, p.vitals.eye + view * from, view * way, tint_of(p.senses.force), out);
 }
 
 void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
-    if (p.dead) return;
-    const auto view = look_rotation(p.yaw, p.pitch);
-    const vec3 tip = p.eye + view * (own ? own_tip(p) : wand_tip);
-    const fvec3 tint = tint_of(p.force);
-    if (p.held) add_beam(arena_scene, tip, *p.held, 0.012, tint, out);
-    if (!own || p.force.share() < least_share) return;
-    add_beam(arena_scene, tip, tip + view * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
+    if (p.vitals.dead) return;
+    const auto view = look_rotation(p.vitals.yaw, p.vitals.pitch);
+    const vec3 tip = p.vitals.eye + view * (own ? own_tip(p) : wand_tip);
+    const fvec3 tint = tint_of(p.senses.force);
+    if (p.wand.held) add_beam(arena_scene, tip, *p.wand.held, 0.012, tint, out);
+    if (!own || p.senses.force.share() < least_share) return;
+    add_beam(arena_scene, tip, tip + view * p.senses.force.now / p.senses.force.cap * ribbon_length, 0.006,
+             tint, out);
     out.push_back(bead_at(arena_scene, tip, 0.02F, tint, 0.7F));
 }
 

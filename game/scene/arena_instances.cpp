@@ -171,7 +171,8 @@ void add_contact_shades(const ArenaScene& arena_scene, const Picture& picture, s
         if (niche.there) add_contact_shade(arena_scene, centre, 0.4, 0.3, out);
     }
     for (const auto& p : picture.wizards) {
-        if (!p.dead) add_contact_shade(arena_scene, p.centre, 0.85, arena_scene.wizard_height / 2, out);
+        if (!p.vitals.dead)
+            add_contact_shade(arena_scene, p.vitals.centre, 0.85, arena_scene.wizard_height / 2, out);
     }
 }
 
@@ -207,20 +208,20 @@ void add_instances(const ArenaScene& arena_scene, const Picture& picture, std::u
         const fvec3 at(vec3(arena_scene.bowl->x, height, arena_scene.bowl->z));
         out.push_back({.mesh = arena_scene.runes, .model = render::translated(at), .glow = 0.35F});
     }
-    const auto target = viewer < players ? picture.wizards[viewer].target : Target{};
+    const auto target = viewer < players ? picture.wizards[viewer].wand.target : Target{};
     for (const auto& thing : picture.things) {
         const auto first = out.size();
         add_thing(arena_scene, thing, out);
         if (!is_target(target, thing)) continue;
         light_up(std::span(out).subspan(first));
         if (target.kind == TargetKind::hook)
-            add_anchor_mark(arena_scene, thing, viewer, picture.wizards[viewer].eye, out);
+            add_anchor_mark(arena_scene, thing, viewer, picture.wizards[viewer].vitals.eye, out);
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
         add_forces(arena_scene, wizard, player == viewer, out);
         add_magic(arena_scene, player, wizard, player == viewer, out);
-        if (player == viewer && !wizard.dead) {
+        if (player == viewer && !wizard.vitals.dead) {
             add_own_arm(arena_scene, player, wizard, out);
             add_drawn_shot(arena_scene, player, wizard, out);
             add_ghost_stroke(arena_scene, picture, player, out);
@@ -250,9 +251,9 @@ void choose_lights(const ArenaScene& arena_scene, const Picture& picture, vec3 e
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& p = picture.wizards[player];
-        if (p.dead || p.wand.empty()) continue;
-        const vec3 tip = p.eye + look_rotation(p.yaw, p.pitch) * wand_tip;
-        const auto more = static_cast<float>(p.readiness);
+        if (p.vitals.dead || p.wand.name.empty()) continue;
+        const vec3 tip = p.vitals.eye + look_rotation(p.vitals.yaw, p.vitals.pitch) * wand_tip;
+        const auto more = static_cast<float>(p.wand.readiness);
         out.push_back({fvec3(tip), (0.5F + 1.5F * more) * team_colours(player).glow, 2.5F + 2 * more});
     }
     // The sort key is the distance of the eye beyond twice the light's radius, so near and wide lights come

@@ -53,18 +53,19 @@ void add_pieces(const ArenaScene& arena_scene, const StrokePicture& stroke, std:
 void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, bool own,
                    std::vector<Instance>& out) {
     const auto& stroke = p.casting.stroke;
-    if (p.dead || stroke.count < 2) return;
+    if (p.vitals.dead || stroke.count < 2) return;
     if (stroke.on_brew) {
         const auto on_surface = [&](std::size_t i) { return vec3(stroke.places[i]); };
         return add_pieces(arena_scene, stroke, number, 0.008, on_surface, out);
     }
     if (own) return;  // the player sees the stroke flat (casting_overlay.h)
-    const vec3 tip = p.eye + look_rotation(p.yaw, p.pitch) * (wand_tip + vec3(0, 0, -0.1));
+    const vec3 tip =
+        p.vitals.eye + look_rotation(p.vitals.yaw, p.vitals.pitch) * (wand_tip + vec3(0, 0, -0.1));
     const auto& begin = stroke.points[0];
     const auto in_air = [&](std::size_t i) {
         const auto& point = stroke.points[i];
         const vec3 way(point.x - begin.x, point.y - begin.y, point.z - begin.z);
-        return tip + look_rotation(p.yaw, p.pitch) * (stroke_scale * way);
+        return tip + look_rotation(p.vitals.yaw, p.vitals.pitch) * (stroke_scale * way);
     };
     add_pieces(arena_scene, stroke, number, 0.014, in_air, out);
 }
@@ -72,8 +73,9 @@ void add_stroke_of(const ArenaScene& arena_scene, std::uint32_t number, const Pl
 void add_recall(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
                 std::vector<Instance>& out) {
     constexpr int beads = 14;
-    if (p.dead || !p.casting.recalled) return;
-    const vec3 hand = p.eye + look_rotation(p.yaw, p.pitch) * wand_tip, way = *p.casting.recalled - hand;
+    if (p.vitals.dead || !p.casting.recalled) return;
+    const vec3 hand = p.vitals.eye + look_rotation(p.vitals.yaw, p.vitals.pitch) * wand_tip,
+               way = *p.casting.recalled - hand;
     const double run = 3 * p.casting.reading.age_s;
     for (int i = 0; i < beads; ++i) {
         const double share = 1 - std::fmod(run + static_cast<double>(i) / beads, 1.0);
@@ -98,12 +100,12 @@ float flash_of(const CastingPicture& casting) {
 void add_shell(const ArenaScene& arena_scene, const PlayerPicture& p, double time,
                std::vector<Instance>& out) {
     constexpr int meridians = 6, steps = 9;
-    if (p.dead || !(p.casting.ward > 0)) return;
+    if (p.vitals.dead || !(p.casting.ward > 0)) return;
     const fvec3 light = (0.55F + 0.9F * flash_of(p.casting)) * colour(0x9AF0E0);
     const auto place = [&](int meridian, double share) {
         const double angle = 2 * pi * meridian / meridians + 0.3 * time, tilt = pi * (share - 0.5);
-        return p.centre + vec3(shell_size) * vec3(std::cos(tilt) * std::cos(angle), std::sin(tilt),
-                                                  std::cos(tilt) * std::sin(angle));
+        return p.vitals.centre + vec3(shell_size) * vec3(std::cos(tilt) * std::cos(angle), std::sin(tilt),
+                                                         std::cos(tilt) * std::sin(angle));
     };
     const double high = 0.12 + 0.88 * p.casting.ward_share;
     for (int m = 0; m < meridians; ++m) {
@@ -115,10 +117,10 @@ void add_shell(const ArenaScene& arena_scene, const PlayerPicture& p, double tim
 }
 
 void add_shell_mist(const ArenaScene& arena_scene, const PlayerPicture& p, std::vector<Instance>& out) {
-    if (p.dead || !(p.casting.ward > 0)) return;
+    if (p.vitals.dead || !(p.casting.ward > 0)) return;
     const auto share = static_cast<float>(p.casting.ward_share);
     out.push_back({.mesh = arena_scene.bead,
-                   .model = glm::scale(render::translated(fvec3(p.centre)), shell_size),
+                   .model = glm::scale(render::translated(fvec3(p.vitals.centre)), shell_size),
                    .tint = (0.5F + 0.7F * flash_of(p.casting)) * colour(0x9AF0E0),
                    .glow = 0.12F + 0.2F * share});
 }
@@ -145,7 +147,7 @@ void add_dust(const ArenaScene& arena_scene, const Picture& picture, std::vector
     for (std::uint32_t c = 0; c < picture.cast_count; ++c) {
         const auto& cast = picture.casts[c];
         if (cast.sign != SpellSign::dust || cast.age_s >= push_seconds) continue;
-        const double age = cast.age_s / push_seconds, yaw = picture.wizards[cast.player % players].yaw;
+        const double age = cast.age_s / push_seconds, yaw = picture.wizards[cast.player % players].vitals.yaw;
         for (int i = 0; i < puffs; ++i) {
             const double aside = 0.6 * (2.0 * (i % 8) / 7 - 1), far = (0.5 + 4.7 * age) * (i < 8 ? 1 : 0.7);
             const vec3 way = rotation({0, 1, 0}, yaw - aside) * vec3(0, 0, -far);

@@ -17,8 +17,8 @@ constexpr double period_s = 1.6;
 void add_ghost_stroke(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t player,
                       std::vector<render::Instance>& out) {
     const auto& p = picture.wizards[player];
-    const auto& recipe = p.recipe;
-    if (!p.stirs || p.dead || recipe.step != RecipeStep::stroke || !recipe.in_time() ||
+    const auto& recipe = p.stations.recipe;
+    if (!p.stations.stirs || p.vitals.dead || recipe.step != RecipeStep::stroke || !recipe.in_time() ||
         recipe.ghost_points < 2 || arena_scene.brew == nullptr)
         return;
     const auto turn = look_rotation(recipe.yaw, 0);

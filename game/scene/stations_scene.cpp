@@ -18,7 +18,7 @@ constexpr vec3 hand{0.25, -0.35, -0.3};
 constexpr double rod_radius = 0.006, rod_ends = 0.02;
 
 vec3 eye_of_viewer(const Picture& picture, std::uint32_t viewer) {
-    return viewer < players ? picture.wizards.at(viewer).eye : far_away;
+    return viewer < players ? picture.wizards.at(viewer).vitals.eye : far_away;
 }
 
 /// The tip that a wizard's hand moves; null: none.
@@ -26,7 +26,7 @@ const TipPicture* tip_of(const Picture& picture, std::uint32_t player) {
     const auto& probe = picture.orb.probes.at(player);
     if (picture.orb.there && probe) return &*probe;
     const auto& p = picture.wizards.at(player);
-    return p.carving.carves ? &p.carving.tip : nullptr;
+    return p.stations.carving.carves ? &p.stations.carving.tip : nullptr;
 }
 
 /// Light and shape of a tool by what it would do where it is: green with a cross like a plus, red with one like a times
@@ -50,16 +50,16 @@ WorthLook look_of(DabWorth worth) {
 void add_tool(const ArenaScene& arena_scene, const Picture& picture, const PlayerPicture& p,
               std::vector<render::Instance>& out) {
     constexpr double sign = 0.05, thick = 0.005, line = 0.003, foot = 0.02;  // (m)
-    const auto& tip = p.carving.tip;
+    const auto& tip = p.stations.carving.tip;
     const auto look = look_of(tip.worth);
     out.push_back(bead_at(arena_scene, tip.place, tip.works ? 0.026F : 0.022F, look.light, 0.95F));
-    const quat view = look_rotation(p.yaw, p.pitch) * rotation({0, 0, 1}, look.turn);
+    const quat view = look_rotation(p.vitals.yaw, p.vitals.pitch) * rotation({0, 0, 1}, look.turn);
     for (const vec3 arm : {vec3(sign, 0, 0), vec3(0, sign, 0)}) {
         if (!look.cross) break;
         add_beam(arena_scene, tip.place - view * arm, tip.place + view * arm, thick, look.light, out);
     }
-    if (p.carving.crystal >= picture.crystals.size()) return;
-    const auto& crystal = picture.crystals[p.carving.crystal];
+    if (p.stations.carving.crystal >= picture.crystals.size()) return;
+    const auto& crystal = picture.crystals[p.stations.carving.crystal];
     vec3 below = tip.place;
     below.y = crystal.middle.y - crystal.edge / 2;
     if (!(below.y < tip.place.y)) return;
@@ -91,7 +91,7 @@ std::size_t crystals_in(const ArenaScene& arena_scene, const Picture& picture) {
 }  // namespace
 
 void show_stations(const ArenaScene& arena_scene, const Picture& picture) {
-    const std::array eyes{picture.wizards[0].eye, picture.wizards[1].eye};
+    const std::array eyes{picture.wizards[0].vitals.eye, picture.wizards[1].vitals.eye};
     if (arena_scene.orb != nullptr) show_orb(picture.orb, eyes, *arena_scene.orb);
     for (std::size_t i = 0; i < crystals_in(arena_scene, picture); ++i) {
         auto& look = *arena_scene.crystals[i];
@@ -128,14 +128,14 @@ void add_stations(const ArenaScene& arena_scene, const Picture& picture, std::ui
     add_orb(*arena_scene.orb, picture.orb, viewer, eye, out);
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& p = picture.wizards.at(player);
-        if (p.dead) continue;
-        if (p.carving.carves) {
-            add_force(*arena_scene.orb, p.carving.tip, out);
+        if (p.vitals.dead) continue;
+        if (p.stations.carving.carves) {
+            add_force(*arena_scene.orb, p.stations.carving.tip, out);
             add_tool(arena_scene, picture, p, out);
         }
         const auto* tip = tip_of(picture, player);
         if (tip == nullptr) continue;
-        const vec3 from = p.eye + look_rotation(p.yaw, 0) * hand;
+        const vec3 from = p.vitals.eye + look_rotation(p.vitals.yaw, 0) * hand;
         const vec3 way = glm::normalize(tip->place - from);
         add_beam(arena_scene, from, tip->place - rod_ends * way, rod_radius, team_colours(player).light, out);
     }
@@ -145,8 +145,8 @@ void add_tool_mists(const ArenaScene& arena_scene, const Picture& picture,
                     std::vector<render::Instance>& out) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& p = picture.wizards.at(player);
-        if (!p.carving.carves || p.dead) continue;
-        const auto& tip = p.carving.tip;
+        if (!p.stations.carving.carves || p.vitals.dead) continue;
+        const auto& tip = p.stations.carving.tip;
         out.push_back(bead_at(arena_scene, tip.place, static_cast<float>(tip.radius),
                               (tip.works ? 1.2F : 0.6F) * team_colours(player).light,
                               tip.works ? 0.6F : 0.4F));

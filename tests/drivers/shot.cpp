@@ -60,10 +60,10 @@ HudSettings settings_of(std::string_view split) {
 /// Puts the first wizard to a place, with a direction of view.
 void place_first_wizard(Picture& picture, vec3 centre, double yaw_degrees, double pitch_degrees) {
     auto& p = picture.wizards[0];
-    p.centre = centre;
-    p.eye = p.centre + vec3(0, 0.75, 0);
-    p.yaw = yaw_degrees * radians_per_degree;
-    p.pitch = pitch_degrees * radians_per_degree;
+    p.vitals.centre = centre;
+    p.vitals.eye = p.vitals.centre + vec3(0, 0.75, 0);
+    p.vitals.yaw = yaw_degrees * radians_per_degree;
+    p.vitals.pitch = pitch_degrees * radians_per_degree;
 }
 
 void print_picture_time(const Simulation& match, Picture& picture) {

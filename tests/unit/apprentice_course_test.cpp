@@ -408,8 +408,8 @@ TEST_F(ApprenticeCourse, TheAnchorIsInTheFirstPictureOfTheSwing) {
     EXPECT_LT(std::abs(game::angle_between(to_anchor.yaw, me.yaw)), 0.05);
     auto picture = game::make_picture();
     game::take_picture(practice_.match(), picture);
-    EXPECT_EQ(picture.wizards[practising].wand, "swing");
-    EXPECT_EQ(picture.wizards[practising].target.kind, game::TargetKind::nothing)
+    EXPECT_EQ(picture.wizards[practising].wand.name, "swing");
+    EXPECT_EQ(picture.wizards[practising].wand.target.kind, game::TargetKind::nothing)
         << "the picture offers a swing where it does not help";
 }
 

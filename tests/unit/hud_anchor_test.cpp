@@ -36,12 +36,12 @@ protected:
 TEST_F(AnchorMark, IsOnTheAnchorInThatPlayersViewOnly) {
     auto& wizard = picture.wizards[1];
     EXPECT_TRUE(marks(1).empty());
-    wizard.target = {.kind = TargetKind::hook};
+    wizard.wand.target = {.kind = TargetKind::hook};
     EXPECT_TRUE(marks(1).empty()) << "a point of a wall";
     const auto thing = anchor();
-    wizard.target.thing = {thing.entity, 0};
+    wizard.wand.target.thing = {thing.entity, 0};
     for (const double away : {3.0, 30.0}) {
-        wizard.eye = thing.position + vec3(away, 0, 0);
+        wizard.vitals.eye = thing.position + vec3(away, 0, 0);
         const auto seen = marks(1);
         ASSERT_EQ(seen.size(), 1U);
         EXPECT_LT(glm::distance(fvec3(seen[0].model[3]), fvec3(thing.position)), 1e-4F);

@@ -50,50 +50,50 @@ protected:
 TEST_F(Carried, IngredientIsInThePictureOfEveryShapeOfView) {
     auto& wizard = picture.wizards[0];
     EXPECT_TRUE(carried(0).empty());
-    wizard.carries = "iron";
-    wizard.carried_colour = iron;
+    wizard.stations.carries = "iron";
+    wizard.stations.carried_colour = iron;
     for (std::size_t shape = 0; shape < ingredient_shapes; ++shape) {
         SCOPED_TRACE(shape);
-        wizard.carried_shape = static_cast<IngredientShape>(shape);
+        wizard.stations.carried_shape = static_cast<IngredientShape>(shape);
         const auto seen = carried(0);
         ASSERT_EQ(seen.size(), 1U);
         EXPECT_EQ(seen[0].mesh, arena_scene.ingredients[shape]);
-        const auto to_eye = glm::inverse(look_rotation(wizard.yaw, wizard.pitch));
-        for (const auto& vertex : ingredient_mesh(wizard.carried_shape).vertices)
-            expect_near_hand(to_eye * (vec3(seen[0].model * fvec4(vertex.position, 1)) - wizard.eye));
+        const auto to_eye = glm::inverse(look_rotation(wizard.vitals.yaw, wizard.vitals.pitch));
+        for (const auto& vertex : ingredient_mesh(wizard.stations.carried_shape).vertices)
+            expect_near_hand(to_eye * (vec3(seen[0].model * fvec4(vertex.position, 1)) - wizard.vitals.eye));
     }
-    wizard.dead = true;
+    wizard.vitals.dead = true;
     EXPECT_TRUE(carried(0).empty());
 }
 
 TEST(TakePicture, HoldsNameColourAndShapeOfTheCarriedIngredient) {
     const auto match = new_match();
-    EXPECT_TRUE(picture_of(*match).wizards[1].carries.empty());
+    EXPECT_TRUE(picture_of(*match).wizards[1].stations.carries.empty());
     auto& world = match->world_to_change();
     world.add(wizard_of(world, 1), Pouch{.ingredient = 2});
     const auto picture = picture_of(*match);
-    EXPECT_EQ(picture.wizards[1].carries, "iron");
-    EXPECT_LT(glm::distance(picture.wizards[1].carried_colour, iron), 1e-3F);
-    EXPECT_EQ(picture.wizards[1].carried_shape, IngredientShape::ingots);
-    EXPECT_TRUE(picture.wizards[0].carries.empty());
+    EXPECT_EQ(picture.wizards[1].stations.carries, "iron");
+    EXPECT_LT(glm::distance(picture.wizards[1].stations.carried_colour, iron), 1e-3F);
+    EXPECT_EQ(picture.wizards[1].stations.carried_shape, IngredientShape::ingots);
+    EXPECT_TRUE(picture.wizards[0].stations.carries.empty());
 }
 
 TEST_F(Carried, IngredientIsInTheOtherWizardsHand) {
     auto& foe = picture.wizards[1];
-    foe.carries = "iron";
-    foe.carried_colour = iron;
+    foe.stations.carries = "iron";
+    foe.stations.carried_colour = iron;
     const auto seen = carried(0);
     ASSERT_EQ(seen.size(), 1U);
-    const double away = glm::distance(vec3(fvec3(seen[0].model[3])), foe.centre);
+    const double away = glm::distance(vec3(fvec3(seen[0].model[3])), foe.vitals.centre);
     EXPECT_GT(away, 0.25) << "not hidden in the robe";
     EXPECT_LT(away, 0.6);
-    foe.dead = true;
+    foe.vitals.dead = true;
     EXPECT_TRUE(carried(0).empty());
 }
 
 TEST_F(Carried, AShadeLiesBelowEachIngredientThatWaits) {
     picture.things.clear();
-    for (auto& wizard : picture.wizards) wizard.dead = true;
+    for (auto& wizard : picture.wizards) wizard.vitals.dead = true;
     picture.niches = {{.position = {4.5, 0, 0}, .there = true}, {.position = {7, 0, 0}}};
     std::vector<render::Instance> shades, lit;
     add_contact_shades(arena_scene, picture, shades);

@@ -445,7 +445,7 @@ TEST(FogSeen, VeilsTheViewOfWhoStandsInIt) {
         return out.items.size();
     };
     EXPECT_EQ(veils(), 0U);
-    picture.fogs.push_back({picture.wizards[0].eye, 4, 1.6, 1});
+    picture.fogs.push_back({picture.wizards[0].vitals.eye, 4, 1.6, 1});
     EXPECT_EQ(veils(), 1U);
     picture.fogs[0].place.x += 5;
     EXPECT_EQ(veils(), 0U);

@@ -145,8 +145,9 @@ TEST_F(Contrast, OfTheArcThatShowsWhereAHurtCameFrom) {
     for (const auto& place : ten_scenes) {
         auto picture = standing(place);
         auto& w = picture.wizards[0];
-        w.hurts = 1;
-        w.marks[0] = {.age_s = 0.2, .towards = rotation({0, 1, 0}, w.yaw) * vec3(1, 0, 0)};  // to the right
+        w.senses.hurts = 1;
+        w.senses.marks[0] = {.age_s = 0.2,
+                             .towards = rotation({0, 1, 0}, w.vitals.yaw) * vec3(1, 0, 0)};  // to the right
         std::vector<Across> arc;
         for (float aside = -0.33F; aside <= 0.33F; aside += 0.03F)
             arc.push_back(along_ray(layout.centre, static_cast<float>(pi / 2) + aside,
@@ -160,7 +161,7 @@ TEST_F(Contrast, OfLowHealth) {
     const float u = layout.unit;
     for (const auto& place : ten_scenes) {
         auto picture = standing(place);
-        picture.wizards[0].health = 20;
+        picture.wizards[0].vitals.health = 20;
         const auto images = drawn(picture);
         std::vector<Across> arc, heart;
         for (float angle = -2.3F; angle < -1.5F; angle += 0.05F)

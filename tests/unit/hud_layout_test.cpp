@@ -251,20 +251,20 @@ TEST(FittedWords, BreakAtSpacesAndShrinkOnlyIfTheyMust) {
 Picture talkative() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {
-        p.carries = "iron";
-        p.at_rim = true;
-        p.since_gift_s = 0.5;
-        p.gift = {.kind = EventKind::power_up, .amount = 25};
-        p.since_warning_s = 0.1;
-        p.warning = EventKind::dry;
-        p.force.arm = ArmCondition::felt;
-        p.force.cause = haptics::SafetyCause::shut_off;
-        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
-        p.heard.fill(
+        p.stations.carries = "iron";
+        p.stations.at_rim = true;
+        p.senses.since_gift_s = 0.5;
+        p.senses.gift = {.kind = EventKind::power_up, .amount = 25};
+        p.senses.since_warning_s = 0.1;
+        p.senses.warning = EventKind::dry;
+        p.senses.force.arm = ArmCondition::felt;
+        p.senses.force.cause = haptics::SafetyCause::shut_off;
+        p.senses.heard_lines = static_cast<std::uint32_t>(p.senses.heard.size());
+        p.senses.heard.fill(
             {.words = "surface of the brew", .from = HeardFrom::below, .important = true, .verb = "pushes"});
-        p.felt.fill(0.5F);
-        p.since_felt_s = 0;
-        p.hurts = 1;
+        p.senses.felt.fill(0.5F);
+        p.senses.since_felt_s = 0;
+        p.senses.hurts = 1;
     }
     picture.cauldron.contents[0] = "ember";
     picture.cauldron.contents[1] = "salt";
@@ -414,7 +414,7 @@ TEST(ResultPanel, IsTheSameWhateverPanelWasDrawnBefore) {
     panels[1].settings.names[0] = "Somebody else";  // who has lost
     panels[2].window = {640, 480};
     panels[3].settings.text_scale = 2.5;
-    panels[4].picture.wizards[0].kills += 17;
+    panels[4].picture.wizards[0].vitals.kills += 17;
     panels[5].picture.match_stats[0][0].shots += 1000;
     panels[6].picture.paused = true;
     panels[6].picture.phase = Phase::playing;

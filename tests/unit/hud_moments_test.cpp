@@ -35,7 +35,7 @@ const render::TextItem* text_item(const render::Overlay& overlay, std::string_vi
 
 TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     auto picture = picture_of(*new_match());
-    picture.wizards[0].at_rim = true;
+    picture.wizards[0].stations.at_rim = true;
     HudSettings settings;
     settings.prompts.fill(PromptWish::always);
     for (auto& controls : settings.controls) controls.stir = "E";
@@ -70,7 +70,7 @@ TEST(Countdown, IsEquallyLargeInBothViews) {
 
 TEST(Crosshair, SaysTheMassOfAThingOnAPlate) {
     auto picture = picture_of(*new_match());
-    auto& target = picture.wizards[0].target;
+    auto& target = picture.wizards[0].wand.target;
     for (const auto& [share, words] : {std::pair{0.1, "light"}, {0.4, "medium"}, {0.9, "heavy"}}) {
         target = {.kind = TargetKind::take, .mass_share = share};
         const auto overlay = overlay_of(picture);
@@ -101,15 +101,15 @@ TEST(Messages, SayThatTheRimIsTooFar) {
 TEST(Messages, OfAGiftNameThePlayersOwnControls) {
     auto picture = picture_of(*new_match());
     auto& p = picture.wizards[0];
-    p.since_gift_s = 0.1;
+    p.senses.since_gift_s = 0.1;
     HudSettings settings;
     settings.captions = {true, true};
     settings.controls[0] = {.fire = "LMB", .throw_ = "G"};
-    p.gift = {.kind = EventKind::hands_full, .subject = 0, .by = 0, .detail = 1};
+    p.senses.gift = {.kind = EventKind::hands_full, .subject = 0, .by = 0, .detail = 1};
     EXPECT_TRUE(has_text(overlay_of(picture, settings), "your hands are full: [G] takes salt instead"));
-    p.gift.kind = EventKind::put_away;
+    p.senses.gift.kind = EventKind::put_away;
     EXPECT_TRUE(has_text(overlay_of(picture, settings), "the salt goes back to its niche"));
-    p.gift.kind = EventKind::caught;
+    p.senses.gift.kind = EventKind::caught;
     EXPECT_TRUE(
         has_text(overlay_of(picture, settings), "caught: [G] throws it, a press of [LMB] lets it go"));
 }
@@ -125,7 +125,7 @@ TEST(WandStrip, ShowsWhatTakesTheNextWandWhereWandsHaveNoKeys) {
     ASSERT_NE(label, nullptr);
     for (const auto* digit : {"1", "2", "3", "4", "5"})
         EXPECT_EQ(text_item(overlay, digit), nullptr) << digit;
-    auto& in_hand = picture.wizards[0].wand_number;
+    auto& in_hand = picture.wizards[0].wand.number;
     const float first = label->position.x;
     in_hand = static_cast<std::uint32_t>((in_hand + 1) % picture.shown->wands.size());
     const auto later = overlay_of(picture, settings);
@@ -245,7 +245,7 @@ TEST(FeltSource, NamesFlowAndCrystalInTheHandsFrame) {
 
 TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
     auto picture = picture_of(*new_match());
-    auto& force = picture.wizards[0].force;
+    auto& force = picture.wizards[0].senses.force;
     force = {.cap = 2, .now = {0, 0, 1}, .source = "Recoil"};
     EXPECT_TRUE(has_text(overlay_of(picture), "Recoil"));
     EXPECT_FALSE(has_text(overlay_of(picture), " N"));
@@ -261,8 +261,8 @@ TEST(FeltSource, IsSaidWithABarAndWithoutNumbersUnlessTheCurveIsShown) {
 /// Distance of a point from the way of a drawn shot (m).
 double distance_from_way(const PlayerPicture& drawn, vec3 point) {
     double nearest = 1e9;
-    for (std::uint32_t i = 0; i + 1 < drawn.arc_points; ++i) {
-        const vec3 a = drawn.arc[i], way = drawn.arc[i + 1] - a;
+    for (std::uint32_t i = 0; i + 1 < drawn.wand.arc_points; ++i) {
+        const vec3 a = drawn.wand.arc[i], way = drawn.wand.arc[i + 1] - a;
         const double share = std::clamp(glm::dot(point - a, way) / glm::dot(way, way), 0.0, 1.0);
         nearest = std::min(nearest, glm::distance(point, a + share * way));
     }
@@ -276,8 +276,9 @@ double worst_of_flight(Simulation& match, const input::InputFrame& frame, const 
     for (Tick t = 0; t < 2000 && !arrived; ++t) {
         match.tick(frame);
         for (const auto& missile : picture_of(match).missiles) {
-            on_its_way = on_its_way || glm::distance(missile.position, drawn.arc[0]) < 0.3;
-            arrived = arrived || glm::distance(missile.position, drawn.arc[drawn.arc_points - 1]) < 0.5;
+            on_its_way = on_its_way || glm::distance(missile.position, drawn.wand.arc[0]) < 0.3;
+            arrived =
+                arrived || glm::distance(missile.position, drawn.wand.arc[drawn.wand.arc_points - 1]) < 0.5;
             if (on_its_way) worst = std::max(worst, distance_from_way(drawn, missile.position));
         }
     }
@@ -295,19 +296,19 @@ TEST(DrawnShot, ShowsTheWayThatTheStoneThenFlies) {
     input::InputFrame frame;
     frame.devices[0].wand = static_cast<std::uint8_t>(slot + 1);
     for (Tick t = 0; t < 32; ++t) match.tick(frame);
-    EXPECT_EQ(picture_of(match).wizards[0].arc_points, 0U) << "nothing is drawn";
+    EXPECT_EQ(picture_of(match).wizards[0].wand.arc_points, 0U) << "nothing is drawn";
     frame.devices[0].press(input::Button::fire);
     frame.devices[0].counts[input::hand::trigger] = 255;
     for (Tick t = 0; t < draw_time; ++t) match.tick(frame);
     const auto drawn = picture_of(match).wizards[0];
-    ASSERT_GT(drawn.arc_points, 5U);
-    ASSERT_TRUE(drawn.spring.has_value());
-    EXPECT_GT(glm::distance(*drawn.spring, drawn.wand_reach), 0.05) << "the spring is stretched";
+    ASSERT_GT(drawn.wand.arc_points, 5U);
+    ASSERT_TRUE(drawn.wand.spring.has_value());
+    EXPECT_GT(glm::distance(*drawn.wand.spring, drawn.wand.reach), 0.05) << "the spring is stretched";
     frame.devices[0].buttons = 0;
     frame.devices[0].counts[input::hand::trigger] = 0;
     // Between the picture and the shot the hand returns a little.
     EXPECT_LT(worst_of_flight(match, frame, drawn), 0.3);
-    EXPECT_EQ(picture_of(match).wizards[0].arc_points, 0U);
+    EXPECT_EQ(picture_of(match).wizards[0].wand.arc_points, 0U);
 }
 
 TEST(HudWords, NamesAndFeedStandOnAPlateSoThatNoGroundHidesThem) {

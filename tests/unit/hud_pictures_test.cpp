@@ -344,8 +344,8 @@ TEST_F(StoredBrews, StirredWithItsFlow) {
 TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     auto scene = duel();
     scene.settings.text_scale = 2.5;
-    scene.picture.wizards[0].since_warning_s = 0;
-    scene.picture.wizards[0].warning = EventKind::dry;
+    scene.picture.wizards[0].senses.since_warning_s = 0;
+    scene.picture.wizards[0].senses.warning = EventKind::dry;
     scene.picture.feed_lines = 1;
     scene.picture.feed[0] = {.age_s = 1,
                              .event = {.kind = EventKind::death,
@@ -372,7 +372,7 @@ protected:
         for (auto& each : cauldron.ladles) each = ladle;
         stand(crowd, 0, {-3.4, 0, 2.6}, above_bowl);
         stand(crowd, 1, {3.1, 0, 2.9}, above_bowl);
-        for (auto& wizard : crowd.wizards) wizard.held = vec3(0.4, 2, -2);
+        for (auto& wizard : crowd.wizards) wizard.wand.held = vec3(0.4, 2, -2);
         crowd.missiles.push_back(
             {.entity = {}, .player = 0, .position = {0.6, 1.6, -1}, .velocity = {3, 0, 1}, .wand = bolt});
         crowd.missiles.push_back({.entity = {},
@@ -453,12 +453,12 @@ TEST_F(StoredPictures, AChangedSceneIsRefused) {
         EXPECT_FALSE(differs(whole, whole));
         auto removed = whole;
         stand(removed.picture, 1, {0, -50, 0}, {0, -50, 1});
-        removed.picture.wizards[1].eye = whole.picture.wizards[1].eye;
-        removed.picture.wizards[1].yaw = whole.picture.wizards[1].yaw;
-        removed.picture.wizards[1].pitch = whole.picture.wizards[1].pitch;
+        removed.picture.wizards[1].vitals.eye = whole.picture.wizards[1].vitals.eye;
+        removed.picture.wizards[1].vitals.yaw = whole.picture.wizards[1].vitals.yaw;
+        removed.picture.wizards[1].vitals.pitch = whole.picture.wizards[1].vitals.pitch;
         EXPECT_TRUE(differs(whole, removed)) << "a wizard is missing";
         auto other_wand = whole;
-        for (auto& w : other_wand.picture.wizards) w.wand_number = blast;
+        for (auto& w : other_wand.picture.wizards) w.wand.number = blast;
         EXPECT_TRUE(differs(whole, other_wand)) << "another wand in the hand";
     }
 }

@@ -18,65 +18,65 @@ std::string said_to(const PlayerPicture& player, const ControlNames& controls = 
 TEST(Prompts, NameTheControlOfWhatCanBeDone) {
     PlayerPicture p;
     EXPECT_EQ(said_to(p), "");
-    p.target.kind = TargetKind::take;
+    p.wand.target.kind = TargetKind::take;
     EXPECT_EQ(said_to(p), "[Left mouse] Lift");
-    p.target.kind = TargetKind::too_heavy;
+    p.wand.target.kind = TargetKind::too_heavy;
     EXPECT_EQ(said_to(p), "");
-    p.held = vec3(0);
-    p.holds_thing = true;
+    p.wand.held = vec3(0);
+    p.wand.holds_thing = true;
     EXPECT_EQ(said_to(p), "[F] Throw");
     p = {};
-    p.target.kind = TargetKind::hook;
+    p.wand.target.kind = TargetKind::hook;
     EXPECT_EQ(said_to(p), "[Left mouse] Swing");
-    p.at_rim = true;
+    p.stations.at_rim = true;
     EXPECT_EQ(said_to(p), "[E] Stir");
-    p.stirs = true;
+    p.stations.stirs = true;
     EXPECT_EQ(said_to(p), "");
-    p.carries = "iron";
+    p.stations.carries = "iron";
     EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
-    p.dead = true;
+    p.vitals.dead = true;
     EXPECT_EQ(said_to(p), "");
 }
 
 TEST(Prompts, SayHowToPutAwayWhatWouldSpoilTheRecipe) {
     PlayerPicture p;
-    p.carries = "iron";
-    p.at_rim = true;
-    p.recipe.step = RecipeStep::stroke;
+    p.stations.carries = "iron";
+    p.stations.at_rim = true;
+    p.stations.recipe.step = RecipeStep::stroke;
     EXPECT_EQ(said_to(p), "[E] Stir");
-    p.stirs = true;
+    p.stations.stirs = true;
     EXPECT_EQ(said_to(p), "[F] Put away iron");
-    p.recipe.step = RecipeStep::ingredient;
-    p.recipe.next = "salt";
+    p.stations.recipe.step = RecipeStep::ingredient;
+    p.stations.recipe.next = "salt";
     EXPECT_EQ(said_to(p), "[F] Put away iron");
     for (const auto step : {RecipeStep::none, RecipeStep::choose, RecipeStep::spoilt}) {
-        p.recipe.step = step;
+        p.stations.recipe.step = step;
         EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
     }
-    p.recipe.step = RecipeStep::ingredient;
-    p.recipe.next = "iron";
+    p.stations.recipe.step = RecipeStep::ingredient;
+    p.stations.recipe.next = "iron";
     EXPECT_EQ(said_to(p), "[Left mouse] Drop iron");
 }
 
 TEST(Prompts, AtTheRimSayThatStirMustBeHeldForADrop) {
     PlayerPicture p;
-    p.at_rim = true;
-    p.carries = "iron";
+    p.stations.at_rim = true;
+    p.stations.carries = "iron";
     for (const auto step : {RecipeStep::none, RecipeStep::choose}) {
-        p.recipe.step = step;
+        p.stations.recipe.step = step;
         EXPECT_EQ(said_to(p), "Hold [E], then [Left mouse] Drop iron");
     }
     auto toggling = names;
     toggling.stir_toggles = true;
     EXPECT_EQ(said_to(p, toggling), "Press [E], then [Left mouse] Drop iron");
-    p.recipe.step = RecipeStep::ingredient;
-    p.recipe.next = "salt";
+    p.stations.recipe.step = RecipeStep::ingredient;
+    p.stations.recipe.next = "salt";
     EXPECT_EQ(said_to(p), "[F] Put away iron");
-    p.recipe.next = "iron";
+    p.stations.recipe.next = "iron";
     EXPECT_EQ(said_to(p), "Hold [E], then [Left mouse] Drop iron");
-    p.recipe.least = 0.2;
+    p.stations.recipe.least = 0.2;
     EXPECT_EQ(said_to(p), "[E] Stir") << "it is too soon for the drop";
-    p.recipe.step = RecipeStep::spoilt;
+    p.stations.recipe.step = RecipeStep::spoilt;
     EXPECT_EQ(said_to(p), "[E] Stir");
 }
 
@@ -94,7 +94,7 @@ TEST(Prompts, WordsOfALessonNameThePlayersOwnControls) {
 
 TEST(Prompts, AreNotShownToWhoeverHasNoControl) {
     PlayerPicture p;
-    p.at_rim = true;
+    p.stations.at_rim = true;
     EXPECT_EQ(said_to(p, {}), "");
 }
 
@@ -138,16 +138,16 @@ TEST(Prompts, APressOfStirOneStepTooFarAwaySaysSoForAMoment) {
         count_uses(before, now, uses);
         before = now;
     };
-    now.wizards[1].misses_rim = true;
+    now.wizards[1].stations.misses_rim = true;
     show(100);
-    now.wizards[1].misses_rim = false;
+    now.wizards[1].stations.misses_rim = false;
     show(180);
     EXPECT_EQ(words_of_missed_station(180, 1, uses), "Too far from the cauldron: step to the rim");
     EXPECT_EQ(words_of_missed_station(180, 0, uses), "");
     EXPECT_EQ(words_of_missed_station(2099, 1, uses), "Too far from the cauldron: step to the rim");
     EXPECT_EQ(words_of_missed_station(2100, 1, uses), "");
     EXPECT_EQ(words_of_missed_station(50, 1, uses), "") << "an earlier match, or a place of a replay";
-    now.wizards[1].at_rim = true;
+    now.wizards[1].stations.at_rim = true;
     show(300);
     EXPECT_EQ(words_of_missed_station(300, 1, uses), "") << "the player has come to the rim";
 }
@@ -157,21 +157,21 @@ TEST(Prompts, AWizardThrownFromOrbOrCrystalIsTold) {
         Picture before, now;
         before.tick = 100;
         now.tick = 110;
-        before.wizards[0].scrying.scries = before.wizards[0].scrying.near = orb;
-        before.wizards[0].carving.carves = before.wizards[0].carving.near = !orb;
+        before.wizards[0].stations.scrying.scries = before.wizards[0].stations.scrying.near = orb;
+        before.wizards[0].stations.carving.carves = before.wizards[0].stations.carving.near = !orb;
         PromptUses uses;
         count_uses(before, now, uses);
         const auto words =
             orb ? "Out of reach of the orb: step up to it" : "Out of reach of the crystal: step up to it";
         EXPECT_EQ(words_of_missed_station(110, 0, uses), words);
-        now.wizards[0].scrying.near = orb;
-        now.wizards[0].carving.near = !orb;
+        now.wizards[0].stations.scrying.near = orb;
+        now.wizards[0].stations.carving.near = !orb;
         PromptUses near;
         count_uses(before, now, near);
         EXPECT_EQ(words_of_missed_station(110, 0, near), "") << "the player has let Stir go";
         now.wizards[0] = {};
-        now.wizards[0].scrying.misses = orb;
-        now.wizards[0].carving.misses = !orb;
+        now.wizards[0].stations.scrying.misses = orb;
+        now.wizards[0].stations.carving.misses = !orb;
         PromptUses far;
         count_uses(now, now, far);
         auto later = now;
@@ -196,33 +196,33 @@ PromptUses uses_of(Picture before, F change) {
 TEST(Prompts, UsesAreCountedFromWhatThePicturesShow) {
     Picture start;
     EXPECT_EQ(uses_of(start, [](PlayerPicture&) {}), PromptUses{});
-    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.stirs = true; }).of(0, PromptKind::stir), 1U);
-    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.held = vec3(0); }).of(0, PromptKind::swing), 1U);
-    start.wizards[0].stirs = true;
-    start.wizards[0].carries = "iron";
-    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.carries = {}; }).of(0, PromptKind::drop), 1U);
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.stations.stirs = true; }).of(0, PromptKind::stir), 1U);
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.wand.held = vec3(0); }).of(0, PromptKind::swing), 1U);
+    start.wizards[0].stations.stirs = true;
+    start.wizards[0].stations.carries = "iron";
+    EXPECT_EQ(uses_of(start, [](PlayerPicture& p) { p.stations.carries = {}; }).of(0, PromptKind::drop), 1U);
     const auto away = uses_of(start, [](PlayerPicture& p) {
-        p.carries = {};
-        p.gift = {.tick = 5, .kind = EventKind::put_away};
+        p.stations.carries = {};
+        p.senses.gift = {.tick = 5, .kind = EventKind::put_away};
     });
     EXPECT_EQ(away.of(0, PromptKind::put_away), 1U);
     EXPECT_EQ(away.of(0, PromptKind::drop), 0U);
     start = {};
-    start.wizards[0].held = vec3(0);
-    start.wizards[0].holds_thing = true;
+    start.wizards[0].wand.held = vec3(0);
+    start.wizards[0].wand.holds_thing = true;
     const auto let_go = [](PlayerPicture& p) {
-        p.held.reset();
-        p.holds_thing = false;
+        p.wand.held.reset();
+        p.wand.holds_thing = false;
     };
     EXPECT_EQ(uses_of(start, let_go), PromptUses{}) << "a thing that is put down is not thrown";
     const auto thrown = uses_of(start, [&](PlayerPicture& p) {
         let_go(p);
-        ++p.fired;
+        ++p.wand.fired;
     });
     EXPECT_EQ(thrown.of(0, PromptKind::throw_thing), 1U);
     const auto died = uses_of(start, [](PlayerPicture& p) {
-        p.stirs = true;
-        ++p.lives;
+        p.stations.stirs = true;
+        ++p.vitals.lives;
     });
     EXPECT_EQ(died, PromptUses{}) << "a new life is no deed";
 }

@@ -77,11 +77,11 @@ protected:
 /// Places a wizard with the feet at a position, looking at a point.
 inline void stand(Picture& p, const WizardRules& rules, std::uint32_t player, vec3 feet, vec3 at) {
     auto& w = p.wizards[player];
-    w.centre = feet + vec3(0, rules.height / 2, 0);
-    w.eye = eye_of(rules, w.centre);
-    const vec3 d = at - w.eye;
-    w.yaw = std::atan2(-d.x, -d.z);
-    w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
+    w.vitals.centre = feet + vec3(0, rules.height / 2, 0);
+    w.vitals.eye = eye_of(rules, w.vitals.centre);
+    const vec3 d = at - w.vitals.eye;
+    w.vitals.yaw = std::atan2(-d.x, -d.z);
+    w.vitals.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
 }
 
 }  // namespace thaum::game::hud_tests

@@ -66,15 +66,16 @@ Picture busy_at(RecipeStep step) {
     picture.cauldron.whole_time_s = 20;
     picture.cauldron.fresh = 0.55;
     for (auto& p : picture.wizards) {
-        p.stirs = p.at_rim = true;
-        p.recipe = recipe_at(step);
-        p.potion_names[0] = "haste";
-        p.potion_left_s[0] = 12.4;
-        p.potions = 1;
+        p.stations.stirs = p.stations.at_rim = true;
+        p.stations.recipe = recipe_at(step);
+        p.vitals.potion_names[0] = "haste";
+        p.vitals.potion_left_s[0] = 12.4;
+        p.vitals.potions = 1;
         auto& reading = p.casting.reading;
         reading = {.age_s = 0.5, .gesture = 0, .nearest = 0, .probability = 0.97, .force = 0.6, .turns = 1};
-        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
-        p.heard.fill({.words = "stirring", .from = HeardFrom::ahead, .important = true, .verb = "pushes"});
+        p.senses.heard_lines = static_cast<std::uint32_t>(p.senses.heard.size());
+        p.senses.heard.fill(
+            {.words = "stirring", .from = HeardFrom::ahead, .important = true, .verb = "pushes"});
     }
     picture.cauldron.owner = 0;
     picture.feed_lines = static_cast<std::uint32_t>(picture.feed.size());
@@ -111,7 +112,7 @@ TEST(RimCard, ASpoiltRecipeKeepsTheMeasureOfItsBrew) {
     auto picture = busy_at(RecipeStep::stroke);
     picture.cauldron.mixed = 0.69;
     picture.cauldron.well_mixed = 0.92;
-    auto& recipe = picture.wizards[0].recipe;
+    auto& recipe = picture.wizards[0].stations.recipe;
     recipe.reached = 0.9;
     const auto before = rim_card_of(picture, {}, 0);
     EXPECT_NEAR(before.gauge.mixed, 0.9, 1e-6);
@@ -129,13 +130,13 @@ TEST(RimCard, ASpoiltRecipeKeepsTheMeasureOfItsBrew) {
 
 TEST(RimCard, SaysWhichControlsDropAnIngredient) {
     PlayerPicture p;
-    p.recipe = recipe_at(RecipeStep::ingredient);
-    p.recipe.reached = 0.7;
-    p.recipe.choices = 0;
-    p.carries = p.recipe.next;
+    p.stations.recipe = recipe_at(RecipeStep::ingredient);
+    p.stations.recipe.reached = 0.7;
+    p.stations.recipe.choices = 0;
+    p.stations.carries = p.stations.recipe.next;
     const ControlNames controls{.fire = "Left mouse", .stir = "E"};
     EXPECT_EQ(words_of_step(p, controls), "Ironhide: hold [E], then drop resin with [Left mouse]");
-    p.stirs = true;
+    p.stations.stirs = true;
     EXPECT_EQ(words_of_step(p, controls), "Ironhide: drop resin now with [Left mouse]");
     EXPECT_EQ(words_of_step(p, {}), "Ironhide: drop resin now with [use wand]");
 }
@@ -160,9 +161,9 @@ TEST(RimCard, NoTwoTextsOverlapAtTheBusiestMoment) {
             for (auto& p : picture.wizards) {
                 p.casting.stroke.drawing = draws;
                 p.casting.stroke.on_brew = true;
-                p.force.source = "recoil";
-                p.force.cap = 1;
-                p.force.now = vec3(0.5);
+                p.senses.force.source = "recoil";
+                p.senses.force.cap = 1;
+                p.senses.force.now = vec3(0.5);
             }
             each_view([&](const HudSettings& settings, const std::string& name) {
                 for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
@@ -178,12 +179,12 @@ TEST(RimCard, NoTwoTextsOverlapAtTheBusiestMoment) {
 TEST(RimCard, NamesEveryRecipeThatCanGoOn) {
     auto picture = busy_at(RecipeStep::ingredient);
     for (auto& p : picture.wizards) {
-        p.recipe.potion = "azoth";
-        p.recipe.next = "salt";
-        p.recipe.choices = 1;
-        p.recipe.choice_names[0] = "venom";
-        p.recipe.choice_ingredients[0] = {"ember"};
-        p.stirs = false;
+        p.stations.recipe.potion = "azoth";
+        p.stations.recipe.next = "salt";
+        p.stations.recipe.choices = 1;
+        p.stations.recipe.choice_names[0] = "venom";
+        p.stations.recipe.choice_ingredients[0] = {"ember"};
+        p.stations.stirs = false;
     }
     EXPECT_EQ(words_of_step(picture.wizards[0], {}), "Azoth: fetch salt next   or Venom: ember");
 }
@@ -212,11 +213,11 @@ Picture at_wall() {
     for (int i = 0; i < 40; ++i)
         wall.stroke.push_back({0.02 * i, 0.04 * vec3(std::sin(0.15 * i), std::cos(0.15 * i), 0), 0.5});
     auto& p = picture.wizards[0];
-    p.stirs = p.at_rim = false;
-    p.carries = "iron";
-    p.force.source = "recoil";
-    p.force.cap = 1;
-    p.force.now = vec3(0.5);
+    p.stations.stirs = p.stations.at_rim = false;
+    p.stations.carries = "iron";
+    p.senses.force.source = "recoil";
+    p.senses.force.cap = 1;
+    p.senses.force.now = vec3(0.5);
     return picture;
 }
 

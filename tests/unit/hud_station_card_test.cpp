@@ -26,16 +26,17 @@ HudSettings with_keys(HudSettings settings) {
 Picture busy() {
     auto picture = picture_of(*new_match());
     for (auto& p : picture.wizards) {
-        p.potion_names[0] = "haste";
-        p.potion_left_s[0] = 12.4;
-        p.potions = 1;
+        p.vitals.potion_names[0] = "haste";
+        p.vitals.potion_left_s[0] = 12.4;
+        p.vitals.potions = 1;
         p.casting.there = true;
         p.casting.focus = 72.3;
         p.casting.focus_cap = 100;
-        p.heard_lines = static_cast<std::uint32_t>(p.heard.size());
-        p.heard.fill({.words = "orb hums", .from = HeardFrom::ahead, .important = true, .verb = "pulls"});
+        p.senses.heard_lines = static_cast<std::uint32_t>(p.senses.heard.size());
+        p.senses.heard.fill(
+            {.words = "orb hums", .from = HeardFrom::ahead, .important = true, .verb = "pulls"});
     }
-    picture.wizards[0].work.left_s = 22.4;
+    picture.wizards[0].stations.work.left_s = 22.4;
     picture.feed_lines = static_cast<std::uint32_t>(picture.feed.size());
     for (auto& line : picture.feed) line.event = {.kind = EventKind::work_half, .subject = 0, .by = 0};
     return picture;
@@ -77,9 +78,9 @@ Picture busy_at(At place) {
     auto picture = busy();
     for (auto& p : picture.wizards) {
         if (place == At::crystal || place == At::crystal_near)
-            p.carving = carving_at(place);
+            p.stations.carving = carving_at(place);
         else
-            p.scrying = scrying_at(place);
+            p.stations.scrying = scrying_at(place);
     }
     return picture;
 }
@@ -113,11 +114,11 @@ TEST(StationCard, SaysWhetherTheToolHelpsAndHowToTurn) {
     EXPECT_TRUE(card_of(picture, settings, 0).brew.ends_with("turn it: [A D]"));
     const std::array words{"nothing here", "good place", "spoils the key"};
     for (const auto worth : {DabWorth::nothing, DabWorth::helps, DabWorth::spoils}) {
-        picture.wizards[0].carving.tip.worth = worth;
+        picture.wizards[0].stations.carving.tip.worth = worth;
         const auto step = card_of(picture, settings, 0).step;
         EXPECT_NE(step.find(words.at(static_cast<std::size_t>(worth))), step.npos) << step;
     }
-    picture.wizards[0].carving.overlap = 0;
+    picture.wizards[0].stations.carving.overlap = 0;
     EXPECT_TRUE(card_of(picture, settings, 0).brew.starts_with("Untouched; carve 80 % of the key"));
 }
 
@@ -125,13 +126,13 @@ TEST(StationCard, IsGoneWhileItsPlayerLooksAway) {
     for (const auto place : {At::orb_near, At::crystal_near}) {
         auto p = busy_at(place).wizards[0];
         EXPECT_TRUE(has_card(p));
-        p.scrying.faces = p.carving.faces = false;
+        p.stations.scrying.faces = p.stations.carving.faces = false;
         EXPECT_FALSE(has_card(p));
         const auto prompt = prompt_of(p, with_keys({}).controls[0]);
         EXPECT_FALSE(prompt && (prompt->kind == PromptKind::scry || prompt->kind == PromptKind::carve));
     }
     auto works = busy_at(At::crystal).wizards[0];
-    works.carving.faces = false;
+    works.stations.carving.faces = false;
     EXPECT_TRUE(has_card(works)) << "a hand at work";
 }
 
@@ -141,10 +142,10 @@ TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
     for (const auto place : all_places) {
         auto picture = busy_at(place);
         for (auto& p : picture.wizards) {
-            p.work_half = p.work.lens = true;
-            p.force.source = "vortex tube";
-            p.force.cap = 1;
-            p.force.now = vec3(0.5);
+            p.stations.work_half = p.stations.work.lens = true;
+            p.senses.force.source = "vortex tube";
+            p.senses.force.cap = 1;
+            p.senses.force.now = vec3(0.5);
         }
         each_view([&](const HudSettings& settings, const std::string& name) {
             for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
@@ -166,7 +167,7 @@ TEST(StationCard, BothPlayersReadTheSecondsOfTheGreatWork) {
             EXPECT_GE(found.least, readable) << name << ": " << part;
         }
     });
-    picture.wizards[0].work.left_s = 0;
+    picture.wizards[0].stations.work.left_s = 0;
     EXPECT_FALSE(has_text(busy_overlay_of(picture, {}), "Great Work of")) << "nobody holds it";
 }
 
@@ -207,7 +208,7 @@ TEST(StationStrip, MarksWhatIsWornAndWhatIsInHandInPlaceOfTheWands) {
 TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
     auto picture = busy_at(At::crystal);
     auto& p = picture.wizards[0];
-    picture.crystals.assign(1, {.middle = p.eye + vec3(0, -0.4, -1.2), .edge = 0.5});
+    picture.crystals.assign(1, {.middle = p.vitals.eye + vec3(0, -0.4, -1.2), .edge = 0.5});
     constexpr double usual = 1.2, aspect = 2;
     NearView view;
     const double nearest = field_of_player(picture, 0, usual, aspect, view);
@@ -216,7 +217,7 @@ TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
     NearView tall;
     EXPECT_NEAR(std::tan(field_of_player(picture, 0, 2.4, 0.5, tall) / 2), 2 * std::tan(nearest / 2), 1e-9)
         << "in a tall view the crystal fills the width";
-    p.carving = {};
+    p.stations.carving = {};
     double last = nearest;
     for (int i = 0; i < 35; ++i) {
         picture.tick += 10;
@@ -227,7 +228,7 @@ TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
     }
     EXPECT_DOUBLE_EQ(last, usual);
     picture.crystals[0].edge = 5;
-    p.carving = carving_at(At::crystal);
+    p.stations.carving = carving_at(At::crystal);
     picture.tick += 5000;
     EXPECT_DOUBLE_EQ(field_of_player(picture, 0, usual, aspect, view), usual)
         << "a large crystal is not made smaller";
@@ -250,9 +251,9 @@ TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
     const auto box = lay_out(settings, {1280, 720}, picture.shown->wands.size()).views[0]->health;
     const auto gold = [&] { return gold_in(busy_overlay_of(picture, settings), box); };
     EXPECT_EQ(gold(), 0U);
-    picture.wizards[0].work_half = true;
+    picture.wizards[0].stations.work_half = true;
     EXPECT_EQ(gold(), 2U) << "half a disc and its rim";
-    picture.wizards[0].work.lens = true;
+    picture.wizards[0].stations.work.lens = true;
     EXPECT_EQ(gold(), 4U);
 }
 
@@ -263,12 +264,12 @@ TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
     auto& world = match->world_to_change();
     const auto wizard = wizard_of(world, 0);
     const Orb orb = world.single<Orb>();
-    EXPECT_FALSE(picture_of(*match).wizards[0].scrying.near);
+    EXPECT_FALSE(picture_of(*match).wizards[0].stations.scrying.near);
     world.get<Motion>(wizard).position = orb.middle + vec3(1.4, 0, 0);
     world.get<WornModes>(wizard).worn = {2, 4};
     auto picture = picture_of(*match);
     EXPECT_EQ(picture.orb.seed, orb.seed);
-    const auto& scrying = picture.wizards[0].scrying;
+    const auto& scrying = picture.wizards[0].stations.scrying;
     EXPECT_TRUE(scrying.near && !scrying.scries && !scrying.told);
     EXPECT_EQ(scrying.modes[4], "vortex tube");
     EXPECT_TRUE(scrying.worn[2] && scrying.worn[4] && !scrying.worn[0]);
@@ -280,9 +281,9 @@ TEST(StationPicture, TellsWhatAWizardDoesAtTheOrb) {
     world.add(wizard, Scrying{.place = orb.middle + vec3(0, 0.1, 0), .force = {0, 0.5, 0}, .near_since = 1});
     world.get<WornModes>(wizard).order_told = 1;
     picture = picture_of(*match);
-    EXPECT_TRUE(picture.wizards[0].scrying.scries && picture.wizards[0].scrying.core_near);
-    EXPECT_EQ(picture.wizards[0].scrying.potion, "azoth");
-    EXPECT_FALSE(picture.wizards[0].scrying.order[2].empty());
+    EXPECT_TRUE(picture.wizards[0].stations.scrying.scries && picture.wizards[0].stations.scrying.core_near);
+    EXPECT_EQ(picture.wizards[0].stations.scrying.potion, "azoth");
+    EXPECT_FALSE(picture.wizards[0].stations.scrying.order[2].empty());
     ASSERT_TRUE(picture.orb.probes[0]);
     EXPECT_EQ(picture.orb.probes[0]->place, orb.middle + vec3(0, 0.1, 0));
     EXPECT_GT(picture.orb.probes[0]->force_share, 0);
@@ -325,21 +326,21 @@ TEST(StationPicture, TellsWhatAWizardDoesAtACrystal) {
         middle = crystal.middle;
     });
     world.get<Motion>(wizard).position = middle + vec3(1.2, 0, 0);
-    EXPECT_TRUE(picture_of(*match).wizards[1].carving.near);
-    EXPECT_FALSE(picture_of(*match).wizards[1].carving.carves);
+    EXPECT_TRUE(picture_of(*match).wizards[1].stations.carving.near);
+    EXPECT_FALSE(picture_of(*match).wizards[1].stations.carving.carves);
     world.get<Lens>(wizard) = {.held = 1, .tool = 1};
     world.add(wizard, AtStation{.kind = StationKind::crystal, .number = 1});
     world.add(wizard, Chisel{.place = middle, .cutting = 1});
     world.single<GreatWork>().since[1] = 1;
     const auto p = picture_of(*match).wizards[1];
-    EXPECT_TRUE(p.carving.carves && p.carving.tip.works && p.work.lens);
-    EXPECT_EQ(p.carving.tools[p.carving.tool], "construct");
-    EXPECT_EQ(p.carving.tools[3], "stamp");
-    EXPECT_EQ(p.carving.tools[4], "");
-    EXPECT_EQ(p.carving.crystal, 1U);
-    EXPECT_DOUBLE_EQ(p.carving.overlap, 0.61);
-    EXPECT_DOUBLE_EQ(p.carving.wanted, 0.8);
-    EXPECT_DOUBLE_EQ(p.work.left_s, 30);
+    EXPECT_TRUE(p.stations.carving.carves && p.stations.carving.tip.works && p.stations.work.lens);
+    EXPECT_EQ(p.stations.carving.tools[p.stations.carving.tool], "construct");
+    EXPECT_EQ(p.stations.carving.tools[3], "stamp");
+    EXPECT_EQ(p.stations.carving.tools[4], "");
+    EXPECT_EQ(p.stations.carving.crystal, 1U);
+    EXPECT_DOUBLE_EQ(p.stations.carving.overlap, 0.61);
+    EXPECT_DOUBLE_EQ(p.stations.carving.wanted, 0.8);
+    EXPECT_DOUBLE_EQ(p.stations.work.left_s, 30);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST_F(Drawn, AChangeOfOneViewChangesOnlyItsHalf) {
     for (const auto s : both_splits) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
-        picture.wizards[0].yaw += 1;
+        picture.wizards[0].vitals.yaw += 1;
         // The other wizard faces away, so the turned figure is not in view.
         const auto after = draw(split(s));
         const auto views = views_of(split(s), size);
@@ -91,8 +91,8 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
         for (std::uint32_t player = 0; player < players; ++player) {
             picture = picture_of(*new_match());
             const auto before = draw(split(s));
-            picture.wizards[player].health = 37;
-            picture.wizards[player].energy = 11;
+            picture.wizards[player].vitals.health = 37;
+            picture.wizards[player].wand.energy = 11;
             const auto after = draw(split(s));
             const auto views = views_of(split(s), size);
             EXPECT_GT(differing(before, after, views[player]), 50);
@@ -109,8 +109,8 @@ TEST_F(Drawn, TheForceDisplayShowsTheFlowOfANearBrew) {
     fluid::set_velocity(brew->fluid, [](vec3) { return vec3(0.5, 0, 0); });
     take_brew(*brew, rules, 1, picture.cauldron.brew);
     picture.cauldron.there = true;
-    picture.wizards[0].eye = arena_scene.brew->place.middle + vec3(0, 0.8, 2);
-    picture.wizards[1].eye = arena_scene.brew->place.middle + vec3(0, 0.8, 18);
+    picture.wizards[0].vitals.eye = arena_scene.brew->place.middle + vec3(0, 0.8, 2);
+    picture.wizards[1].vitals.eye = arena_scene.brew->place.middle + vec3(0, 0.8, 18);
     const auto count = [&](std::uint32_t player, render::MeshId mesh) {
         return std::ranges::count(memory.instances[player], mesh, &render::Instance::mesh);
     };
@@ -126,7 +126,7 @@ TEST_F(Drawn, ABurstInOnesFaceHidesNothing) {
     const auto shells = [&](double distance) {
         int seen = 0;
         for (const double age : {0.01, 0.1, 0.2, 0.39}) {
-            const vec3 place = picture.wizards[0].eye + vec3(distance, 0, 0);
+            const vec3 place = picture.wizards[0].vitals.eye + vec3(distance, 0, 0);
             picture.burst_count = 1;
             picture.bursts[0] = {.age_s = age, .player = 1, .place = place, .radius = 3.5};
             make_frame(arena_scene, picture, {}, size, memory);
@@ -196,15 +196,15 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
 /// Places of a point of the first player's own wand as it is drawn (eye frame), for a displacement by the hand.
 vec3 own_wand_point(const ArenaScene& arena_scene, Picture& picture, vec3 reach, float along) {
     auto& wizard = picture.wizards[0];
-    wizard.wand_reach = reach;
+    wizard.wand.reach = reach;
     std::vector<render::Instance> instances;
     add_instances(arena_scene, picture, 0, instances);
-    const auto mesh = arena_scene.wands[wizard.wand_number];
+    const auto mesh = arena_scene.wands[wizard.wand.number];
     const auto wand = std::find_if(instances.begin(), instances.end(),
                                    [&](const render::Instance& one) { return one.mesh == mesh; });
     EXPECT_NE(wand, instances.end());
     const vec3 place(wand->model * fvec4(0, 0, -along * wand_length, 1));
-    return glm::inverse(look_rotation(wizard.yaw, wizard.pitch)) * (place - wizard.eye);
+    return glm::inverse(look_rotation(wizard.vitals.yaw, wizard.vitals.pitch)) * (place - wizard.vitals.eye);
 }
 
 void expect_in_view(vec3 point, double aspect, vec3 reach) {
@@ -315,9 +315,9 @@ TEST_F(Drawn, InTheWellNothingIsSeenThroughStone) {
 TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     picture.things.clear();
     picture.niches.clear();
-    picture.wizards[1].dead = true;
+    picture.wizards[1].vitals.dead = true;
     const auto shades_at = [&](vec3 feet) {
-        picture.wizards[0].centre = feet + vec3(0, match_data()->wizard.height / 2, 0);
+        picture.wizards[0].vitals.centre = feet + vec3(0, match_data()->wizard.height / 2, 0);
         std::vector<render::Instance> out;
         add_contact_shades(arena_scene, picture, out);
         return out;
@@ -437,7 +437,7 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
     for (std::uint32_t player = 0; player < players; ++player) {
-        picture.wizards[player].force.arm = ArmCondition::gone;
+        picture.wizards[player].senses.force.arm = ArmCondition::gone;
         HudSettings settings;
         render::Overlay overlay;
         make_overlay(picture, settings, size, overlay);
@@ -454,16 +454,16 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
             EXPECT_GT(item->position.y, static_cast<float>(view.y));
             EXPECT_LT(item->position.y + item->size, static_cast<float>(view.y + view.height));
         }
-        picture.wizards[player].force.arm = ArmCondition::none;
+        picture.wizards[player].senses.force.arm = ArmCondition::none;
     }
 }
 
 TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
-    picture.wizards[0].force.cause = haptics::SafetyCause::over_speed;
-    picture.wizards[0].force.arm = ArmCondition::felt;
-    picture.wizards[0].at_rim = true;
+    picture.wizards[0].senses.force.cause = haptics::SafetyCause::over_speed;
+    picture.wizards[0].senses.force.arm = ArmCondition::felt;
+    picture.wizards[0].stations.at_rim = true;
     picture.wizards[1] = picture.wizards[0];
     HudSettings settings;
     /// Number of views that show the words, which have a dark copy below them where they have no plate.
@@ -487,7 +487,7 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     EXPECT_EQ(shown("Pure brew"), 1) << "the other player still has captions";
     EXPECT_EQ(shown("Forces wait until the hand is slower"), 1);
     EXPECT_EQ(shown(settings.device_messages[0]), 1) << "a fault is told in any case";
-    picture.wizards[0].force.cause = haptics::SafetyCause::panic;
+    picture.wizards[0].senses.force.cause = haptics::SafetyCause::panic;
     EXPECT_EQ(shown("All forces off: the emergency key brings yours back"), 1);
 }
 
@@ -504,18 +504,18 @@ TEST(Captions, OnForcesAreForPlayersWithAnArm) {
     };
     for (const auto cause : {SafetyCause::shut_off, SafetyCause::panic, SafetyCause::warm, SafetyCause::stale,
                              SafetyCause::over_speed, SafetyCause::waiting}) {
-        for (auto& p : picture.wizards) p.force.cause = cause;
+        for (auto& p : picture.wizards) p.senses.force.cause = cause;
         EXPECT_FALSE(talks_of_forces()) << static_cast<int>(cause);
-        picture.wizards[1].force.arm = ArmCondition::felt;
+        picture.wizards[1].senses.force.arm = ArmCondition::felt;
         EXPECT_TRUE(talks_of_forces()) << static_cast<int>(cause);
-        picture.wizards[1].force.arm = ArmCondition::none;
+        picture.wizards[1].senses.force.arm = ArmCondition::none;
     }
 }
 
 TEST(Captions, ThatAreOffLeaveTheGaugeOfTheBrew) {
     auto picture = picture_of(*new_match());
     const auto bars = [&](bool at_rim, bool captions) {
-        picture.wizards[0].at_rim = at_rim;
+        picture.wizards[0].stations.at_rim = at_rim;
         render::Overlay overlay;
         make_overlay(picture, {.watch = Watch::first, .captions = {captions, captions}}, {1280, 720},
                      overlay);

@@ -138,8 +138,8 @@ TEST(LiveBodyThreads, TheFigureIsMadeForThePlayersWhoSeeIt) {
     bool seen = false;
     for (const double seconds : {10.0, 20.0}) {
         const auto picture = duel.play(seconds);
-        seen = seen || picture.wizards[0].since_felt_s < 100;
-        EXPECT_EQ(picture.wizards[1].since_felt_s, 1e6);
+        seen = seen || picture.wizards[0].senses.since_felt_s < 100;
+        EXPECT_EQ(picture.wizards[1].senses.since_felt_s, 1e6);
     }
     EXPECT_TRUE(seen);
 }

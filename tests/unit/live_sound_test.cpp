@@ -113,7 +113,7 @@ TEST(LiveSoundTest, AMatchIsHeardAndReadAndEndsWithIt) {
         EXPECT_GT(session.play(10), 0.001);
         match.show(picture);
     }
-    EXPECT_GT(picture.wizards[0].heard_lines + picture.wizards[1].heard_lines, 0U);
+    EXPECT_GT(picture.wizards[0].senses.heard_lines + picture.wizards[1].senses.heard_lines, 0U);
     session.play(60);
     EXPECT_LT(session.play(5), 1e-9) << "lasting sounds end with the match";
 }
@@ -174,7 +174,7 @@ TEST(LiveSoundTest, WithoutSoundOrReadersNothingIsMade) {
     }
     auto picture = game::make_picture();
     match.show(picture);
-    EXPECT_EQ(picture.wizards[0].heard_lines, 0U);
+    EXPECT_EQ(picture.wizards[0].senses.heard_lines, 0U);
     session.sound->apply(Settings{});
     EXPECT_TRUE(session.sound->is_wanted()) << "the sounds are told in words";
 }

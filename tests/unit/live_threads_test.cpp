@@ -113,7 +113,8 @@ TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
         }
         const auto& wizard = shown.newest().wizards[0];
         words = words || shown.newest().caption.words.find("kick of") != std::string::npos;
-        for (const auto felt : wizard.force.strongest) most = std::max(most, static_cast<double>(felt));
+        for (const auto felt : wizard.senses.force.strongest)
+            most = std::max(most, static_cast<double>(felt));
     }
     end_match();
 }

@@ -23,7 +23,7 @@ TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
             felt.push_back(trace[(match->match().played - 1) % trace.size()]);
         }
         const auto picture = picture_of(*match);
-        const auto& columns = picture.wizards[0].force.strongest;
+        const auto& columns = picture.wizards[0].senses.force.strongest;
         const auto whole = felt.size() / force_column;
         for (std::size_t back = 1; back <= columns.size(); ++back) {
             float strongest = 0;
@@ -32,7 +32,7 @@ TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
             EXPECT_EQ(columns[columns.size() - back], strongest) << last << " " << back;
         }
         EXPECT_GT(*std::max_element(columns.begin(), columns.end()), last > 300 ? 0.5F : -1.0F);
-        EXPECT_EQ(picture.wizards[1].force.strongest, ForcePicture{}.strongest);
+        EXPECT_EQ(picture.wizards[1].senses.force.strongest, ForcePicture{}.strongest);
     }
 }
 
@@ -45,11 +45,11 @@ TEST(TakePicture, HoldsTheLookOfAMoment) {
     EXPECT_EQ(p.things.size(), match_data()->arena.things.size() + match_data()->arena.anchors.size() +
                                    match_data()->arena.pads.size());
     for (const auto& w : p.wizards) {
-        EXPECT_EQ(w.health, match_data()->wizard.health);
-        EXPECT_EQ(w.wand, "bolt");
-        EXPECT_EQ(w.energy, w.energy_cap);
-        EXPECT_FALSE(w.dead);
-        EXPECT_NEAR(w.eye.y, match_data()->wizard.eye, 1e-9);
+        EXPECT_EQ(w.vitals.health, match_data()->wizard.health);
+        EXPECT_EQ(w.wand.name, "bolt");
+        EXPECT_EQ(w.wand.energy, w.wand.energy_cap);
+        EXPECT_FALSE(w.vitals.dead);
+        EXPECT_NEAR(w.vitals.eye.y, match_data()->wizard.eye, 1e-9);
     }
 }
 
@@ -65,13 +65,13 @@ TEST(TakePicture, APressOfStirAFewStepsFromTheRimIsSeenInThePictureOnly) {
         for (int t = 0; t < 8; ++t) match->tick(frame);
         return picture_of(*match).wizards[0];
     };
-    EXPECT_TRUE(seen(0.5, true).misses_rim);
-    EXPECT_TRUE(seen(3, true).misses_rim);
-    EXPECT_FALSE(seen(3, false).misses_rim);
-    EXPECT_FALSE(seen(5, true).misses_rim) << "the press is not meant for the cauldron";
+    EXPECT_TRUE(seen(0.5, true).stations.misses_rim);
+    EXPECT_TRUE(seen(3, true).stations.misses_rim);
+    EXPECT_FALSE(seen(3, false).stations.misses_rim);
+    EXPECT_FALSE(seen(5, true).stations.misses_rim) << "the press is not meant for the cauldron";
     const auto near = seen(-0.5, true);
-    EXPECT_TRUE(near.stirs);
-    EXPECT_FALSE(near.misses_rim);
+    EXPECT_TRUE(near.stations.stirs);
+    EXPECT_FALSE(near.stations.misses_rim);
 }
 
 TEST(TakePicture, AShotIsSeenAsAMissile) {
@@ -82,8 +82,8 @@ TEST(TakePicture, AShotIsSeenAsAMissile) {
     const auto p = picture_of(*match);
     ASSERT_FALSE(p.missiles.empty());
     EXPECT_EQ(p.missiles[0].player, 0U);
-    EXPECT_LT(p.wizards[0].energy, p.wizards[0].energy_cap);
-    EXPECT_EQ(p.wizards[1].energy, p.wizards[1].energy_cap);
+    EXPECT_LT(p.wizards[0].wand.energy, p.wizards[0].wand.energy_cap);
+    EXPECT_EQ(p.wizards[1].wand.energy, p.wizards[1].wand.energy_cap);
 }
 
 TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
@@ -95,19 +95,19 @@ TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
          {.points = 1000, .by = 0, .how = hit_kind("bolt_hit")});
     for (int i = 0; i < 16; ++i) match->tick({});
     auto p = picture_of(*match);
-    EXPECT_TRUE(p.wizards[1].dead);
-    EXPECT_NEAR(p.wizards[1].returns_in_s, seconds(match_data()->round.respawn), 0.03);
-    EXPECT_EQ(p.wizards[0].kills, 1);
+    EXPECT_TRUE(p.wizards[1].vitals.dead);
+    EXPECT_NEAR(p.wizards[1].vitals.returns_in_s, seconds(match_data()->round.respawn), 0.03);
+    EXPECT_EQ(p.wizards[0].vitals.kills, 1);
     ASSERT_EQ(p.feed_lines, 1U);
     EXPECT_EQ(p.feed[0].event.subject, 1U);
     EXPECT_EQ(p.feed[0].event.by, 0U);
-    ASSERT_EQ(p.wizards[1].hurts, 1U);
-    const vec3 to_foe = glm::normalize(p.wizards[0].eye - p.wizards[1].eye);
-    EXPECT_GT(glm::dot(p.wizards[1].marks[0].towards, to_foe), 0.99);
+    ASSERT_EQ(p.wizards[1].senses.hurts, 1U);
+    const vec3 to_foe = glm::normalize(p.wizards[0].vitals.eye - p.wizards[1].vitals.eye);
+    EXPECT_GT(glm::dot(p.wizards[1].senses.marks[0].towards, to_foe), 0.99);
     for (int i = 0; i < 5100; ++i) match->tick({});
     take_picture(*match, p);
     EXPECT_EQ(p.feed_lines, 0U);
-    EXPECT_EQ(p.wizards[1].hurts, 0U);
+    EXPECT_EQ(p.wizards[1].senses.hurts, 0U);
 }
 
 /// A match in which player 1 has a wand in hand and looks up, over everything.
@@ -133,7 +133,7 @@ struct Looking {
         state.position = eye + distance * ahead;
         match->physics().set_state(thing.index, state);
     }
-    Target target() const { return picture_of(*match).wizards[0].target; }
+    Target target() const { return picture_of(*match).wizards[0].wand.target; }
     /// The first loose thing.
     ecs::Entity loose() const {
         ecs::Entity found;
@@ -205,7 +205,7 @@ TEST(TakePicture, HoldsTheEnergyOfEveryWand) {
         belt.energy[wands[i].stats.energy_slot] = 1.0 + static_cast<double>(wands[i].stats.energy_slot);
     const auto picture = picture_of(*match);
     for (std::size_t i = 0; i < wands.size(); ++i) {
-        EXPECT_EQ(picture.wizards[0].charges[i], 1.0 + static_cast<double>(wands[i].stats.energy_slot))
+        EXPECT_EQ(picture.wizards[0].wand.charges[i], 1.0 + static_cast<double>(wands[i].stats.energy_slot))
             << wands[i].kind->name;
         EXPECT_EQ(picture.shown->wands[i].energy_cap, wands[i].stats.energy_cap);
         EXPECT_EQ(picture.shown->wands[i].energy_cost, wands[i].stats.energy_cost);
@@ -248,11 +248,11 @@ TEST(TakePicture, ShowsAPickUpForAWhile) {
     });
     for (int i = 0; i < 16; ++i) match->tick({});
     const auto p = picture_of(*match);
-    EXPECT_LT(p.wizards[0].since_gift_s, 0.02);
-    EXPECT_EQ(p.wizards[0].gift.detail, static_cast<std::uint32_t>(PowerUpKind::heart));
-    EXPECT_EQ(p.wizards[0].gift.amount, 50);
-    EXPECT_GT(p.wizards[1].since_gift_s, 1000);
-    EXPECT_NEAR(p.wizards[0].health, 150, 0.1);
+    EXPECT_LT(p.wizards[0].senses.since_gift_s, 0.02);
+    EXPECT_EQ(p.wizards[0].senses.gift.detail, static_cast<std::uint32_t>(PowerUpKind::heart));
+    EXPECT_EQ(p.wizards[0].senses.gift.amount, 50);
+    EXPECT_GT(p.wizards[1].senses.since_gift_s, 1000);
+    EXPECT_NEAR(p.wizards[0].vitals.health, 150, 0.1);
     render::Overlay overlay;
     make_overlay(p, {}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
@@ -267,8 +267,8 @@ struct Two {
         to.tick = 108;
         from.things.push_back({.entity = 4, .position = {0, 0, 0}});
         to.things.push_back({.entity = 4, .position = {0.1, 0, 0}, .orientation = rotation({0, 1, 0}, 0.4)});
-        from.wizards[0].centre = from.wizards[0].eye = {1, 1, 1};
-        to.wizards[0].centre = to.wizards[0].eye = {1.2, 1, 1};
+        from.wizards[0].vitals.centre = from.wizards[0].vitals.eye = {1, 1, 1};
+        to.wizards[0].vitals.centre = to.wizards[0].vitals.eye = {1.2, 1, 1};
     }
     const Picture& at(double alpha) {
         interpolate(from, to, alpha, out);
@@ -281,7 +281,7 @@ TEST(Interpolate, MovesInBetween) {
     const auto& p = two.at(0.5);
     EXPECT_NEAR(p.things[0].position.x, 0.05, 1e-12);
     EXPECT_NEAR(2 * std::asin(p.things[0].orientation.y), 0.2, 1e-12);
-    EXPECT_NEAR(p.wizards[0].eye.x, 1.1, 1e-12);
+    EXPECT_NEAR(p.wizards[0].vitals.eye.x, 1.1, 1e-12);
     EXPECT_NEAR(two.at(0).things[0].position.x, 0, 1e-12);
     EXPECT_NEAR(two.at(1).things[0].position.x, 0.1, 1e-12);
 }
@@ -296,20 +296,20 @@ TEST(Interpolate, ThingsAreFoundByTheirEntity) {
 
 TEST(Interpolate, AReturnToLifeIsNotInterpolated) {
     Two two;
-    two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
-    EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
+    two.to.wizards[0].vitals.centre = two.to.wizards[0].vitals.eye = {-15, 1, 15};
+    EXPECT_EQ(two.at(0.25).wizards[0].vitals.eye, vec3(-15, 1, 15));
     // Nothing is interpolated even if the new life begins beside the place of death.
     Two near;
-    near.from.wizards[0].lives = 1;
-    near.to.wizards[0].lives = 2;
-    EXPECT_EQ(near.at(0.25).wizards[0].eye, vec3(1.2, 1, 1));
+    near.from.wizards[0].vitals.lives = 1;
+    near.to.wizards[0].vitals.lives = 2;
+    EXPECT_EQ(near.at(0.25).wizards[0].vitals.eye, vec3(1.2, 1, 1));
 }
 
 TEST(Interpolate, TurnsTheShortWayAcrossTheSeam) {
     Two two;
-    two.from.wizards[0].yaw = 3.1;
-    two.to.wizards[0].yaw = -3.1;
-    EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].yaw - pi, 2 * pi), 0, 1e-9);
+    two.from.wizards[0].vitals.yaw = 3.1;
+    two.to.wizards[0].vitals.yaw = -3.1;
+    EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].vitals.yaw - pi, 2 * pi), 0, 1e-9);
 }
 
 }  // namespace

@@ -130,13 +130,13 @@ double energy_after_shots(Practice& practice) {
     }
     auto picture = game::make_picture();
     game::take_picture(practice.match(), picture);
-    return picture.wizards[game::practising].energy;
+    return picture.wizards[game::practising].wand.energy;
 }
 
 TEST_F(PracticeTest, EndlessEnergyKeepsWandsFullAlsoAfterAReload) {
     auto watched = files();
     auto practice = practice_of(watched);
-    const auto full = picture(practice).wizards[game::practising].energy_cap;
+    const auto full = picture(practice).wizards[game::practising].wand.energy_cap;
     EXPECT_LT(energy_after_shots(practice), full - 5);
     EXPECT_TRUE(practice.set_changes({.endless_energy = true}));
     EXPECT_FALSE(practice.set_changes({.endless_energy = true})) << "nothing has changed";

@@ -120,8 +120,8 @@ Eye eye_of_viewer(const Shown& shown) {
     const double up = game::field_of_view(shown.screen.hud.fov, w / h);
     return {.match = *shown.match,
             .wizard = game::wizard_of(world, viewer),
-            .place = player.eye,
-            .turn = look_rotation(player.yaw, player.pitch),
+            .place = player.vitals.eye,
+            .turn = look_rotation(player.vitals.yaw, player.vitals.pitch),
             .centre = fvec2(w, h) / 2.0F,
             .focal = h / 2 / std::tan(up / 2)};
 }
@@ -135,11 +135,11 @@ void see(const Eye& eye, std::string_view what, vec3 point, double high, std::op
 
 /// Sees the other wizard by its middle, or else by its head.
 void see_wizard(const Eye& eye, const game::PlayerPicture& other, double high, Screen& out) {
-    if (other.dead) return;
+    if (other.vitals.dead) return;
     const auto thing = game::wizard_of(eye.match.world(), 1 - viewer).index;
     const auto before = out.sights.size();
-    see(eye, "wizard", other.centre, high, thing, out);
-    if (out.sights.size() == before) see(eye, "wizard", other.eye, high, thing, out);
+    see(eye, "wizard", other.vitals.centre, high, thing, out);
+    if (out.sights.size() == before) see(eye, "wizard", other.vitals.eye, high, thing, out);
 }
 
 double height_of(const game::ShapeKey& key) {
@@ -200,34 +200,34 @@ void glance_at(const Eye& eye, Screen& out) {
 // Marks -----------------------------------------------------------------------------------------------------
 
 void see_arc(const Eye& eye, const game::PlayerPicture& player, Screen& out) {
-    if (player.arc_points == 0) return;
-    const vec3 end = player.arc.at(player.arc_points - 1);
+    if (player.wand.arc_points == 0) return;
+    const vec3 end = player.wand.arc.at(player.wand.arc_points - 1);
     const auto at = eye.drawn(end);
     if (at && eye.is_clear(end, {})) out.arc_end = at;
 }
 
 void see_hurts(const game::PlayerPicture& player, Screen& out) {
-    if (player.hurts == 0) return;
-    const auto& mark = player.marks[0];
+    if (player.senses.hurts == 0) return;
+    const auto& mark = player.senses.marks[0];
     if (glm::dot(mark.towards, mark.towards) < 0.5) return;
-    const vec3 local = rotation({0, 1, 0}, -player.yaw) * mark.towards;
+    const vec3 local = rotation({0, 1, 0}, -player.vitals.yaw) * mark.towards;
     out.hurt = static_cast<float>(std::atan2(local.x, -local.z));
 }
 
 void see_marks(const Eye& eye, const Shown& shown, Screen& out) {
     const auto& player = shown.picture.wizards[viewer];
-    out.mark = player.target.kind;
-    out.ring = static_cast<float>(player.readiness);
-    out.holds = player.held.has_value();
-    out.dead = player.dead;
-    out.horizon = eye.centre.y + static_cast<float>(eye.focal * std::tan(player.pitch));
+    out.mark = player.wand.target.kind;
+    out.ring = static_cast<float>(player.wand.readiness);
+    out.holds = player.wand.held.has_value();
+    out.dead = player.vitals.dead;
+    out.horizon = eye.centre.y + static_cast<float>(eye.focal * std::tan(player.vitals.pitch));
     see_arc(eye, player, out);
     see_hurts(player, out);
     const auto& wands = shown.picture.shown->wands;
     out.energy.assign(wands.size(), 0);
     for (std::size_t i = 0; i < wands.size(); ++i)
         out.energy.at(wands[i].slot) =
-            static_cast<float>(player.charges.at(i) / std::max(1e-9, wands[i].energy_cap));
+            static_cast<float>(player.wand.charges.at(i) / std::max(1e-9, wands[i].energy_cap));
 }
 
 }  // namespace

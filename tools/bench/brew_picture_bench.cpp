@@ -73,10 +73,10 @@ void stand_beside(game::Picture& picture) {
     for (std::size_t p = 0; p < picture.wizards.size(); ++p) {
         auto& w = picture.wizards[p];
         const vec3 at(p == 0 ? -2.0 : 2.0, 0, p == 0 ? 0.9 : -0.9);
-        w.eye += at - vec3(w.centre.x, 0, w.centre.z);
-        w.centre = {at.x, w.centre.y, at.z};
-        w.yaw = std::atan2(at.x, at.z);
-        w.pitch = -0.4;
+        w.vitals.eye += at - vec3(w.vitals.centre.x, 0, w.vitals.centre.z);
+        w.vitals.centre = {at.x, w.vitals.centre.y, at.z};
+        w.vitals.yaw = std::atan2(at.x, at.z);
+        w.vitals.pitch = -0.4;
     }
 }
 

@@ -1,0 +1,61 @@
+// game/picture/senses_picture.h: one moment of what a player feels, hears and is told, as plain data.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "game/components/match.h"
+#include "game/context/arms.h"
+#include "game/context/match_context.h"
+#include "game/senses/sound/heard.h"
+#include "haptics/safety.h"
+
+namespace thaum::game {
+
+/// Cells of the figure that shows what a body feels: 4 x 5 in front from the top left of the wearer, then the back.
+inline constexpr std::size_t figure_cells = 40;
+
+/// Time for which a mark shows the direction of a hurt.
+inline constexpr double mark_seconds = 1.2;
+
+/// A recent hurt of a player.
+struct HurtMark {
+    double age_s{};
+    vec3 towards{};  ///< unit vector from the victim to the source (world); zero if unknown
+};
+
+/// Ticks in one column of the force plot, which shows the strongest force among them.
+inline constexpr std::size_t force_column = 16;
+
+/// Force on a player's hand and the state of the device.
+struct ForcePicture {
+    ArmCondition arm{};            ///< condition of a real device
+    haptics::SafetyCause cause{};  ///< reason for a reduced force
+    double cap{};                  ///< limit of the force (N)
+    vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
+    std::string_view source;       ///< name of the strongest source of force (felt_source.h); empty: none
+    double created{};              ///< largest net energy that passive sources have given (J)
+    /// Strongest force of each complete column, the oldest first (N).
+    std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
+
+    /// The present force as a share of its limit.
+    double share() const { return cap > 0 ? glm::length(now) / cap : 0; }
+};
+
+struct SensesPicture {
+    double since_hit_s{};      ///< time since this player last hurt the other
+    double since_warning_s{};  ///< time since the last event of this player with HudMark::warning
+    EventKind warning{};       ///< kind of the event of since_warning_s
+    double since_gift_s{};     ///< time since the last event of this player with HudMark::gift
+    Event gift{};              ///< the event of since_gift_s
+    ForcePicture force{};
+    std::uint32_t
+        heard_lines{};  ///< number of entries in `heard`, the oldest first; the session fills them in
+    std::array<HeardLine, 8> heard{};
+    std::array<float, figure_cells> felt{};  ///< strength in each cell, 0 to 1; the session fills it in
+    double since_felt_s{1e6};                ///< time since a cell was last on
+    std::uint32_t hurts{};                   ///< number of entries in `marks`
+    std::array<HurtMark, 6> marks{};
+};
+
+}  // namespace thaum::game

@@ -1,0 +1,28 @@
+// game/picture/vitals_picture.h: one moment of a wizard's body and life, as plain data.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/units.h"
+#include "game/components/potions.h"
+
+namespace thaum::game {
+
+struct VitalsPicture {
+    vec3 centre{};          ///< middle of the body (m, world)
+    vec3 eye{};             ///< eye position (m, world)
+    double yaw{}, pitch{};  ///< direction of view (rad)
+    bool dead{}, shielded{};
+    std::uint32_t lives{};                         ///< number of deaths; a change marks a teleport
+    double health{}, health_full{}, health_cap{};  ///< HP
+    std::int32_t kills{}, deaths{};
+    double returns_in_s{};  ///< time until the wizard returns, if dead
+    /// Potions that act on the wizard, and the time that is left (s); the first `potions`.
+    std::array<std::string_view, most_potions> potion_names{};
+    std::array<double, most_potions> potion_left_s{};
+    std::uint32_t potions{};
+    double poisoned_s{};  ///< time for which poison will hurt the wizard; 0: none does
+};
+
+}  // namespace thaum::game
