@@ -1,7 +1,6 @@
 #include "audio/recipe.h"
 
 #include <algorithm>
-#include <array>
 
 #include "audio/detail/oscillator.h"
 #include "core/config.h"

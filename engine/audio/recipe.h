@@ -10,7 +10,6 @@
 //
 // A sound that loops is a circle: what reaches its end goes on at its start. So it has no seam.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 #include "ecs/table.h"
 
 #include <cstring>
-#include <new>
 
 namespace thaum::ecs {
 

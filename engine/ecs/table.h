@@ -21,7 +21,6 @@
 #include <memory>
 #include <memory_resource>
 #include <new>
-#include <span>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "field/carving_history.h"
 
 #include <cstring>
-#include <type_traits>
 
 #include "core/assert.h"
 

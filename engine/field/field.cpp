@@ -1,7 +1,6 @@
 #include "field/field.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thaum::field {
 namespace {

@@ -16,7 +16,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/spsc_queue.h"
 #include "input/tactile_output.h"

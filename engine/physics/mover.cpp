@@ -1,7 +1,6 @@
 #include "physics/mover.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/assert.h"
 #include "core/text.h"

@@ -11,7 +11,6 @@
 // The main thread creates, polls and destroys a Window. The render thread draws, and must release the context
 // before the Window is destroyed. A Renderer must be destroyed before its context.
 #pragma once
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "render/mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/assert.h"

@@ -1,8 +1,5 @@
 #include "tactile/clip.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace thaum::tactile {
 
 BodyPoint clip_place(std::size_t cell) {

@@ -4,9 +4,7 @@
 // layout, because each cell is a place on the body.
 #pragma once
 #include <array>
-#include <compare>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/sin_cos.h"
-
 namespace thaum::tactile {
 
 double height(const Grating& grating, double x) {

@@ -4,7 +4,6 @@
 // read by the recogniser that also reads strokes with Trace held. The best of them is what was drawn. The windows are
 // spread over the gameplay ticks of the rest. All that is kept between two ticks is in FreeHand.
 #pragma once
-#include <optional>
 
 #include "game/components/free_hand.h"
 #include "game/data/reading.h"

@@ -9,7 +9,6 @@
 
 #include "ecs/schedule.h"
 #include "game/components/match.h"
-#include "game/components/power_up.h"
 #include "game/context/resources.h"
 #include "game/data/match_data.h"
 #include "game/data/periods.h"

@@ -1,7 +1,6 @@
 #include "game/context/shot.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/text.h"

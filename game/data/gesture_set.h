@@ -1,6 +1,5 @@
 // game/data/gesture_set.h: the gestures that the strokes of a wizard may mean, with their recogniser.
 #pragma once
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>

@@ -17,7 +17,6 @@
 // {recipe} and {ingredient}; the caption of a gift also controls (game/data/control_words.h). A sound or an effect "{spell}" is that of the spell's own file (game/data/spell.h).
 #pragma once
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,5 @@
 #include "game/hud/prompts.h"
 
-#include <algorithm>
-
 #include "core/text.h"
 
 namespace thaum::game {

@@ -1,6 +1,5 @@
 // game/hud/stroke_lines.h: strokes as lines on the screen, x to the right and y upwards.
 #pragma once
-#include <span>
 
 #include "game/hud/panel.h"
 #include "gesture/stroke.h"

@@ -12,9 +12,7 @@
 // are given for the first material of the table.
 #pragma once
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/error.h"
 #include "field/materials.h"

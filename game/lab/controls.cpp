@@ -1,7 +1,6 @@
 #include "game/lab/controls.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/text.h"
 

@@ -1,6 +1,5 @@
 // game/lab/stir_path.h: paths of a ladle without a hand.
 #pragma once
-#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>

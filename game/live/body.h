@@ -5,7 +5,6 @@
 // file costs its own effect or layout, and is told in one line.
 #pragma once
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "game/live/live.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <thread>
 
 #include "core/random.h"

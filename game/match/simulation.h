@@ -9,7 +9,6 @@
 // other tick is reached by replaying the logged input from the keyframe before it.
 #pragma once
 #include <memory>
-#include <optional>
 
 #include "core/bytes.h"
 #include "game/stations/cauldron/cauldron.h"

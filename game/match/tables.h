@@ -10,7 +10,6 @@
 // values. The same log gives the same bytes on every run, whatever the locale.
 #pragma once
 #include <string>
-#include <string_view>
 
 #include "game/match/playback.h"
 

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "game/components/casting.h"
 #include "game/components/free_hand.h"

@@ -1,7 +1,6 @@
 #include "game/picture/recipe_picture.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/casting/casting.h"
 #include "game/components/casting.h"

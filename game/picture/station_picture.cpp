@@ -1,7 +1,6 @@
 #include "game/picture/station_picture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "game/components/casting.h"

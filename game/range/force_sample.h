@@ -1,7 +1,6 @@
 // game/range/force_sample.h: lets a player of the range feel one fader of the forces: some kicks of a bolt, a blow on a
 // carried thing, or the weight of a thing, as strong as the fader lets them be.
 #pragma once
-#include <string>
 
 #include "game/match/simulation.h"
 

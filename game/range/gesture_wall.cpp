@@ -1,7 +1,6 @@
 #include "game/range/gesture_wall.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/text.h"
 #include "game/casting/casting.h"

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "core/hash.h"
-#include "game/components/hand_state.h"
 #include "game/components/potions.h"
 #include "game/match/great_work.h"
 #include "game/match/simulation.h"

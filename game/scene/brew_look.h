@@ -18,7 +18,6 @@
 //
 // Drawing never changes a fluid or its surface.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "game/scene/crystal_look.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/scene/crystal_mesh.h"
 #include "game/stations/crystal/crystal.h"

@@ -1,10 +1,8 @@
 #include "game/scene/figures.h"
 #include "game/data/teams.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 #include "game/data/teams.h"
 #include "game/data/wand.h"

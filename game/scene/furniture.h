@@ -1,7 +1,6 @@
 // game/scene/furniture.h: the meshes of loose things and of the arena's furniture. Each is centred like its
 // body.
 #pragma once
-#include "game/arena/arena.h"
 #include "game/picture/picture.h"
 #include "render/mesh.h"
 

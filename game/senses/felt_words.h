@@ -3,7 +3,6 @@
 // itself is not told twice.
 #pragma once
 #include <array>
-#include <span>
 #include <string_view>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "game/senses/senses.h"
 
-#include <algorithm>
-
 namespace thaum::game {
 
 Expected<std::shared_ptr<const SenseData>> SenseData::load(const std::filesystem::path& assets,

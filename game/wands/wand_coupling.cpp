@@ -1,7 +1,5 @@
 #include "game/wands/wand_coupling.h"
 
-#include <cmath>
-
 namespace thaum::game {
 
 vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const WandCoupling& coupling) {

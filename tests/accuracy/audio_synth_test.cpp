@@ -1,6 +1,5 @@
 // The sound generator against exact formulas: frequency, decay, sweep, filters, notes, and the Fourier transform.
 #include <cmath>
-#include <numeric>
 
 #include "audio/analysis.h"
 #include "audio/detail/parts.h"

@@ -24,7 +24,6 @@
 #include <latch>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "core/assert.h"
 #include "core/clock.h"

@@ -2,7 +2,6 @@
 // it to get a false match verified. HOW: same, no_hashes, no_middle, no_last, early_input, late_input,
 // result, codes.
 #include <cstdio>
-#include <cstdlib>
 #include <string_view>
 
 #include "input/log.h"

@@ -16,7 +16,6 @@
 //     live_log_probe LOG --follow STATES
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <iostream>

@@ -3,7 +3,6 @@
 // A sample is the share of its voxel that the object covers, in 255 steps. The edge is as hard as partial volumes allow:
 // a real scanner blurs it further, which only helps.
 #pragma once
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

@@ -2,8 +2,6 @@
 // and delay.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/file.h"
 #include "core/random.h"
 #include "unit/stirring_rig.h"

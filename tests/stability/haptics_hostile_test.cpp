@@ -2,8 +2,6 @@
 // input.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/file.h"
 #include "core/random.h"
 #include "haptics/coupling.h"

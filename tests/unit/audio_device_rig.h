@@ -1,9 +1,6 @@
 // Fakes of a sound device, by a clock that the test moves.
 #pragma once
-#include <condition_variable>
 #include <deque>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "audio/sound_device.h"

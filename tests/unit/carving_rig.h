@@ -1,7 +1,6 @@
 // Bodies, tools and comparisons that the tests of carving share.
 #pragma once
 #include <bit>
-#include <cmath>
 
 #include "core/random.h"
 #include "field/carving.h"

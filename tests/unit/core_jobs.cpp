@@ -4,9 +4,7 @@
 #include <signal.h>
 
 #include <atomic>
-#include <chrono>
 #include <latch>
-#include <mutex>
 #include <numeric>
 
 #include "core/hash.h"

@@ -1,7 +1,6 @@
 // Fakes of an output of tactile frames.
 #pragma once
 #include <condition_variable>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>

@@ -1,5 +1,4 @@
 // Tests of the mark on the anchor that a rope would take.
-#include <algorithm>
 
 #include "unit/hud_rig.h"
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "game/bots/bot.h"
 #include "game/hud/hud.h"

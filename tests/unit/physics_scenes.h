@@ -1,6 +1,5 @@
 // Scenes shared by the tests of physics.
 #pragma once
-#include <map>
 
 #include "core/hash.h"
 #include "core/random.h"

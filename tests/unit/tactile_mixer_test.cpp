@@ -1,6 +1,5 @@
 // The mixer's rules: sums, limits, gaps, merging, priorities, faders, time to live.
 #include <cmath>
-#include <cstring>
 
 #include "unit/tactile_rig.h"
 

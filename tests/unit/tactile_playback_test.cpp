@@ -8,7 +8,6 @@
 #include "input/tactile_player.h"
 #include "unit/allocations.h"
 #include "unit/felt_output_rig.h"
-#include "unit/input_log_samples.h"
 
 namespace thaum::input {
 namespace {

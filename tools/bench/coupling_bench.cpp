@@ -1,6 +1,5 @@
 // Benchmark of the virtual coupling: run time and error over stiffness, mass ratio and step. The baseline is
 // semi-implicit Euler, the usual way to step such springs.
-#include <array>
 #include <cmath>
 #include <limits>
 

@@ -7,7 +7,6 @@
 // puts the proxy on its kink.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 
 #include "core/hash.h"

@@ -1,7 +1,6 @@
 #include "audio/detail/listener_mix.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thaum::audio::detail {
 namespace {

@@ -7,7 +7,6 @@
 #include <array>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "audio/detail/checked_frame.h"
 #include "audio/detail/loopback.h"

@@ -1,7 +1,6 @@
 #include "audio/detail/oscillator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/maths.h"

@@ -9,8 +9,6 @@
 // small multiple of the energy in the fluid, however fine the grid is. The number of iterations
 // therefore does not grow with the grid.
 #pragma once
-#include <functional>
-#include <memory>
 #include <optional>
 
 #include "fluid/detail/cuts.h"

@@ -1,7 +1,6 @@
 // input/detail/block.h: encoding of the log's blocks, independent of files. FORMAT.md is the reference.
 #pragma once
 #include <array>
-#include <memory>
 #include <optional>
 #include <span>
 

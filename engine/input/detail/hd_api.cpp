@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <list>
 #include <mutex>

@@ -1,7 +1,6 @@
 // game/app/gesture/drawing_hand.h: a hand that draws strokes outside of a match, by mouse or with a force feedback arm. As in
 // a match it draws against a viscous field, and the force of a point is what that field asks for, before any cap.
 #pragma once
-#include <atomic>
 #include <memory>
 
 #include "core/spsc_queue.h"

@@ -3,7 +3,6 @@
 // shows the speed. Nothing in the lab must be on time.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/clock.h"
 #include "core/file.h"

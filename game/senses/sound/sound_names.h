@@ -1,8 +1,6 @@
 // game/senses/sound/sound_names.h: the sounds that events and wands name in their data files, found in the bank once.
 #pragma once
 #include <array>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "game/components/power_up.h"

@@ -1,7 +1,6 @@
 #include "game/senses/sound/sound_scene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/senses/sound/scene_parts.h"
 

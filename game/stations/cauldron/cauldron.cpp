@@ -1,7 +1,6 @@
 #include "game/stations/cauldron/cauldron.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/assert.h"

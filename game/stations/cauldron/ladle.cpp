@@ -1,7 +1,6 @@
 #include "game/stations/cauldron/ladle.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/brew/brew_state.h"
 #include "game/components/hand_state.h"

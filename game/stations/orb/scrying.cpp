@@ -1,7 +1,6 @@
 #include "game/stations/orb/scrying.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "game/components/casting.h"
 #include "game/context/stations.h"
