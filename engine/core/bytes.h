@@ -46,11 +46,6 @@ public:
         put(static_cast<std::uint8_t>(value));
     }
 
-    /// Zigzag-encodes the value first, so that small negative numbers stay short.
-    void put_signed_varint(std::int64_t value) {
-        put_varint((static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63));
-    }
-
 private:
     Bytes& out_;
 };
@@ -105,11 +100,6 @@ public:
         }
         ok_ = false;
         return 0;
-    }
-
-    std::int64_t get_signed_varint() {
-        const auto v = get_varint();
-        return static_cast<std::int64_t>(v >> 1U) ^ -static_cast<std::int64_t>(v & 1U);
     }
 
 private:

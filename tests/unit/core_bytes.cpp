@@ -66,20 +66,6 @@ TEST(CoreBytes, VarintsAtTheirEdges) {
     }
 }
 
-TEST(CoreBytes, SignedVarintsAtTheirEdges) {
-    using Limits = std::numeric_limits<std::int64_t>;
-    for (const std::int64_t value :
-         {Limits::min(), Limits::min() + 1, std::int64_t{-65}, std::int64_t{-64}, std::int64_t{-1},
-          std::int64_t{0}, std::int64_t{63}, std::int64_t{64}, Limits::max() - 1, Limits::max()}) {
-        Bytes out;
-        ByteWriter(out).put_signed_varint(value);
-        ByteReader reader(out);
-        EXPECT_EQ(reader.get_signed_varint(), value);
-        EXPECT_TRUE(reader.ok());
-        EXPECT_EQ(out.size() == 1, value >= -64 && value <= 63) << value;
-    }
-}
-
 TEST(CoreBytes, WrongVarintsAreRefused) {
     EXPECT_FALSE(varint_of({}).second);
     EXPECT_FALSE(varint_of(bytes_of({0x80})).second);
@@ -123,7 +109,6 @@ TEST(CoreBytes, AFailedReaderStaysFailed) {
     EXPECT_TRUE(reader.get_bytes(4).empty());
     EXPECT_EQ(reader.get<std::uint8_t>(), 0);
     EXPECT_EQ(reader.get_varint(), 0);
-    EXPECT_EQ(reader.get_signed_varint(), 0);
     EXPECT_TRUE(reader.get_bytes(0).empty());
     EXPECT_EQ(reader.left(), 3);
     EXPECT_FALSE(reader.ok());
