@@ -5,6 +5,10 @@
 
 namespace thaum {
 
+void no_value(const Error& error, CodeLine asking) {
+    assertion_failed(asking.file, asking.line, error.message);
+}
+
 std::vector<std::string> lines_of(const Error& error) {
     std::vector<std::string> lines{error.message};
     lines.insert(lines.end(), error.more.begin(), error.more.end());

@@ -22,6 +22,18 @@ struct Error {
 template <class T>
 class Expected;
 
+/// A line of our sources. Clang 14 has no std::source_location.
+struct CodeLine {
+    const char* file;
+    int line;
+    static constexpr CodeLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
+
+/// Prints "file:line: message" of the error to standard error and aborts.
+[[noreturn]] void no_value(const Error& error, CodeLine asking);
+
 /// ValueFor<U, T> holds if the value of an Expected<T> can be made from a U. For errors and for another Expected it does not:
 /// they have constructors of their own.
 template <class U, class T>
@@ -31,8 +43,8 @@ concept ValueFor = std::is_constructible_v<T, U> && std::is_convertible_v<U, T> 
 
 /// Expected<T> holds either a value or an Error. It is the return type of functions that may fail. Faults from outside
 /// (files, devices, options) are Errors; our own mistakes, such as asking for a value that is not there, are assertions
-/// (core/assert.h). It is the part of C++23's std::expected that we use, under the same names, and no more, because it is
-/// compiled for two hundred types.
+/// (core/assert.h), which print the error that is there instead. It is the part of C++23's std::expected that we use, under
+/// the same names, and no more, because it is compiled for two hundred types. `value` names the line that asks.
 template <class T>
 class [[nodiscard]] Expected {
 public:
@@ -76,17 +88,21 @@ public:
     T&& operator*() && { return std::move(value()); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
-    T& value() & { return checked(true), value_; }
-    const T& value() const& { return checked(true), value_; }
-    T&& value() && { return checked(true), std::move(value_); }
+    T& value(CodeLine asking = CodeLine::here()) & { return check_value(asking), value_; }
+    const T& value(CodeLine asking = CodeLine::here()) const& { return check_value(asking), value_; }
+    T&& value(CodeLine asking = CodeLine::here()) && { return check_value(asking), std::move(value_); }
     T value_or(T other) const& { return holds_ ? value_ : std::move(other); }
     T value_or(T other) && { return holds_ ? std::move(value_) : std::move(other); }
-    Error& error() & { return checked(false), error_; }
-    const Error& error() const& { return checked(false), error_; }
-    Error&& error() && { return checked(false), std::move(error_); }
+    Error& error() & { return check_error(), error_; }
+    const Error& error() const& { return check_error(), error_; }
+    Error&& error() && { return check_error(), std::move(error_); }
 
 private:
-    void checked(bool value) const { THAUM_ASSERT(holds_ == value, "a value or an error that is not there"); }
+    void check_value(CodeLine asking) const {
+        if (!holds_) [[unlikely]]
+            no_value(error_, asking);
+    }
+    void check_error() const { THAUM_ASSERT(!holds_, "an error that is not there"); }
 
     union {
         T value_;
