@@ -177,9 +177,9 @@ struct MeshChange {
 
 /// The whole picture.
 struct Frame {
-    int width{}, height{};         ///< size of the window's framebuffer (px)
-    std::vector<ViewScene> views;  ///< one view, or two that do not overlap; the rest is black
-    Overlay overlay;
+    int width{}, height{};           ///< size of the window's framebuffer (px)
+    std::vector<ViewScene> views{};  ///< one view, or two that do not overlap; the rest is black
+    Overlay overlay{};
     float internal_scale = 1;  ///< scale of the views' resolution, 0.25 to 1; the result is stretched
     Quality quality = Quality::low;
     bool bloom = true;                      ///< used at Quality::high only

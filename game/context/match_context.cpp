@@ -37,37 +37,18 @@ void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, 
 
 /// Declares what belongs to the cauldron, and to strokes and spells.
 void declare_magic(ecs::World& world) {
-    world.declare<Cauldron>();
-    world.declare<BrewSamples>();
-    world.declare<SurfaceSamples>();
-    world.declare<Ladle>();
-    world.declare<Niche>();
-    world.declare<Pouch>();
-    world.declare<Focus>();
-    world.declare<DrawnStroke>();
-    world.declare<LastReading>();
-    world.declare<LastProp>();
-    world.declare<Fog>();
+    declare_all<Cauldron, BrewSamples, SurfaceSamples, Ladle, Niche, Pouch, Focus, DrawnStroke, LastReading,
+                LastProp, Fog>(world);
     for (const auto& kind : spell_kinds()) kind.declare(world);
-    world.declare<Potions>();
-    world.declare<DrawnOrders>();
+    declare_all<Potions, DrawnOrders>(world);
     for (const auto& kind : potion_effect_kinds())
         if (kind.declare != nullptr) kind.declare(world);
 }
 
 /// Declares what belongs to work at stations, beside the cauldron's own.
 void declare_stations(ecs::World& world) {
-    world.declare<AtStation>();
-    world.declare<Orb>();
-    world.declare<WornModes>();
-    world.declare<Scrying>();
-    world.declare<Crystal>();
-    world.declare<CrystalDensity>();
-    world.declare<CrystalColour>();
-    world.declare<Chisel>();
-    world.declare<CrystalStrike>();
-    world.declare<Lens>();
-    world.declare<GreatWork>();
+    declare_all<AtStation, Orb, WornModes, Scrying, Crystal, CrystalDensity, CrystalColour, Chisel,
+                CrystalStrike, Lens, GreatWork>(world);
 }
 
 }  // namespace
@@ -83,34 +64,12 @@ double force_cap(const HapticSetup& setup, std::uint32_t player) {
 }
 
 void declare_components(ecs::World& world) {
-    world.declare<Body>();
-    world.declare<Motion>();
-    world.declare<Look>();
-    world.declare<Prop>();
-    world.declare<Anchor>();
-    world.declare<Pad>();
-    world.declare<PowerUp>();
-    world.declare<Wizard>();
-    world.declare<Controls>();
-    world.declare<Gaze>();
-    world.declare<Stance>();
-    world.declare<Health>();
-    world.declare<Dead>();
-    world.declare<Blows>();
-    world.declare<WandBelt>();
-    world.declare<HandState>();
-    world.declare<Score>();
-    world.declare<Match>();
-    world.declare<Dice>();
-    world.declare<EventLog>();
+    declare_all<Body, Motion, Look, Prop, Anchor, Pad, PowerUp, Wizard, Controls, Gaze, Stance, Health, Dead,
+                Blows, WandBelt, HandState, Score, Match, Dice, EventLog>(world);
     for (const auto& kind : wand_kinds()) kind.declare(world);
     declare_magic(world);
     // Arms, moved faders and free hands are declared last, so that the hashes of matches without them stay the same.
-    world.declare<Arm>();
-    world.declare<PastModel>();
-    world.declare<MovedFaders>();
-    world.declare<FreeHand>();
-    world.declare<NearMiss>();
+    declare_all<Arm, PastModel, MovedFaders, FreeHand, NearMiss>(world);
     declare_stations(world);
 }
 

@@ -38,8 +38,8 @@ enum class EventWith : std::uint8_t {
 
 /// Meaning of the fields of one kind of event.
 struct EventKindInfo {
-    std::string_view name;   ///< name in tables, scenarios and data files; empty: no event has this number
-    std::string_view cause;  ///< cause of harm, such as "bolt"; empty: the event takes no health
+    std::string_view name{};   ///< name in tables, scenarios and data files; empty: no event has this number
+    std::string_view cause{};  ///< cause of harm, such as "bolt"; empty: the event takes no health
     EventWith with{};
     std::string_view unit{};  ///< unit of `amount`; empty: the event has no amount
     bool placed{};            ///< the event has a position

@@ -28,7 +28,7 @@ std::string_view name_of_spell(std::uint32_t number) {
 
 LoadedSpell read_spell(const SpellKind& kind, const Config& file) {
     const auto root = file.root();
-    LoadedSpell spell{.kind = &kind, .stats = {}, .rules = nullptr};
+    LoadedSpell spell{.kind = &kind};
     spell.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
     spell.stats.gesture = root.string("gesture");
     spell.stats.focus = root.number("focus", {0, 1e6});

@@ -20,6 +20,7 @@
 #include "core/config.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
+#include "game/data/registration.h"
 
 namespace thaum::game {
 
@@ -107,8 +108,8 @@ std::string_view name_of_spell(std::uint32_t number);
 /// A kind of spell with the numbers from its data file.
 struct LoadedSpell {
     const SpellKind* kind{};
-    SpellStats stats;
-    std::shared_ptr<const SpellRules> rules;
+    SpellStats stats{};
+    std::shared_ptr<const SpellRules> rules{};
 };
 
 LoadedSpell read_spell(const SpellKind& kind, const Config& file);

@@ -25,7 +25,7 @@ const std::vector<WandKind>& wand_kinds() { return kinds(); }
 LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto root = file.root();
     const auto energy = root.table("energy");
-    LoadedWand wand{.kind = &kind, .stats = {}, .rules = nullptr, .look = {}};
+    LoadedWand wand{.kind = &kind};
     wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
     wand.stats.energy_slot =
         static_cast<std::uint32_t>(energy.integer("of_slot", {1, wand_slots}, wand.stats.slot + 1) - 1);

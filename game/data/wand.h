@@ -2,17 +2,16 @@
 // game/wands that registers a WandKind. The rest of the game uses wands only through this interface, so a
 // new wand changes no other file.
 #pragma once
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/config.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
 #include "game/data/event_kinds.h"
+#include "game/data/registration.h"
 #include "game/data/wand_look.h"
 
 namespace thaum::game {
@@ -166,9 +165,9 @@ const std::vector<WandKind>& wand_kinds();
 /// A kind of wand with the numbers from its data file.
 struct LoadedWand {
     const WandKind* kind{};
-    WandStats stats;
-    std::shared_ptr<const WandRules> rules;
-    WandLook look;
+    WandStats stats{};
+    std::shared_ptr<const WandRules> rules{};
+    WandLook look{};
 };
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);

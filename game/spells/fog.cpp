@@ -63,10 +63,8 @@ private:
 
 const SpellRegistration registration({
     .name = "fog",
-    .declare = [](ecs::World&) {},
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
-        return std::make_shared<FogSpell>(root);
-    },
+    .declare = declare_all<>,
+    .read = read_rules<SpellRules, FogSpell>,
 });
 
 }  // namespace

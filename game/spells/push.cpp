@@ -129,10 +129,8 @@ private:
 
 const SpellRegistration registration({
     .name = "push",
-    .declare = [](ecs::World&) {},
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
-        return std::make_shared<PushSpell>(root);
-    },
+    .declare = declare_all<>,
+    .read = read_rules<SpellRules, PushSpell>,
 });
 
 }  // namespace

@@ -253,10 +253,8 @@ void RecallSpell::add_systems(const SpellSystems& to) const {
 
 const SpellRegistration registration({
     .name = "recall",
-    .declare = [](ecs::World& world) { world.declare<Recalled>(); },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
-        return std::make_shared<RecallSpell>(root);
-    },
+    .declare = declare_all<Recalled>,
+    .read = read_rules<SpellRules, RecallSpell>,
 });
 
 }  // namespace

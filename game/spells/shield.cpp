@@ -33,10 +33,8 @@ private:
 
 const SpellRegistration registration({
     .name = "shield",
-    .declare = [](ecs::World&) {},
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
-        return std::make_shared<ShieldSpell>(root);
-    },
+    .declare = declare_all<>,
+    .read = read_rules<SpellRules, ShieldSpell>,
 });
 
 }  // namespace

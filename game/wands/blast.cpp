@@ -223,7 +223,7 @@ void add_missile_systems(const WandSystems& to, const BlastData& data) {
 
 class BlastWand final : public WandRules {
 public:
-    explicit BlastWand(const BlastData& data) : data_(data) {}
+    explicit BlastWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BlastHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -259,14 +259,8 @@ private:
 const WandRegistration registration({
     .name = "blast",
     .hits = {{.name = "blast_hit", .cause = "blast", .fixed = FixedNumbers{11, 1}}},
-    .declare =
-        [](ecs::World& world) {
-            world.declare<Blast>();
-            world.declare<BlastHand>();
-        },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<BlastWand>(read(root));
-    },
+    .declare = declare_all<Blast, BlastHand>,
+    .read = read_rules<WandRules, BlastWand>,
 });
 
 }  // namespace

@@ -133,7 +133,7 @@ void add_missile_systems(const WandSystems& to, const BoltData& data) {
 
 class BoltWand final : public WandRules {
 public:
-    explicit BoltWand(const BoltData& data) : data_(data) {}
+    explicit BoltWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BoltHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -155,14 +155,8 @@ private:
 const WandRegistration registration({
     .name = "bolt",
     .hits = {{.name = "bolt_hit", .cause = "bolt", .fixed = FixedNumbers{2, 0}}},
-    .declare =
-        [](ecs::World& world) {
-            world.declare<Bolt>();
-            world.declare<BoltHand>();
-        },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<BoltWand>(read(root));
-    },
+    .declare = declare_all<Bolt, BoltHand>,
+    .read = read_rules<WandRules, BoltWand>,
 });
 
 }  // namespace

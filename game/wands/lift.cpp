@@ -488,7 +488,7 @@ void add_force_systems(const WandSystems& to, const LiftData& data) {
 
 class LiftWand final : public WandRules {
 public:
-    explicit LiftWand(const LiftData& data) : data_(data) {}
+    explicit LiftWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LiftHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -530,10 +530,8 @@ private:
 
 const WandRegistration registration({
     .name = "lift",
-    .declare = [](ecs::World& world) { world.declare<LiftHand>(); },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<LiftWand>(read(root));
-    },
+    .declare = declare_all<LiftHand>,
+    .read = read_rules<WandRules, LiftWand>,
 });
 
 }  // namespace

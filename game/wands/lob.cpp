@@ -256,7 +256,7 @@ void add_missile_systems(const WandSystems& to, const LobData& data) {
 
 class LobWand final : public WandRules {
 public:
-    explicit LobWand(const LobData& data) : data_(data) {}
+    explicit LobWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LobHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -293,14 +293,8 @@ private:
 const WandRegistration registration({
     .name = "lob",
     .hits = {{.name = "lob_hit", .cause = "lob", .fixed = FixedNumbers{12, 2}}},
-    .declare =
-        [](ecs::World& world) {
-            world.declare<Lob>();
-            world.declare<LobHand>();
-        },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<LobWand>(read(root));
-    },
+    .declare = declare_all<Lob, LobHand>,
+    .read = read_rules<WandRules, LobWand>,
 });
 
 }  // namespace

@@ -190,7 +190,7 @@ void add_force_systems(const WandSystems& to, const SwingData& data) {
 
 class SwingWand final : public WandRules {
 public:
-    explicit SwingWand(const SwingData& data) : data_(data) {}
+    explicit SwingWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, SwingHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -226,10 +226,8 @@ private:
 
 const WandRegistration registration({
     .name = "swing",
-    .declare = [](ecs::World& world) { world.declare<SwingHand>(); },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<SwingWand>(read(root));
-    },
+    .declare = declare_all<SwingHand>,
+    .read = read_rules<WandRules, SwingWand>,
 });
 
 }  // namespace

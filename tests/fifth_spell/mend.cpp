@@ -61,10 +61,8 @@ private:
 
 const SpellRegistration registration({
     .name = "mend",
-    .declare = [](ecs::World& world) { world.declare<Mending>(); },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const SpellRules> {
-        return std::make_shared<MendSpell>(root);
-    },
+    .declare = declare_all<Mending>,
+    .read = read_rules<SpellRules, MendSpell>,
 });
 
 }  // namespace

@@ -106,7 +106,7 @@ void fly(MatchContext& context, const HailData& data, Tick tick) {
 
 class HailWand final : public WandRules {
 public:
-    explicit HailWand(const HailData& data) : data_(data) {}
+    explicit HailWand(const ConfigTable& root) : data_(read(root)) {}
 
     void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, HailHand{}); }
     void use(const WandUse& use) const override { fire(use, data_); }
@@ -139,14 +139,8 @@ private:
 const WandRegistration registration({
     .name = "hail",
     .hits = {{.name = "hail_hit", .cause = "hail"}, {.name = "hail_frost", .cause = "frost"}},
-    .declare =
-        [](ecs::World& world) {
-            world.declare<Hail>();
-            world.declare<HailHand>();
-        },
-    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
-        return std::make_shared<HailWand>(read(root));
-    },
+    .declare = declare_all<Hail, HailHand>,
+    .read = read_rules<WandRules, HailWand>,
 });
 
 }  // namespace

@@ -129,7 +129,6 @@ render::Frame ScanScene::frame(ScanDetail detail) const {
     return {.width = picture_side,
             .height = picture_side,
             .views = {view},
-            .overlay = {},
             .quality = render::first_quality(renderer->device())};
 }
 

@@ -27,7 +27,7 @@ void warm_up(Renderer& renderer, Quality quality) {
     view.shades = {&instance, 1};
     view.lights = {&light, 1};
     view.volume = &volume;
-    Frame frame{.width = 8, .height = 8, .views = {view}, .overlay = {}};
+    Frame frame{.width = 8, .height = 8, .views = {view}};
     frame.casters = {{&instance, 1}, {&instance, 1}};
     frame.overlay.items.emplace_back(RectItem{.low = {0, 0}, .high = {4, 4}});
     frame.overlay.items.push_back(TextItem{.text = "a", .position = {0, 0}, .size = 8});

@@ -1,0 +1,22 @@
+// game/data/registration.h: functions that a kind of wand or spell registers (data/wand.h, data/spell.h).
+#pragma once
+#include <memory>
+
+#include "core/config.h"
+#include "ecs/world.h"
+
+namespace thaum::game {
+
+/// Declares components in this order.
+template <class... Components>
+void declare_all(ecs::World& world) {
+    (world.declare<Components>(), ...);
+}
+
+/// Makes the rules of a kind from the table of its data file.
+template <class Rules, class OfKind>
+std::shared_ptr<const Rules> read_rules(const ConfigTable& root) {
+    return std::make_shared<OfKind>(root);
+}
+
+}  // namespace thaum::game
