@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <vector>
 
+#include "core/assert.h"
 #include "core/letters.h"
 #include "core/utf8.h"
 #include "render/context.h"
@@ -18,115 +20,51 @@ struct Key {
     std::string_view name;
 };
 
-constexpr Key keys[] = {
-    {GLFW_KEY_A, "A"},
-    {GLFW_KEY_B, "B"},
-    {GLFW_KEY_C, "C"},
-    {GLFW_KEY_D, "D"},
-    {GLFW_KEY_E, "E"},
-    {GLFW_KEY_F, "F"},
-    {GLFW_KEY_G, "G"},
-    {GLFW_KEY_H, "H"},
-    {GLFW_KEY_I, "I"},
-    {GLFW_KEY_J, "J"},
-    {GLFW_KEY_K, "K"},
-    {GLFW_KEY_L, "L"},
-    {GLFW_KEY_M, "M"},
-    {GLFW_KEY_N, "N"},
-    {GLFW_KEY_O, "O"},
-    {GLFW_KEY_P, "P"},
-    {GLFW_KEY_Q, "Q"},
-    {GLFW_KEY_R, "R"},
-    {GLFW_KEY_S, "S"},
-    {GLFW_KEY_T, "T"},
-    {GLFW_KEY_U, "U"},
-    {GLFW_KEY_V, "V"},
-    {GLFW_KEY_W, "W"},
-    {GLFW_KEY_X, "X"},
-    {GLFW_KEY_Y, "Y"},
-    {GLFW_KEY_Z, "Z"},
-    {GLFW_KEY_0, "0"},
-    {GLFW_KEY_1, "1"},
-    {GLFW_KEY_2, "2"},
-    {GLFW_KEY_3, "3"},
-    {GLFW_KEY_4, "4"},
-    {GLFW_KEY_5, "5"},
-    {GLFW_KEY_6, "6"},
-    {GLFW_KEY_7, "7"},
-    {GLFW_KEY_8, "8"},
-    {GLFW_KEY_9, "9"},
-    {GLFW_KEY_SPACE, "Space"},
-    {GLFW_KEY_ESCAPE, "Esc"},
-    {GLFW_KEY_ENTER, "Enter"},
-    {GLFW_KEY_TAB, "Tab"},
-    {GLFW_KEY_BACKSPACE, "Backspace"},
-    {GLFW_KEY_INSERT, "Insert"},
-    {GLFW_KEY_DELETE, "Delete"},
-    {GLFW_KEY_RIGHT, "Right"},
-    {GLFW_KEY_LEFT, "Left"},
-    {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_UP, "Up"},
-    {GLFW_KEY_PAGE_UP, "PageUp"},
-    {GLFW_KEY_PAGE_DOWN, "PageDown"},
-    {GLFW_KEY_HOME, "Home"},
-    {GLFW_KEY_END, "End"},
-    {GLFW_KEY_CAPS_LOCK, "CapsLock"},
-    {GLFW_KEY_SCROLL_LOCK, "ScrollLock"},
-    {GLFW_KEY_NUM_LOCK, "NumLock"},
-    {GLFW_KEY_PRINT_SCREEN, "PrintScreen"},
-    {GLFW_KEY_PAUSE, "Pause"},
-    {GLFW_KEY_LEFT_SHIFT, "LeftShift"},
-    {GLFW_KEY_LEFT_CONTROL, "LeftCtrl"},
-    {GLFW_KEY_LEFT_ALT, "LeftAlt"},
-    {GLFW_KEY_LEFT_SUPER, "LeftSuper"},
-    {GLFW_KEY_RIGHT_SHIFT, "RightShift"},
-    {GLFW_KEY_RIGHT_CONTROL, "RightCtrl"},
-    {GLFW_KEY_RIGHT_ALT, "RightAlt"},
-    {GLFW_KEY_RIGHT_SUPER, "RightSuper"},
-    {GLFW_KEY_MENU, "Menu"},
-    {GLFW_KEY_APOSTROPHE, "Apostrophe"},
-    {GLFW_KEY_COMMA, "Comma"},
-    {GLFW_KEY_MINUS, "Minus"},
-    {GLFW_KEY_PERIOD, "Period"},
-    {GLFW_KEY_SLASH, "Slash"},
-    {GLFW_KEY_SEMICOLON, "Semicolon"},
-    {GLFW_KEY_EQUAL, "Equal"},
-    {GLFW_KEY_LEFT_BRACKET, "LeftBracket"},
-    {GLFW_KEY_BACKSLASH, "Backslash"},
-    {GLFW_KEY_RIGHT_BRACKET, "RightBracket"},
-    {GLFW_KEY_GRAVE_ACCENT, "Grave"},
-    {GLFW_KEY_WORLD_1, "World1"},
-    {GLFW_KEY_WORLD_2, "World2"},
-    {GLFW_KEY_F1, "F1"},
-    {GLFW_KEY_F2, "F2"},
-    {GLFW_KEY_F3, "F3"},
-    {GLFW_KEY_F4, "F4"},
-    {GLFW_KEY_F5, "F5"},
-    {GLFW_KEY_F6, "F6"},
-    {GLFW_KEY_F7, "F7"},
-    {GLFW_KEY_F8, "F8"},
-    {GLFW_KEY_F9, "F9"},
-    {GLFW_KEY_F10, "F10"},
-    {GLFW_KEY_F11, "F11"},
-    {GLFW_KEY_F12, "F12"},
-    {GLFW_KEY_KP_0, "KP_0"},
-    {GLFW_KEY_KP_1, "KP_1"},
-    {GLFW_KEY_KP_2, "KP_2"},
-    {GLFW_KEY_KP_3, "KP_3"},
-    {GLFW_KEY_KP_4, "KP_4"},
-    {GLFW_KEY_KP_5, "KP_5"},
-    {GLFW_KEY_KP_6, "KP_6"},
-    {GLFW_KEY_KP_7, "KP_7"},
-    {GLFW_KEY_KP_8, "KP_8"},
-    {GLFW_KEY_KP_9, "KP_9"},
-    {GLFW_KEY_KP_DECIMAL, "KP_Decimal"},
-    {GLFW_KEY_KP_DIVIDE, "KP_Divide"},
-    {GLFW_KEY_KP_MULTIPLY, "KP_Multiply"},
-    {GLFW_KEY_KP_SUBTRACT, "KP_Subtract"},
-    {GLFW_KEY_KP_ADD, "KP_Add"},
-    {GLFW_KEY_KP_ENTER, "KP_Enter"},
-    {GLFW_KEY_KP_EQUAL, "KP_Equal"},
+/// Names, parted by spaces, of keys with the codes from `first` to `last`.
+struct KeyRun {
+    int first, last;
+    std::string_view names;
 };
+
+constexpr KeyRun runs[] = {
+    {GLFW_KEY_A, GLFW_KEY_Z, "A B C D E F G H I J K L M N O P Q R S T U V W X Y Z"},
+    {GLFW_KEY_0, GLFW_KEY_9, "0 1 2 3 4 5 6 7 8 9"},
+    {GLFW_KEY_SPACE, GLFW_KEY_SPACE, "Space"},
+    {GLFW_KEY_ESCAPE, GLFW_KEY_END,
+     "Esc Enter Tab Backspace Insert Delete Right Left Down Up PageUp PageDown Home End"},
+    {GLFW_KEY_CAPS_LOCK, GLFW_KEY_PAUSE, "CapsLock ScrollLock NumLock PrintScreen Pause"},
+    {GLFW_KEY_LEFT_SHIFT, GLFW_KEY_MENU,
+     "LeftShift LeftCtrl LeftAlt LeftSuper RightShift RightCtrl RightAlt RightSuper Menu"},
+    {GLFW_KEY_APOSTROPHE, GLFW_KEY_APOSTROPHE, "Apostrophe"},
+    {GLFW_KEY_COMMA, GLFW_KEY_SLASH, "Comma Minus Period Slash"},
+    {GLFW_KEY_SEMICOLON, GLFW_KEY_SEMICOLON, "Semicolon"},
+    {GLFW_KEY_EQUAL, GLFW_KEY_EQUAL, "Equal"},
+    {GLFW_KEY_LEFT_BRACKET, GLFW_KEY_RIGHT_BRACKET, "LeftBracket Backslash RightBracket"},
+    {GLFW_KEY_GRAVE_ACCENT, GLFW_KEY_GRAVE_ACCENT, "Grave"},
+    {GLFW_KEY_WORLD_1, GLFW_KEY_WORLD_2, "World1 World2"},
+    {GLFW_KEY_F1, GLFW_KEY_F12, "F1 F2 F3 F4 F5 F6 F7 F8 F9 F10 F11 F12"},
+    {GLFW_KEY_KP_0, GLFW_KEY_KP_EQUAL,
+     "KP_0 KP_1 KP_2 KP_3 KP_4 KP_5 KP_6 KP_7 KP_8 KP_9 KP_Decimal KP_Divide KP_Multiply KP_Subtract KP_Add "
+     "KP_Enter KP_Equal"},
+};
+
+std::vector<Key> named_keys() {
+    std::vector<Key> all;
+    for (auto [code, last, names] : runs) {
+        for (; !names.empty(); ++code) {
+            const auto name = names.substr(0, names.find(' '));
+            all.push_back({code, name});
+            names.remove_prefix(std::min(name.size() + 1, names.size()));
+        }
+        THAUM_ASSERT(code == last + 1, "a run of keys has as many names as codes");
+    }
+    return all;
+}
+
+const std::vector<Key>& keys() {
+    static const auto all = named_keys();
+    return all;
+}
 
 /// Signs of ASCII with the names that their keys have on a US keyboard.
 struct Sign {
@@ -160,8 +98,7 @@ std::string label_of(std::string_view character) {
     const char32_t c = code_points[0];
     if (c <= U' ' || c == U'\u00A0') return {};
     // Punctuation of ASCII is easier to tell by its name: "Comma".
-    const auto sign =
-        std::find_if(std::begin(signs), std::end(signs), [&](const Sign& s) { return s.character == c; });
+    const auto* const sign = std::ranges::find(signs, c, &Sign::character);
     if (sign != std::end(signs)) return std::string(sign->name);
     return encode_utf8(upper_case(c));
 }
@@ -170,7 +107,7 @@ std::string label_of(std::string_view character) {
 
 void read_key_labels() {
     std::map<int, std::string> by_key;
-    for (const Key& key : keys) {
+    for (const Key& key : keys()) {
         if (!has_letter(key.code)) continue;
         const char* const character = glfwGetKeyName(key.code, 0);
         if (character == nullptr) continue;
@@ -191,21 +128,18 @@ std::string key_label(int code) {
 
 std::string key_sign(int code) {
     const auto label = key_label(code);
-    const auto* const sign =
-        std::find_if(std::begin(signs), std::end(signs), [&](const Sign& s) { return s.name == label; });
+    const auto* const sign = std::ranges::find(signs, label, &Sign::name);
     return sign == std::end(signs) ? label : encode_utf8(sign->character);
 }
 
 std::string_view key_name(int code) {
-    const auto* found =
-        std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return k.code == code; });
-    return found == std::end(keys) ? std::string_view{} : found->name;
+    const auto found = std::ranges::find(keys(), code, &Key::code);
+    return found == keys().end() ? std::string_view{} : found->name;
 }
 
 std::optional<int> key_code(std::string_view name) {
-    const auto* found =
-        std::find_if(std::begin(keys), std::end(keys), [&](const Key& k) { return same_word(k.name, name); });
-    if (found == std::end(keys)) return std::nullopt;
+    const auto found = std::ranges::find_if(keys(), [&](const Key& k) { return same_word(k.name, name); });
+    if (found == keys().end()) return std::nullopt;
     return found->code;
 }
 
