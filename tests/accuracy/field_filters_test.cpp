@@ -9,6 +9,7 @@
 
 #include "core/random.h"
 #include "field/analytic.h"
+#include "unit/message_of.h"
 
 namespace thaum::field {
 namespace {
@@ -335,8 +336,7 @@ TEST(Filters, ChainsThatDoNotFitAreRefusedAndChangeNothing) {
     FilteredField f;
     put(f, of_gyroid(0.1), {{FilterKind::scale, 2, 0}});
     const auto message = [&](const FilterSource& source, const std::vector<Filter>& chain) {
-        const auto set = set_filters(f, source, chain);
-        return set ? std::string() : set.error().message;
+        return message_of(set_filters(f, source, chain));
     };
     const FilterSource scalar = of_gyroid(0.1), vector = of_beltrami(0.1);
     EXPECT_EQ(message(scalar, {{FilterKind::curl}}), "filter 1 (curl) needs a vector, but gets a scalar");

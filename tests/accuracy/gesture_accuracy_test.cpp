@@ -18,17 +18,11 @@ protected:
         if (!std::filesystem::exists(data)) GTEST_SKIP() << "no folder " << data;
     }
 
-    static StrokeSet strokes(const char* file) {
-        auto set = gesture::load_strokes(data / file);
-        EXPECT_TRUE(set) << (set ? "" : set.error().message);
-        return std::move(*set);
-    }
+    static StrokeSet strokes(const char* file) { return gesture::load_strokes(data / file).value(); }
 
     static double accuracy(const StrokeSet& set, EvaluationSettings settings) {
         settings.channels = {set.has_depth, set.has_force};
-        const auto result = evaluate(set.strokes, settings);
-        EXPECT_TRUE(result);
-        return result->accuracy;
+        return evaluate(set.strokes, settings).value().accuracy;
     }
 };
 
@@ -62,9 +56,8 @@ TEST_F(GesturePublicData, WhatIsToldOfHalfALetterIsRight) {
                                       .channels = {set.has_depth, set.has_force},
                                       .at = 0.5,
                                       .own_calibration = true};
-    const auto result = evaluate(set.strokes, settings);
-    ASSERT_TRUE(result);
-    const auto certainty = certainty_of(*result, 0.8);
+    const auto result = evaluate(set.strokes, settings).value();
+    const auto certainty = certainty_of(result, 0.8);
     EXPECT_GE(certainty.told, 0.25);
     EXPECT_GE(certainty.right, 0.975);
 }
@@ -137,20 +130,18 @@ TEST_F(GesturePublicData, GesturesAreSpottedInContinuousMotion) {
     const auto labels = gesture::load_labels(data / "machete-mouse-sessions.labels.csv");
     ASSERT_TRUE(sessions && labels);
     const auto ignored = gesture::load_labels(std::filesystem::path(THAUM_SOURCE_DIR) /
-                                              "tests/accuracy/unlabelled_strokes.csv");
-    ASSERT_TRUE(ignored);
+                                              "tests/accuracy/unlabelled_strokes.csv")
+                             .value();
     SpottingSettings settings{.templates = 3, .repeats = 1};
-    const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings);
-    ASSERT_TRUE(result);
-    EXPECT_EQ(result->labels, 300U);
-    EXPECT_GE(result->best.f1, 0.88);
+    const auto result = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
+    EXPECT_EQ(result.labels, 300U);
+    EXPECT_GE(result.best.f1, 0.88);
     // The sessions hold 59 strokes that to the eye are gestures and have no label: attempts that were to be repeated.
     // The publishers of the set count reports of such attempts neither as right nor as wrong.
-    settings.ignored = *ignored;
-    const auto fair = evaluate_spotting(*sessions, *labels, set.strokes, settings);
-    ASSERT_TRUE(fair);
-    EXPECT_GE(fair->best.f1, 0.96);
-    EXPECT_GE(fair->at_six.recall, 0.95);
+    settings.ignored = ignored;
+    const auto fair = evaluate_spotting(*sessions, *labels, set.strokes, settings).value();
+    EXPECT_GE(fair.best.f1, 0.96);
+    EXPECT_GE(fair.at_six.recall, 0.95);
 }
 
 }  // namespace

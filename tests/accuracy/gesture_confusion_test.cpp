@@ -19,9 +19,7 @@ const std::filesystem::path shipped = std::filesystem::path(THAUM_SOURCE_DIR) / 
 std::vector<Gesture> shipped_gestures() {
     std::vector<Gesture> gestures;
     for (const auto name : figure_names()) {
-        auto gesture = load_gesture(shipped / (std::string(name) + ".toml"));
-        EXPECT_TRUE(gesture) << (gesture ? "" : gesture.error().message);
-        if (gesture) gestures.push_back(std::move(*gesture));
+        gestures.push_back(load_gesture(shipped / (std::string(name) + ".toml")).value());
     }
     return gestures;
 }
@@ -68,10 +66,9 @@ void print(const Figures& f) {
 }
 
 TEST(GestureConfusion, OtherUsersAreReadAndScribblesAreNot) {
-    const auto recogniser = Recogniser::make(shipped_gestures());
-    ASSERT_TRUE(recogniser);
+    const auto recogniser = Recogniser::make(shipped_gestures()).value();
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        const auto f = measure(*recogniser, seed);
+        const auto f = measure(recogniser, seed);
         print(f);
         EXPECT_GE(f.right, 0.95 * f.drawn) << "seed " << seed;
         EXPECT_GE(f.right_force, 0.98 * f.right) << "seed " << seed;
@@ -105,11 +102,10 @@ TEST(GestureConfusion, TwinsOfOneStrokeEachAreToldApartByForce) {
         gentle.options.gentle_below = gentle.options.harsh_above = 0;
         gentle.strokes = {draw(false)};
         gestures.push_back({"harsh", gentle.options, {draw(true)}});
-        const auto recogniser = Recogniser::make(gestures, {.calibrate = false});
-        ASSERT_TRUE(recogniser);
+        const auto recogniser = Recogniser::make(gestures, {.calibrate = false}).value();
         for (int i = 0; i < 20; ++i, ++drawn) {
             const bool harsh = i % 2 == 1;
-            const auto r = recogniser->recognise(draw(harsh), space);
+            const auto r = recogniser.recognise(draw(harsh), space);
             right += r.gesture == (harsh ? figures : seed % figures);
         }
     }
@@ -127,11 +123,10 @@ TEST(GestureConfusion, ProbabilitiesHoldForStrokesOfAnotherUser) {
         auto gestures = shipped;
         for (std::size_t f = 0; f < figures; ++f)
             gestures[f].strokes = {draw_figure(static_cast<Figure>(f), user, Effort::normal, random)};
-        const auto recogniser = Recogniser::make(gestures);
-        ASSERT_TRUE(recogniser);
+        const auto recogniser = Recogniser::make(gestures).value();
         for (std::size_t i = 0; i < 10 * figures; ++i, ++drawn) {
             const auto figure = static_cast<Figure>(i % figures);
-            const auto r = recogniser->recognise(draw_figure(figure, other, Effort::normal, random), space);
+            const auto r = recogniser.recognise(draw_figure(figure, other, Effort::normal, random), space);
             shown += r.probability;
             even += r.even_probability;
             right += r.gesture == i % figures ? 1 : 0;
@@ -156,10 +151,9 @@ TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) 
             ideas.push_back(draw_scribble(style, random));
             gestures.push_back({text(g), {}, {variation_of(ideas[g], random, users)}});
         }
-        const auto recogniser = Recogniser::make(gestures);
-        ASSERT_TRUE(recogniser);
+        const auto recogniser = Recogniser::make(gestures).value();
         for (std::size_t i = 0; i < 8 * shapes; ++i, ++drawn) {
-            const auto r = recogniser->recognise(variation_of(ideas[i % shapes], random, users), space);
+            const auto r = recogniser.recognise(variation_of(ideas[i % shapes], random, users), space);
             shown += r.probability;
             right += r.gesture == i % shapes ? 1 : 0;
         }
@@ -169,17 +163,15 @@ TEST(GestureConfusion, ProbabilitiesHoldForUsersWhoDifferMoreThanSyntheticOnes) 
 
 TEST(GestureConfusion, TheShippedFilesAreThoseOfTheGenerator) {
     for (const auto& gesture : generated_templates(1)) {
-        const auto file = read_text_file(shipped / (gesture.name + ".toml"), most_gesture_bytes);
-        ASSERT_TRUE(file);
-        EXPECT_TRUE(*file == to_file(gesture)) << gesture.name << ": run `thaum gesture generate`";
+        const auto file = read_text_file(shipped / (gesture.name + ".toml"), most_gesture_bytes).value();
+        EXPECT_TRUE(file == to_file(gesture)) << gesture.name << ": run `thaum gesture generate`";
     }
 }
 
 TEST(GestureConfusion, NoTwoShippedGesturesCollide) {
-    const auto pairs = compare_gestures(shipped_gestures());
-    ASSERT_TRUE(pairs);
-    EXPECT_EQ(pairs->size(), 6U);
-    for (const auto& pair : *pairs) EXPECT_FALSE(pair.collides()) << pair.a << " and " << pair.b;
+    const auto pairs = compare_gestures(shipped_gestures()).value();
+    EXPECT_EQ(pairs.size(), 6U);
+    for (const auto& pair : pairs) EXPECT_FALSE(pair.collides()) << pair.a << " and " << pair.b;
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 
 #include "core/clock.h"
+#include "core/file.h"
 #include "core/random.h"
 #include "core/text.h"
 #include "game/bots/duel.h"
@@ -96,8 +96,8 @@ int main(int argc, char** argv) {
     const int runs = argc > 1 ? std::atoi(argv[1]) : 0;
     if (runs <= 0) return std::fprintf(stderr, "usage: kill_recording RUNS [SEED]\n"), 2;
     Random random{argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1};
-    std::string folder = (std::filesystem::temp_directory_path() / "thaum-kill-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) return std::perror("kill_recording"), 1;
+    const TemporaryFolder folder;
+    if (folder.path().empty()) return std::perror("kill_recording"), 1;
     constexpr std::size_t at_once = 2;
     void* shared = ::mmap(nullptr, at_once * sizeof(std::atomic<Tick>), PROT_READ | PROT_WRITE,
                           MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -107,14 +107,13 @@ int main(int argc, char** argv) {
     Tick most_lost = 0;
     for (int run = 0; run < runs; run += static_cast<int>(at_once)) {
         for (std::size_t i = 0; i < at_once; ++i) {
-            runners[i].log = std::filesystem::path(folder) / text("log", i);
+            runners[i].log = folder.path() / text("log", i);
             runners[i].done = new (static_cast<std::atomic<Tick>*>(shared) + i) std::atomic<Tick>(0);
             start(runners[i], random.next(), static_cast<std::int64_t>(random.below(4'000'000'000)));
         }
         for (std::size_t i = 0; i < at_once; ++i)
             failed += end(runners[i], run + static_cast<int>(i), most_lost) ? 0 : 1;
     }
-    std::filesystem::remove_all(folder);
     std::printf("killed %d times: %d wrong, at most %llu ms lost\n", runs, failed,
                 static_cast<unsigned long long>(most_lost));
     return failed == 0 ? 0 : 1;

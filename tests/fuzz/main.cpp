@@ -189,9 +189,9 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
 }
 
 int run(const RunPlan& plan) {
-    std::string folder = (std::filesystem::temp_directory_path() / "thaum-fuzz-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) return std::perror("thaum_fuzz"), 2;
-    const auto places = make_places(folder);
+    const TemporaryFolder folder;
+    if (folder.path().empty()) return std::perror("thaum_fuzz"), 2;
+    const auto places = make_places(folder.path());
     const auto seeds = seeds_of(*plan.reader, places);
     void* shared =
         ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -203,7 +203,6 @@ int run(const RunPlan& plan) {
     if (child == 0) run_all(plan, seeds, places, progress);
     long peak_mib = 0;
     const auto fault = watch(child, progress, peak_mib);
-    std::filesystem::remove_all(folder);
     return report(plan, seeds, progress, fault, peak_mib);
 }
 

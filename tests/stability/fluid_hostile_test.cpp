@@ -13,13 +13,12 @@ using flows::Scheme;
 
 Attack attacked(const Scheme& scheme, std::uint64_t seed, int steps, const AttackPlan& plan,
                 const AttackBounds& bounds) {
-    auto attack = make_attack(scheme, 12, seed, plan);
-    EXPECT_TRUE(attack.has_value());
-    for (int i = 0; i < steps && attack->fault.empty(); ++i) {
-        strike(*attack);
-        judge(*attack, advance(attack->fluid, flows::step), bounds);
+    auto attack = make_attack(scheme, 12, seed, plan).value();
+    for (int i = 0; i < steps && attack.fault.empty(); ++i) {
+        strike(attack);
+        judge(attack, advance(attack.fluid, flows::step), bounds);
     }
-    return std::move(*attack);
+    return attack;
 }
 
 TEST(FluidHostile, ThaumWithstandsPushesJumpsAndInvalidNumbers) {
@@ -94,30 +93,28 @@ TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
 TEST(FluidHostile, StoppedFlowIsExactlyZeroWhileASubstanceDiffuses) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
     settings.substances = {Substance{.diffusion = 1e-4}};
-    auto fluid = make_fluid(settings);
-    ASSERT_TRUE(fluid.has_value());
-    ASSERT_TRUE(pour(*fluid, 0, vec3(0.5), 0.2, 1e-3));
-    ASSERT_TRUE(push(*fluid, {.place = vec3(0.5), .radius = 0.2, .impulse = vec3(1e-3, 0, 0)}));
-    EXPECT_GT(advance(*fluid, flows::step).speed, 0);
-    fluid->settings.viscosity = 1;
+    auto fluid = make_fluid(settings).value();
+    ASSERT_TRUE(pour(fluid, 0, vec3(0.5), 0.2, 1e-3));
+    ASSERT_TRUE(push(fluid, {.place = vec3(0.5), .radius = 0.2, .impulse = vec3(1e-3, 0, 0)}));
+    EXPECT_GT(advance(fluid, flows::step).speed, 0);
+    fluid.settings.viscosity = 1;
     StepReport report;
-    for (int i = 0; i < 30; ++i) report = advance(*fluid, flows::step);
+    for (int i = 0; i < 30; ++i) report = advance(fluid, flows::step);
     EXPECT_EQ(report.speed, 0);
     EXPECT_GT(report.cells, 0);
-    const auto densest = [&] { return *std::ranges::max_element(fluid->now.substances[0]); };
+    const auto densest = [&] { return *std::ranges::max_element(fluid.now.substances[0]); };
     const float before = densest();
-    for (int i = 0; i < 30; ++i) advance(*fluid, flows::step);
+    for (int i = 0; i < 30; ++i) advance(fluid, flows::step);
     EXPECT_LT(densest(), before);
 }
 
 TEST(FluidHostile, AnyStepUpToASecond) {
     for (const Solver solver : {Solver::thaum, Solver::classic}) {
-        auto attack = make_attack({solver, 4}, 12, 5);
-        ASSERT_TRUE(attack.has_value());
+        auto attack = make_attack({solver, 4}, 12, 5).value();
         for (const double dt : {1e-9, 1e-4, 0.016, 0.3, 1.0}) {
-            push(attack->fluid, flows::random_push(attack->fluid.settings, 1e4, attack->random));
-            const StepReport report = advance(attack->fluid, dt);
-            EXPECT_TRUE(all_finite(attack->fluid)) << dt;
+            push(attack.fluid, flows::random_push(attack.fluid.settings, 1e4, attack.random));
+            const StepReport report = advance(attack.fluid, dt);
+            EXPECT_TRUE(all_finite(attack.fluid)) << dt;
             EXPECT_LE(report.substeps + (report.fell_back ? 1 : 0), substeps_most);
         }
     }
@@ -138,12 +135,11 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
     for (const double viscosity : {1.0, viscosity_most}) {
         Settings settings = bowl_of({.viscosity = viscosity, .weight = 10}, 16);
         settings.gravity = {0, -100, 0};
-        auto fluid = make_fluid(settings);
-        ASSERT_TRUE(fluid.has_value());
-        ASSERT_TRUE(pour(*fluid, 0, vec3(0.5, 0.8, 0.5), 0.1, 10));
+        auto fluid = make_fluid(settings).value();
+        ASSERT_TRUE(pour(fluid, 0, vec3(0.5, 0.8, 0.5), 0.1, 10));
         StepReport report;
-        for (int i = 0; i < 25; ++i) report = advance(*fluid, flows::step);
-        EXPECT_TRUE(all_finite(*fluid)) << viscosity;
+        for (int i = 0; i < 25; ++i) report = advance(fluid, flows::step);
+        EXPECT_TRUE(all_finite(fluid)) << viscosity;
         // The energy that it can release.
         EXPECT_LT(report.energy, 10 * 10 * 100 * 2 * flows::bowl_radius) << viscosity;
     }
@@ -153,20 +149,19 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
 /// rest.
 TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
     for (const double viscosity : {0.0, 1e-6, 1e-3, 0.1, 10.0}) {
-        auto fluid = make_fluid(bowl_of({}, 16));
-        ASSERT_TRUE(fluid.has_value());
+        auto fluid = make_fluid(bowl_of({}, 16)).value();
         Random random = random_stream(3, 0);
-        fluid->settings.viscosity = 1e-3;
+        fluid.settings.viscosity = 1e-3;
         for (int i = 0; i < 10; ++i) {
-            push(*fluid, flows::random_push(fluid->settings, 300, random));
-            advance(*fluid, flows::step);
+            push(fluid, flows::random_push(fluid.settings, 300, random));
+            advance(fluid, flows::step);
         }
-        fluid->settings.viscosity = viscosity;
-        double before = energy(*fluid);
+        fluid.settings.viscosity = viscosity;
+        double before = energy(fluid);
         ASSERT_GT(before, 0);
         for (int i = 0; i < 300; ++i) {
-            advance(*fluid, flows::step);
-            const double now = energy(*fluid);
+            advance(fluid, flows::step);
+            const double now = energy(fluid);
             ASSERT_LE(now, before * (1 + 1e-6)) << viscosity << " step " << i;
             before = now;
         }
@@ -175,17 +170,16 @@ TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
 
 /// A lump with the largest viscosity, many times denser than intended, stirred by a ladle.
 TEST(FluidHostile, ABrewThickerThanAnythingStaysFinite) {
-    auto fluid = make_fluid(bowl_of({.viscosity = viscosity_most}, 20));
-    ASSERT_TRUE(fluid.has_value());
-    ASSERT_TRUE(pour(*fluid, 0, vec3(0.6, 0.5, 0.5), 0.1, 10));
+    auto fluid = make_fluid(bowl_of({.viscosity = viscosity_most}, 20)).value();
+    ASSERT_TRUE(pour(fluid, 0, vec3(0.6, 0.5, 0.5), 0.1, 10));
     double fastest = 0;
     for (int i = 0; i < 80; ++i) {
         const double turn = 0.1 * i;
         const vec3 way(-det::sin(turn), 0, det::cos(turn));
-        push(*fluid, {vec3(0.5 + 0.25 * det::cos(turn), 0.5, 0.5 + 0.25 * det::sin(turn)), 0.1, 1e-3 * way});
-        fastest = std::max(fastest, advance(*fluid, flows::step).speed);
+        push(fluid, {vec3(0.5 + 0.25 * det::cos(turn), 0.5, 0.5 + 0.25 * det::sin(turn)), 0.1, 1e-3 * way});
+        fastest = std::max(fastest, advance(fluid, flows::step).speed);
     }
-    EXPECT_TRUE(all_finite(*fluid));
+    EXPECT_TRUE(all_finite(fluid));
     EXPECT_LT(fastest, 20);
 }
 

@@ -1,8 +1,10 @@
 // Matches with random input: the state must stay finite and within bounds. Also logs that this program must
 // refuse to play.
+#include "core/file.h"
 #include "game/data/wand_slots.h"
 #include "game/match/playback.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -94,8 +96,7 @@ TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference
     const auto header = log_header(*data, setup, {"bot 1", "bot 1"});
     ASSERT_TRUE(match_of_log(header, assets()).has_value());
     const auto refusal = [](const input::LogHeader& changed) {
-        const auto match = match_of_log(changed, assets());
-        return match ? std::string("accepted") : match.error().message;
+        return message_of(match_of_log(changed, assets()), "accepted");
     };
     auto other = header;
     ++other.rules_version;
@@ -126,8 +127,7 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
     const auto refusal = [&](auto change) {
         auto other = header;
         change(other.kinds);
-        const auto match = match_of_log(other, assets());
-        return match ? std::string("accepted") : match.error().message;
+        return message_of(match_of_log(other, assets()), "accepted");
     };
     using Tables = std::vector<input::KindTable>;
     constexpr std::string_view advice = ": replay the log with the program that recorded it";
@@ -155,20 +155,16 @@ TEST(GameHostile, ALogThatNumbersItsKindsDifferentlyIsRefusedInOneLineThatNamesT
 }
 
 TEST(GameHostile, ALogThatNamesNoKindsIsRefused) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / text("no_kinds_", getpid());
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder folder;
     auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
     const auto refusal = [&](const char* name) {
-        auto log = input::LogWriter::create(folder / name, header);
-        EXPECT_TRUE(log) << log.error().message;
-        EXPECT_TRUE(log->close(""));
-        const auto playback = Playback::open(folder / name, assets());
-        return playback ? std::string("accepted") : playback.error().message;
+        auto log = input::LogWriter::create(folder.path() / name, header).value();
+        EXPECT_TRUE(log.close(""));
+        return message_of(Playback::open(folder.path() / name, assets()), "accepted");
     };
     EXPECT_EQ(refusal("whole"), "accepted");
     header.kinds.clear();
     EXPECT_NE(refusal("none").find("names no kinds"), std::string::npos);
-    std::filesystem::remove_all(folder);
 }
 
 TEST(GameHostile, ALogOfAnotherBuildIsReplayedWithAWarning) {
@@ -196,31 +192,27 @@ TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongT
     bool current = false;
     for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/tests/replays")) {
         if (entry.path().extension() != ".thaumlog") continue;  // skips the folder of force traces
-        const auto header = input::read_log_header(entry.path());
-        ASSERT_TRUE(header.has_value()) << header.error().message;
-        EXPECT_TRUE(entry.path().stem().string().ends_with(text("_rules_", header->rules_version)))
+        const auto header = input::read_log_header(entry.path()).value();
+        EXPECT_TRUE(entry.path().stem().string().ends_with(text("_rules_", header.rules_version)))
             << entry.path();
-        EXPECT_LE(header->rules_version, rules_version) << entry.path();
-        current = current || header->rules_version == rules_version;
+        EXPECT_LE(header.rules_version, rules_version) << entry.path();
+        current = current || header.rules_version == rules_version;
     }
     EXPECT_TRUE(current) << "record one: see tests/scenario.cmake";
 }
 
 /// A complete log of an older rules version. The header suffices to refuse it in one line.
 TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "older_rules.thaumlog";
-    std::filesystem::remove(file);
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "older_rules.thaumlog";
     auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
     header.rules_version = rules_version - 1;
     header.program = "0.0.9";
     ASSERT_TRUE(input::LogWriter::create(file, header)->close("").has_value());
-    const auto playback = Playback::open(file, assets());
-    ASSERT_FALSE(playback.has_value());
-    EXPECT_EQ(playback.error().message,
+    EXPECT_EQ(message_of(Playback::open(file, assets())),
               text(file.string(), ": recorded under rules version ", rules_version - 1,
                    ", this program plays version ", rules_version,
                    "; it replays only in a build of Thaum whose rules version is ", rules_version - 1));
-    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -42,12 +42,12 @@ double median(std::vector<double> values) {
 }
 
 TEST(OrbFollow, GuidesTheBlind) {
-    const auto script = read_text_file(root / "tests/scenarios/follow_mode_guides_blind.lua", 1U << 20U);
-    ASSERT_TRUE(script.has_value()) << script.error().message;
+    const auto script =
+        read_text_file(root / "tests/scenarios/follow_mode_guides_blind.lua", 1U << 20U).value();
     std::vector<double> guided, blind;
     for (int seed = 1; seed <= seeds; ++seed) {
-        guided.push_back(search(*script, seed, 100));
-        blind.push_back(search(*script, seed, 0));
+        guided.push_back(search(script, seed, 100));
+        blind.push_back(search(script, seed, 0));
     }
     const auto gave_up = [](const std::vector<double>& times) { return std::ranges::count(times, limit); };
     EXPECT_LE(gave_up(guided), 1) << "with forces hardly any core stays hidden";

@@ -23,15 +23,12 @@ class AimAssist : public testing::Test {
 protected:
     explicit AimAssist(int percent = 100, std::vector<std::string> overrides = {},
                        std::string rules = "thaum") {
-        DataChoice choice;
-        choice.rules = std::move(rules);
-        choice.overrides = std::move(overrides);
-        auto data = load_match_data(assets(), choice);
-        EXPECT_TRUE(data) << (data ? "" : data.error().message);
+        auto data =
+            load_match_data(assets(), {.rules = std::move(rules), .overrides = std::move(overrides)}).value();
         input::DeviceSpec helped{.player = 0, .kind = input::DeviceKind::pad, .name = "pad"};
         helped.aim_assist = static_cast<std::uint8_t>(percent);
         const input::DeviceSpec foe{.player = 1, .kind = input::DeviceKind::script, .name = "script"};
-        match_ = std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
+        match_ = std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(data)),
                                               MatchSetup{.seed = 1, .devices = {helped, foe}});
         put(0, {0, 0, 16});
         put(1, {0, level, 4});
@@ -180,9 +177,7 @@ class KeypadPlayer {
 public:
     KeypadPlayer() : hands_(input::default_bindings(input::DeviceKind::keyboard_half, numbered)) {
         hands_.set_turn_ramp(0.15);
-        const auto skill = load_bot_skill(assets(), 1);
-        EXPECT_TRUE(skill);
-        skill_ = skill.value_or(BotSkill{});
+        skill_ = load_bot_skill(assets(), 1).value();
     }
 
     input::DeviceSample sample(const Simulation& match) {
@@ -241,15 +236,14 @@ private:
 
 /// Share of a keypad player's bolts that hit a strafing dummy 12 m away within two minutes.
 double share_of_hits(int percent) {
-    DataChoice choice;
-    choice.overrides = {"bolt.energy.regain_per_s=1000", "bolt.shot.damage=0.001"};
-    const auto data = load_range(assets(), choice);
-    EXPECT_TRUE(data);
+    const auto data =
+        load_range(assets(), {.overrides = {"bolt.energy.regain_per_s=1000", "bolt.shot.damage=0.001"}})
+            .value();
     input::DeviceSpec keypad{
         .player = practising, .kind = input::DeviceKind::keyboard_half, .name = "keypad"};
     keypad.turn_rad_per_s = 200 * radians_per_degree;
     keypad.aim_assist = static_cast<std::uint8_t>(percent);
-    auto range = make_range(data.value(), keypad, DummyKind::strafing, 3);
+    auto range = make_range(data, keypad, DummyKind::strafing, 3);
     auto& match = *range.match;
     const auto dummy = wizard_of(match.world(), dummys), player = wizard_of(match.world(), practising);
     const vec3 way =

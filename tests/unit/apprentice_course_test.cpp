@@ -148,13 +148,9 @@ const std::map<std::string, void (*)(Player&)> ways_to_do{
 class ApprenticeCourse : public testing::Test {
 protected:
     static Practice make() {
-        const auto lessons = game::load_lessons(assets_folder);
-        EXPECT_TRUE(lessons) << (lessons ? "" : lessons.error().message);
-        game::DataChoice choice;
-        choice.arena = lessons->arena;
-        const auto data = game::load_range(assets_folder, choice);
-        EXPECT_TRUE(data) << (data ? "" : data.error().message);
-        return {*data, {game::bot_device(practising, 1)}, game::DummyKind::still, 1, *lessons};
+        const auto lessons = game::load_lessons(assets_folder).value();
+        const auto data = game::load_range(assets_folder, {.arena = lessons.arena}).value();
+        return {data, {game::bot_device(practising, 1)}, game::DummyKind::still, 1, lessons};
     }
     void tick(const DeviceSample& sample) {
         input::InputFrame frame;

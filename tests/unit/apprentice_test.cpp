@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -25,21 +26,18 @@ constexpr auto sound_goal =
     "goal = [{moved_m = 2, turned_deg = 90}, {event = \"bolt_hit\", count = 3, soon_s = 4}]";
 
 std::string lessons_fault(const std::string& toml) {
-    const auto lessons = parse_lessons(toml, "apprentice.toml");
-    return lessons ? std::string() : lessons.error().message;
+    return message_of(parse_lessons(toml, "apprentice.toml"));
 }
 
 TEST(LessonsFile, TheShippedOneIsSound) {
-    const auto lessons = load_lessons(assets());
-    ASSERT_TRUE(lessons) << lessons.error().message;
-    EXPECT_GE(lessons->steps.size(), 7U);
-    EXPECT_EQ(lessons->arena, "boiling_court");
+    const auto lessons = load_lessons(assets()).value();
+    EXPECT_GE(lessons.steps.size(), 7U);
+    EXPECT_EQ(lessons.arena, "boiling_court");
 }
 
 TEST(LessonsFile, GivesDeedsInOrderWithTheirConditions) {
-    const auto lessons = parse_lessons(file_with(sound_text, sound_goal), "apprentice.toml");
-    ASSERT_TRUE(lessons) << lessons.error().message;
-    const auto& step = lessons->steps.at(0);
+    const auto lessons = parse_lessons(file_with(sound_text, sound_goal), "apprentice.toml").value();
+    const auto& step = lessons.steps.at(0);
     ASSERT_EQ(step.deeds.size(), 2U);
     EXPECT_EQ(step.deeds[0].conditions.size(), 2U);
     EXPECT_FALSE(step.deeds[0].soon);
@@ -126,8 +124,7 @@ TEST(LessonsFile, PlacesWhereNobodyCanStandAreRefused) {
         auto file = file_with(sound_text, sound_goal);
         file.replace(file.find("[1, 0, 2]"), 9, position);
         file.replace(file.find("boiling_court"), 13, arena);
-        const auto lessons = parse_lessons(file, "apprentice.toml", assets());
-        return lessons ? std::string() : lessons.error().message;
+        return message_of(parse_lessons(file, "apprentice.toml", assets()));
     };
     const auto refused = [&](std::string_view position, std::string_view why) {
         EXPECT_EQ(fault_of_place(position), thaum::text("apprentice.toml:5: the place 'here' ", why,
@@ -148,9 +145,9 @@ TEST(LessonsFile, PlacesWhereNobodyCanStandAreRefused) {
         << fault_of_place("[0, 0, 5]", "nowhere");
     auto shipped = *read_text_file(assets() / "apprentice.toml", 1U << 16U);
     shipped.replace(shipped.find("boiling_court"), 13, "the_well");
-    const auto elsewhere = parse_lessons(shipped, "apprentice.toml", assets());
-    ASSERT_FALSE(elsewhere) << "the places are those of another arena";
-    EXPECT_NE(elsewhere.error().message.find("the place '"), std::string::npos) << elsewhere.error().message;
+    const auto message = message_of(parse_lessons(shipped, "apprentice.toml", assets()));
+    EXPECT_NE(message.find("the place '"), std::string::npos)
+        << "the places are those of another arena: " << message;
 }
 
 }  // namespace

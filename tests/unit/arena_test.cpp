@@ -1,36 +1,32 @@
 // Arenas: what their files say, that they are fair, that bots find every way, and that another one needs no code.
 #include "game/arena/arena.h"
 
-#include <unistd.h>
-
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/nav.h"
 #include "game/bots/swinging.h"
+#include "unit/copied_assets.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
 
 std::shared_ptr<const MatchData> arena_data(const std::string& arena, const std::filesystem::path& folder,
                                             std::vector<std::string> overrides = {}) {
-    auto data = load_match_data(folder, {.arena = arena, .overrides = std::move(overrides)});
-    EXPECT_TRUE(data) << (data ? "" : data.error().message);
-    return std::make_shared<const MatchData>(std::move(*data));
+    return std::make_shared<const MatchData>(
+        load_match_data(folder, {.arena = arena, .overrides = std::move(overrides)}).value());
 }
 
 std::string shown(vec3 v) { return text(v.x, " ", v.y, " ", v.z); }
 
 /// A copy of the data folder with the test's own arena in it.
 std::filesystem::path assets_with_yard() {
-    static const auto folder = [] {
-        auto copy = std::filesystem::path(testing::TempDir()) / text("thaum_arena_", ::getpid());
-        std::filesystem::remove_all(copy);
-        std::filesystem::copy(assets(), copy, std::filesystem::copy_options::recursive);
-        std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml", copy / "arenas/yard.toml");
-        return copy;
-    }();
-    return folder;
+    static const CopiedAssets copied;
+    static const bool added = std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml",
+                                                         copied.path / "arenas/yard.toml");
+    EXPECT_TRUE(added);
+    return copied.path;
 }
 
 // Files -----------------------------------------------------------------------------------------------------
@@ -56,18 +52,16 @@ std::string fault_of(std::string_view source) {
     if (!file) return file.error().message;
     read_arena(*file);
     read_arena_look(*file);
-    const auto checked = file->check();
-    return checked ? "" : checked.error().message;
+    return message_of(file->check());
 }
 
 /// The first fault of the least arena with more entries at its end.
 std::string fault_with(std::string_view more) { return fault_of(text(least_arena, more)); }
 
 Arena arena_with(std::string_view more) {
-    const auto file = Config::parse(text(least_arena, more), "least.toml", 1);
-    EXPECT_TRUE(file);
-    auto arena = read_arena(*file);
-    EXPECT_TRUE(file->check()) << file->check().error().message;
+    const auto file = Config::parse(text(least_arena, more), "least.toml", 1).value();
+    auto arena = read_arena(file);
+    EXPECT_TRUE(file.check()) << file.check().error().message;
     return arena;
 }
 
@@ -121,10 +115,9 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
            "least.toml:15: 'position' lies 3 m above the ground");
     faulty(wall + "[[pad]]\nposition = [2, 0, 2]\nfacing = [0, 0, 0]\n",
            "a wizard here is inside of the solid");
-    const auto bare = Config::parse("version = 1\nname = \"Bare\"\n", "bare.toml", 1);
-    ASSERT_TRUE(bare);
-    read_arena(*bare);
-    EXPECT_EQ(bare->check().error().message,
+    const auto bare = Config::parse("version = 1\nname = \"Bare\"\n", "bare.toml", 1).value();
+    read_arena(bare);
+    EXPECT_EQ(bare.check().error().message,
               "bare.toml:1: an arena needs at least one solid with the surface 'floor'");
 }
 
@@ -150,11 +143,9 @@ TEST(ArenaFile, ABowlThatTheSolverCannotFillIsRefused) {
     ASSERT_NE(at, std::string::npos);
     source.replace(at, bowl.size(), "radius = 0.03\nheight = 40\nthickness = 0.012");
     ASSERT_TRUE(write_text_file(folder / "arenas/slim.toml", source));
-    const auto data = load_match_data(folder, {.arena = "slim"});
-    ASSERT_FALSE(data);
-    EXPECT_NE(data.error().message.find("slim.toml:"), std::string::npos) << data.error().message;
-    EXPECT_NE(data.error().message.find("the bowl holds no brew: "), std::string::npos)
-        << data.error().message;
+    const auto message = message_of(load_match_data(folder, {.arena = "slim"}));
+    EXPECT_NE(message.find("slim.toml:"), std::string::npos) << message;
+    EXPECT_NE(message.find("the bowl holds no brew: "), std::string::npos) << message;
 }
 
 TEST(ArenaFile, ATwinIsTheMirrorImageOrTurned) {
@@ -378,14 +369,13 @@ struct MatchReport {
 /// Plays one round to its end and watches where the bots are.
 MatchReport play_round(const std::filesystem::path& folder, std::shared_ptr<const MatchData> data, int level,
                        std::uint64_t seed) {
-    auto duel = make_bot_duel(folder, std::move(data), {level, level}, seed);
-    EXPECT_TRUE(duel) << (duel ? "" : duel.error().message);
+    auto duel = make_bot_duel(folder, std::move(data), {level, level}, seed).value();
     MatchReport report{.heights = {1e9, -1e9}};
     std::array<vec3, players> rested{};
     std::array<Tick, players> since{};
-    const auto& match = *duel->match;
+    const auto& match = *duel.match;
     while (match.match().phase == Phase::playing) {
-        duel->run(100);
+        duel.run(100);
         for (std::uint32_t p = 0; p < players; ++p) {
             const auto wizard = wizard_of(match.world(), p);
             const auto at = match.world().get<Motion>(wizard).position;
@@ -426,14 +416,12 @@ TEST(ArenaMatch, AnArenaThatOnlyATestHasIsPlayed) {
 }
 
 TEST(ArenaMatch, ALogOfTheWellPlaysAgainToTheSameHashes) {
-    auto duel = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9);
-    ASSERT_TRUE(duel);
-    duel->run(ticks(5.0));
-    auto again = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9);
-    ASSERT_TRUE(again);
-    again->run(ticks(5.0));
-    EXPECT_EQ(duel->match->state_hash(), again->match->state_hash());
-    EXPECT_EQ(duel->match->force_hash(), again->match->force_hash());
+    auto duel = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9).value();
+    duel.run(ticks(5.0));
+    auto again = make_bot_duel(assets(), arena_data("the_well", assets()), {2, 3}, 9).value();
+    again.run(ticks(5.0));
+    EXPECT_EQ(duel.match->state_hash(), again.match->state_hash());
+    EXPECT_EQ(duel.match->force_hash(), again.match->force_hash());
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "core/clock.h"
+#include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
 #include "drivers/fake_hd/fake_hd.h"
@@ -29,18 +30,6 @@ using fake_hd::Mode;
 constexpr std::int64_t hangs_after_ns =
     // A generous limit, which only a hanging process reaches.
     90'000'000'000;
-
-/// A temporary folder, removed at the end.
-struct Folder {
-    std::filesystem::path path;
-    Folder() {
-        auto name = (std::filesystem::temp_directory_path() / "thaum-modes-XXXXXX").string();
-        path = ::mkdtemp(name.data());
-    }
-    ~Folder() { std::filesystem::remove_all(path); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-};
 
 /// A process that runs arm_probe.
 struct Probe {
@@ -95,8 +84,8 @@ void wait_for_end(Probe& p, const std::filesystem::path& file, std::int64_t unti
 /// Runs the probes, a few at a time. They spend nearly all of their time waiting.
 void run_all(std::vector<Probe>& probes) {
     constexpr std::size_t at_once = 8;
-    const Folder folder;
-    const auto file = [&](std::size_t i) { return folder.path / std::to_string(i); };
+    const TemporaryFolder folder;
+    const auto file = [&](std::size_t i) { return folder.path() / std::to_string(i); };
     for (std::size_t first = 0; first < probes.size(); first += at_once) {
         const auto last = std::min(first + at_once, probes.size());
         for (auto i = first; i < last; ++i) start(probes[i], file(i));
@@ -229,7 +218,7 @@ TEST(ArmEnds, NoSignalEndsItWithAForce) {
 
 /// A program that waits to be killed.
 struct Waiting {
-    Folder folder{};
+    TemporaryFolder folder{};
     Probe p{};
     std::int64_t until = monotonic_ns() + hangs_after_ns;
 
@@ -239,7 +228,7 @@ struct Waiting {
         start(p, file());
         wait_until([&] { return std::filesystem::file_size(file()) > 0; });
     }
-    std::filesystem::path file() const { return folder.path / "0"; }
+    std::filesystem::path file() const { return folder.path() / "0"; }
     const FakeHdLive& arm() {
         std::ifstream(file().string() + ".live", std::ios::binary)
             .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);

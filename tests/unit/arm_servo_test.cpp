@@ -100,10 +100,14 @@ double strongest(const std::vector<vec3>& forces, std::size_t from) {
     return most;
 }
 
-TEST(ArmServo, InStepTheForcesAgree) {
+class ArmServoTest : public testing::Test {
+protected:
     ArmServo servo;
     Arm arm{servo};
     Mirror mirror{servo};
+};
+
+TEST_F(ArmServoTest, InStepTheForcesAgree) {
     for (int i = 0; i < 5000; ++i) arm.step(), mirror.tick();
     EXPECT_GT(expect_same_forces(arm, mirror), 4990U);
     EXPECT_EQ(mirror.arm.gaps, 0U);
@@ -113,10 +117,7 @@ TEST(ArmServo, InStepTheForcesAgree) {
 }
 
 /// Uneven timing: either side waits now and then, for up to 30 ticks.
-TEST(ArmServo, OutOfStepTheForcesAgree) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, OutOfStepTheForcesAgree) {
     Random random = random_stream(11, 1);
     int ahead = 0;
     std::uint16_t oldest = 0;
@@ -132,10 +133,7 @@ TEST(ArmServo, OutOfStepTheForcesAgree) {
 
 /// The simulation stalls for long, then leaves out the ticks that it missed or catches up. The arm stalls
 /// too. Samples are lost, and the forces must agree again.
-TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, AfterGapsTheForcesAgreeAgain) {
     Random random = random_stream(13, 1);
     std::uint32_t gaps = 0;
     for (int round = 0; round < 60; ++round) {
@@ -166,10 +164,7 @@ TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
     EXPECT_GT(servo.faults().lost, 0U);
 }
 
-TEST(ArmServo, WithoutNewModelsTheForceEnds) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, WithoutNewModelsTheForceEnds) {
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     const auto then = arm.forces.size();
     for (int i = 0; i < 100; ++i) arm.step();
@@ -179,10 +174,7 @@ TEST(ArmServo, WithoutNewModelsTheForceEnds) {
     EXPECT_GT(glm::length(arm.forces.back()), 0.05) << "and comes again";
 }
 
-TEST(ArmServo, NoticesASimulationThatComputesOtherwise) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, NoticesASimulationThatComputesOtherwise) {
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     EXPECT_EQ(servo.faults().differing, 0U);
     mirror.arm.servo.safety.heat[0] += 1;
@@ -191,10 +183,7 @@ TEST(ArmServo, NoticesASimulationThatComputesOtherwise) {
     EXPECT_GT(servo.faults().differing, 0U);
 }
 
-TEST(ArmServo, AllocatesNothing) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, AllocatesNothing) {
     arm.forces.reserve(1000);
     const auto once = [&] { arm.step(), servo.order() = {}, servo.publish(), servo.take(); };
     once();
@@ -203,9 +192,7 @@ TEST(ArmServo, AllocatesNothing) {
     EXPECT_EQ(test::allocations() - before, 0U);
 }
 
-TEST(ArmServo, BeforeTheFirstModelThereIsNoForce) {
-    ArmServo servo;
-    Arm arm{servo};
+TEST_F(ArmServoTest, BeforeTheFirstModelThereIsNoForce) {
     for (int i = 0; i < 50; ++i) arm.step();
     EXPECT_EQ(strongest(arm.forces, 0), 0);
     EXPECT_EQ(servo.waiting(), 0U);
@@ -213,10 +200,7 @@ TEST(ArmServo, BeforeTheFirstModelThereIsNoForce) {
 
 // ---- bad poses --------------------------------------------------------------------------------------------
 
-struct BadPoses : ::testing::Test {
-    ArmServo servo{};
-    Arm arm{servo};
-    Mirror mirror{servo};
+struct BadPoses : ArmServoTest {
     std::vector<vec3> forces{};
 
     BadPoses() {
@@ -296,10 +280,7 @@ TEST(ArmState, AnySampleOfADamagedLogIsSurvived) {
     }
 }
 
-TEST(ArmServo, ButtonsAreKeptForAWhileWithoutSamples) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, ButtonsAreKeptForAWhileWithoutSamples) {
     for (int i = 0; i < 70; ++i) arm.step(), mirror.tick();
     EXPECT_TRUE(mirror.newest.down(Button::fire));
     for (int i = 0; i < 20; ++i) mirror.tick();
@@ -309,10 +290,7 @@ TEST(ArmServo, ButtonsAreKeptForAWhileWithoutSamples) {
     EXPECT_FALSE(mirror.newest.down(Button::fire));
 }
 
-TEST(ArmServo, PanicAndItsEndReachTheArm) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, PanicAndItsEndReachTheArm) {
     const auto both = [&](int times) {
         for (int i = 0; i < times; ++i) arm.step(), mirror.tick();
     };
@@ -334,10 +312,7 @@ TEST(ArmServo, PanicAndItsEndReachTheArm) {
 }
 
 /// Two threads, both as fast as they can. A race would show as a different force (and to a thread sanitizer).
-TEST(ArmServo, TwoThreadsAgree) {
-    ArmServo servo;
-    Arm arm{servo};
-    Mirror mirror{servo};
+TEST_F(ArmServoTest, TwoThreadsAgree) {
     std::atomic<bool> stop{false};
     std::jthread moving([&] {
         while (!stop && arm.ticks < 200'000) {

@@ -12,11 +12,15 @@ using namespace rig;
 
 constexpr double near_zero = 1e-6;
 
+class MixerTest : public testing::Test {
+protected:
+    Mixer mixing = mixer();
+    Recorder recorder{mixing};
+};
+
 // ---- place ------------------------------------------------------------------------------------------------------
 
-TEST(Mixer, ASoundAtOneSideIsLouderThere) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ASoundAtOneSideIsLouderThere) {
     recorder.play(frame_with({voice(hum, {3, 0, 0})}), second);
     const auto right = recorder.levels(100);
     EXPECT_GT(right.right, 10 * right.left);
@@ -27,9 +31,7 @@ TEST(Mixer, ASoundAtOneSideIsLouderThere) {
     EXPECT_NEAR(recorder.levels(100).left, recorder.levels(100).right, near_zero);
 }
 
-TEST(Mixer, TheSideFollowsWhereTheListenerLooks) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, TheSideFollowsWhereTheListenerLooks) {
     auto frame = frame_with({voice(hum, {10, 5, -7})});
     frame.listeners[0] = {.position = {10, 5, -10}, .forward = {1, 0, 0}};
     recorder.play(frame, second);  // the sound is south of one who looks east
@@ -53,18 +55,14 @@ TEST(Mixer, LoudnessFollowsTheDistanceLawAndEndsAtTheReach) {
     EXPECT_EQ(distance_gain(40, 2, 40), 0);
 }
 
-TEST(Mixer, AVoiceBeyondItsReachUsesNoSource) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, AVoiceBeyondItsReachUsesNoSource) {
     recorder.play(frame_with({voice(hum, {41, 0, 0})}, {voice(bell, {0, 0, 1000})}), 10);
     EXPECT_EQ(mixing.report().voices, 0U);
     EXPECT_EQ(mixing.report().begun, 0U);
     EXPECT_EQ(recorder.largest(), 0);
 }
 
-TEST(Mixer, AVoiceAtTheEarIsEquallyLoudOnBothSidesWhereverTheListenerIs) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, AVoiceAtTheEarIsEquallyLoudOnBothSidesWhereverTheListenerIs) {
     auto frame = frame_with({at_ear(hum)});
     frame.listeners[0].position = {500, 0, 0};
     recorder.play(frame, second);
@@ -103,9 +101,7 @@ TEST(Mixer, HrtfGivesTheTwoEarsDifferentSounds) {
     EXPECT_GT(levels.left, 0.01) << "the far ear hears the sound too, unlike with panning";
 }
 
-TEST(Mixer, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
     auto frame = frame_with({voice(hum, {0, 0, -1})});
     recorder.play(frame, 20);
     EXPECT_FALSE(mixing.report().hrtf);
@@ -124,9 +120,7 @@ TEST(Mixer, HrtfTurnsOnAndOffWithoutAClickAndOnlyForOneListener) {
 
 // ---- begin, last, end -------------------------------------------------------------------------------------------
 
-TEST(Mixer, ASoundThatBeginsPlaysOnceToItsEnd) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ASoundThatBeginsPlaysOnceToItsEnd) {
     recorder.play(frame_with({}, {voice(bell, {2, 0, 0})}));
     EXPECT_GT(recorder.largest(), 0.1);
     EXPECT_EQ(mixing.report().begun, 1U);
@@ -140,9 +134,7 @@ TEST(Mixer, ASoundThatBeginsPlaysOnceToItsEnd) {
     EXPECT_NEAR(sum, wanted, 0.01 * wanted);
 }
 
-TEST(Mixer, ALastingVoiceEndsWithinTheFrameThatLacksIt) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ALastingVoiceEndsWithinTheFrameThatLacksIt) {
     recorder.play(frame_with({voice(loud, {1, 0, 0})}), 20);
     recorder.play({}, 3);  // the limiter's delay reaches into the second
     EXPECT_EQ(mixing.report().voices, 0U);
@@ -162,17 +154,13 @@ TEST(Mixer, ABlockWithoutAFrameGoesOn) {
     EXPECT_EQ(without.report().blocks_without_frame, 19U);
 }
 
-TEST(Mixer, ALoopedSoundGoesOnWithoutAStep) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ALoopedSoundGoesOnWithoutAStep) {
     recorder.play(frame_with({voice(hum, {1, 0, 0})}), 3 * second);
     EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
     EXPECT_NEAR(recorder.levels(20).right, 0.5, 2e-3);
 }
 
-TEST(Mixer, StartsStopsAndChangesDoNotClick) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, StartsStopsAndChangesDoNotClick) {
     for (int round = 0; round < 12; ++round) {
         auto humming = voice(hum, {round % 2 == 0 ? 1.0 : -1.0, 0, 0.3 * round});
         humming.gain = round % 3 == 0 ? 1 : 0.4;
@@ -183,9 +171,7 @@ TEST(Mixer, StartsStopsAndChangesDoNotClick) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.75));
 }
 
-TEST(Mixer, LayersOfMusicThatComeAndGoStayInStep) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, LayersOfMusicThatComeAndGoStayInStep) {
     recorder.play(frame_with({at_ear(song, 1)}), 77);
     const double alone = recorder.levels(20).left;
     recorder.play(frame_with({at_ear(song, 1), at_ear(verse, 2)}), 63);
@@ -195,9 +181,7 @@ TEST(Mixer, LayersOfMusicThatComeAndGoStayInStep) {
     EXPECT_NEAR(recorder.levels(20).left, 2 * alone, 0.02 * alone);
 }
 
-TEST(Mixer, AVoicePlayedFasterSoundsHigher) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, AVoicePlayedFasterSoundsHigher) {
     auto high = voice(hum, {0, 0, -1});
     high.pitch = 2;
     recorder.play(frame_with({high}), 60);
@@ -206,9 +190,7 @@ TEST(Mixer, AVoicePlayedFasterSoundsHigher) {
 
 // ---- too many voices --------------------------------------------------------------------------------------------
 
-TEST(Mixer, TheQuietestVoicesAreLeftOutAndCounted) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, TheQuietestVoicesAreLeftOutAndCounted) {
     for (std::uint32_t i = 0; i < 200; ++i) {
         auto ringing = voice(bell, {1, 0, 0});
         ringing.gain = i % 2 == 0 ? 0.001 : 0.002;
@@ -222,9 +204,7 @@ TEST(Mixer, TheQuietestVoicesAreLeftOutAndCounted) {
     EXPECT_NEAR(recorder.levels(5).right, 64 * 0.002 * 0.5, 0.002);
 }
 
-TEST(Mixer, ALouderVoiceTakesASourceAndTheOtherFades) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ALouderVoiceTakesASourceAndTheOtherFades) {
     AudioFrame frame;
     for (std::uint32_t key = 0; key < 32; ++key) {
         auto humming = voice(hum, {1, 0, 0}, key);
@@ -278,9 +258,7 @@ TEST(Mixer, EachOfTwoPlayersHasASpeaker) {
     EXPECT_GT(recorder.levels(20).right, 0.2);
 }
 
-TEST(Mixer, TwoPlayersWhoShareSpeakersAreHeardOnBoth) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, TwoPlayersWhoShareSpeakersAreHeardOnBoth) {
     recorder.play(two_listeners({voice(hum, {2, 0, 1000})}), 50);
     EXPECT_NEAR(recorder.levels(20).right, 0.5 * std::sqrt(0.5), 2e-3) << "3 dB quieter, at its own side";
     EXPECT_LT(recorder.levels(20).left, 0.05);
@@ -306,9 +284,7 @@ TEST(Mixer, OnlyItsListenersHearAVoice) {
     EXPECT_GT(recorder.levels(20).left, 0.2);
 }
 
-TEST(Mixer, PlayersComeAndSpeakersChangeWithoutAClick) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, PlayersComeAndSpeakersChangeWithoutAClick) {
     auto frame = frame_with({voice(hum, {0, 0, -1})});
     for (const auto count : {1U, 2U, 1U, 2U}) {
         frame.listener_count = count;
@@ -341,9 +317,7 @@ TEST(Mixer, EachGroupHasItsFader) {
     }
 }
 
-TEST(Mixer, AFaderMovesWithoutAClick) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, AFaderMovesWithoutAClick) {
     const auto frame = frame_with({voice(hum, {1, 0, 0})});
     for (const double master : {1.0, 0.0, 1.0, 0.3, 0.9, 0.0, 0.5}) {
         mixing.set({.master = master});
@@ -352,9 +326,7 @@ TEST(Mixer, AFaderMovesWithoutAClick) {
     EXPECT_LT(recorder.largest_step(), smooth_step(0.5));
 }
 
-TEST(Mixer, OneQuietVoiceIsNotTouchedByTheLimiter) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, OneQuietVoiceIsNotTouchedByTheLimiter) {
     recorder.play(frame_with({}, {voice(bell, {1, 0, 0})}));
     recorder.play({}, 40);
     EXPECT_EQ(mixing.report().limited_blocks, 0U);
@@ -367,9 +339,7 @@ TEST(Mixer, OneQuietVoiceIsNotTouchedByTheLimiter) {
     EXPECT_EQ(error, 0);
 }
 
-TEST(Mixer, ManyFullVoicesNeverClip) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ManyFullVoicesNeverClip) {
     AudioFrame frame;
     for (std::uint32_t key = 0; key < 32; ++key)
         frame.lasts.add(voice(loud, {key % 2 == 0 ? 1.0 : -1.0, 0, 0}, key));
@@ -412,9 +382,7 @@ TEST(Mixer, BadValuesAreClippedAndCounted) {
     EXPECT_TRUE(std::isfinite(recorder.levels(10).left));
 }
 
-TEST(Mixer, ListsWithImpossibleCountsAreReadToTheirEnd) {
-    auto mixing = mixer();
-    Recorder recorder(mixing);
+TEST_F(MixerTest, ListsWithImpossibleCountsAreReadToTheirEnd) {
     AudioFrame frame;
     frame.lasts.count = 0xffffffff;
     frame.begins.count = 33;
@@ -433,16 +401,14 @@ TEST(Mixer, SoundsThatAreNotNumbersAreSilent) {
                      .loops = true,
                      .near_m = std::nan(""),
                      .samples = std::vector<float>(1000, std::numeric_limits<float>::infinity())};
-    auto made = Mixer::create(odd, {.master = std::nan(""), .music = 7});
-    ASSERT_TRUE(made);
-    Recorder recorder(*made);
-    made->set({.master = 4});
+    auto made = Mixer::create(odd, {.master = std::nan(""), .music = 7}).value();
+    Recorder recorder(made);
+    made.set({.master = 4});
     recorder.play(frame_with({voice(0, {1, 0, 0}, 1), voice(1, {1, 0, 0}, 2)}), 10);
     EXPECT_EQ(recorder.largest(), 0);
-    EXPECT_GT(made->report().bad_values, 5U);
-    auto none = Mixer::create({}, {});
-    ASSERT_TRUE(none);
-    Recorder empty(*none);
+    EXPECT_GT(made.report().bad_values, 5U);
+    auto none = Mixer::create({}, {}).value();
+    Recorder empty(none);
     empty.play(frame_with({voice(0, {})}), 3);
     EXPECT_EQ(empty.largest(), 0);
 }

@@ -6,6 +6,7 @@
 #include "core/hash.h"
 #include "core/one_line.h"
 #include "unit/audio_recipes.h"
+#include "unit/message_of.h"
 
 namespace thaum::audio {
 namespace {
@@ -62,9 +63,8 @@ TEST(AudioRecipe, LimitsTheWork) {
 }
 
 TEST(AudioRecipe, WorkIsAtLeastTheSamplesAdded) {
-    const auto recipe = read_recipe(head(1) + part("tone", "hz = 440\nratios = [1, 2, 3]"), "test");
-    ASSERT_TRUE(recipe.has_value());
-    EXPECT_EQ(work_of(*recipe), 3 * 48'000);
+    const auto recipe = read_recipe(head(1) + part("tone", "hz = 440\nratios = [1, 2, 3]"), "test").value();
+    EXPECT_EQ(work_of(recipe), 3 * 48'000);
 }
 
 /// A sound of all kinds of parts.
@@ -149,27 +149,21 @@ TEST(AudioSounds, FolderIsReadInOrder) {
     for (const char* name : {"b", "a_long", "a"})
         ASSERT_TRUE(write_text_file(folder.path() / text(name, ".toml"), head(0.1) + good_tone));
     ASSERT_TRUE(write_text_file(folder.path() / "SOUNDS.md", "words"));
-    const auto bank = load_sounds(folder.path());
-    ASSERT_TRUE(bank.has_value());
-    ASSERT_EQ(bank->sounds.size(), 3U);
-    EXPECT_EQ(bank->sounds[0].name, "a");
-    EXPECT_EQ(bank->sounds[2].name, "b");
-    EXPECT_EQ(bank->find("a_long"), 1U);
+    const auto bank = load_sounds(folder.path()).value();
+    ASSERT_EQ(bank.sounds.size(), 3U);
+    EXPECT_EQ(bank.sounds[0].name, "a");
+    EXPECT_EQ(bank.sounds[2].name, "b");
+    EXPECT_EQ(bank.find("a_long"), 1U);
 }
 
 TEST(AudioSounds, FolderFaultsNameTheFile) {
     const TemporaryFolder folder;
-    const auto fault = [&] {
-        const auto bank = load_sounds(folder.path());
-        return bank ? std::string() : bank.error().message;
-    };
+    const auto fault = [&] { return message_of(load_sounds(folder.path())); };
     EXPECT_NE(fault().find("holds no sounds"), std::string::npos) << fault();
     for (int i = 0; i < 9; ++i)
         ASSERT_TRUE(write_text_file(folder.path() / text("a", i, ".toml"), head(15, true) + good_tone));
     EXPECT_NE(fault().find("longer than 120 s"), std::string::npos) << fault();
-    const auto none = load_sounds(folder.path() / "none");
-    ASSERT_FALSE(none.has_value());
-    EXPECT_NE(none.error().message.find("cannot be read"), std::string::npos);
+    EXPECT_NE(message_of(load_sounds(folder.path() / "none")).find("cannot be read"), std::string::npos);
 }
 
 TEST(AudioSounds, AFaultyRecipeCostsItsOwnSoundOnly) {
@@ -178,18 +172,17 @@ TEST(AudioSounds, AFaultyRecipeCostsItsOwnSoundOnly) {
     ASSERT_TRUE(write_text_file(folder.path() / "bell.toml", head(0.1) + part("tone", "hz = 5")));
     ASSERT_TRUE(write_text_file(folder.path() / "large.toml", std::string(70'000, '#')));
     ASSERT_TRUE(write_text_file(folder.path() / "z.toml", head(0.1) + good_tone));
-    const auto bank = load_sounds(folder.path());
-    ASSERT_TRUE(bank.has_value()) << bank.error().message;
-    ASSERT_EQ(bank->sounds.size(), 2U);
-    EXPECT_EQ(bank->find("z"), 1U);
-    EXPECT_FALSE(bank->find("bell"));
-    ASSERT_EQ(bank->faulty.size(), 2U);
-    EXPECT_EQ(bank->faulty[0].name, "bell");
-    EXPECT_EQ(bank->faulty[0].fault.message,
+    const auto bank = load_sounds(folder.path()).value();
+    ASSERT_EQ(bank.sounds.size(), 2U);
+    EXPECT_EQ(bank.find("z"), 1U);
+    EXPECT_FALSE(bank.find("bell"));
+    ASSERT_EQ(bank.faulty.size(), 2U);
+    EXPECT_EQ(bank.faulty[0].name, "bell");
+    EXPECT_EQ(bank.faulty[0].fault.message,
               text(folder.path().string(), "/bell.toml:9: 'hz' is 5, must be from 20 to 20000"));
-    EXPECT_NE(bank->faulty[1].fault.message.find(text(folder.path().string(), "/large.toml")),
+    EXPECT_NE(bank.faulty[1].fault.message.find(text(folder.path().string(), "/large.toml")),
               std::string::npos)
-        << bank->faulty[1].fault.message;
+        << bank.faulty[1].fault.message;
 }
 
 TEST(AudioSounds, WithoutSamplesASoundHasAllElse) {

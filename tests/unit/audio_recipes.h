@@ -4,6 +4,7 @@
 
 #include "audio/synth.h"
 #include "core/text.h"
+#include "unit/message_of.h"
 
 namespace thaum::audio {
 
@@ -24,9 +25,6 @@ inline Sound made(const std::string& toml) {
 }
 
 /// Message of a refused recipe; empty: none.
-inline std::string refusal(const std::string& toml) {
-    const auto recipe = read_recipe(toml, "test");
-    return recipe ? "" : recipe.error().message;
-}
+inline std::string refusal(const std::string& toml) { return message_of(read_recipe(toml, "test")); }
 
 }  // namespace thaum::audio

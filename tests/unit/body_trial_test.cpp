@@ -12,11 +12,7 @@ constexpr std::int64_t ms = 1'000'000;
 
 class BodyTrialTest : public testing::Test {
 protected:
-    BodyTrialTest() {
-        auto body = LiveBody::load(THAUM_SOURCE_DIR "/assets");
-        EXPECT_TRUE(body) << body.error().message;
-        body_.emplace(std::move(*body));
-    }
+    BodyTrialTest() { body_.emplace(LiveBody::load(THAUM_SOURCE_DIR "/assets").value()); }
 
     /// Plays a trial to its end. Returns the strongest value of each cell, and its length.
     std::pair<BodyTrial::Figure, std::int64_t> played(tactile::Purpose purpose, double share) {

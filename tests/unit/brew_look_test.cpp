@@ -19,18 +19,14 @@ constexpr BowlPlace bowl{.centre = {0, 0.55, 0}, .size = {.radius = 1.5, .height
 class BrewLookTest : public testing::Test {
 protected:
     void SetUp() override {
-        const auto file = read_text_file(THAUM_SOURCE_DIR "/assets/cauldron.toml", 1U << 16U);
-        ASSERT_TRUE(file) << file.error().message;
-        const auto config = Config::parse(*file, "cauldron.toml", 1);
-        ASSERT_TRUE(config) << config.error().message;
-        rules = read_cauldron_rules(*config);
+        const auto file = read_text_file(THAUM_SOURCE_DIR "/assets/cauldron.toml", 1U << 16U).value();
+        const auto config = Config::parse(file, "cauldron.toml", 1).value();
+        rules = read_cauldron_rules(config);
         rules.ingredients.resize(3);
         rules.ingredients[0].colour = {1, 0, 0};
         rules.ingredients[1].colour = {0, 1, 0};
         place = brew_place(bowl, rules);
-        auto made = make_brew(rules, place.basin);
-        ASSERT_TRUE(made) << made.error().message;
-        brew = std::move(*made);
+        brew = make_brew(rules, place.basin).value();
     }
 
     const BrewPicture& taken() {

@@ -10,7 +10,9 @@
 #include "game/components/hand_state.h"
 #include "game/data/reading.h"
 #include "gesture/generated_users.h"
+#include "unit/copied_assets.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -319,26 +321,19 @@ TEST(Casting, ARecallGoesOnFromAKeyframeToTheSameBits) {
 }
 
 TEST(Casting, TwoGesturesOfOneNameAreRefusedWithTheirFiles) {
-    namespace fs = std::filesystem;
-    auto folder = (fs::temp_directory_path() / "thaum-gestures-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-    fs::copy(assets(), fs::path(folder) / "assets", fs::copy_options::recursive);
-    const auto gestures = fs::path(folder) / "assets" / "gestures";
-    fs::copy_file(gestures / "circle.toml", gestures / "ring.toml");
-    const auto loaded = load_match_data(fs::path(folder) / "assets", {});
-    ASSERT_FALSE(loaded.has_value());
-    EXPECT_EQ(loaded.error().message,
+    const CopiedAssets copied;
+    const auto gestures = copied.path / "gestures";
+    std::filesystem::copy_file(gestures / "circle.toml", gestures / "ring.toml");
+    EXPECT_EQ(message_of(load_match_data(copied.path, {})),
               "assets/gestures/ring.toml: has the name 'circle', as assets/gestures/circle.toml has; "
               "change one, or delete a file");
-    fs::remove_all(folder);
 }
 
 TEST(Casting, ARuleSetWithoutSpellsHasNoStrokes) {
-    const auto classic = load_match_data(assets(), {.rules = "classic"});
-    ASSERT_TRUE(classic.has_value());
-    EXPECT_EQ(classic->gestures, nullptr);
-    EXPECT_TRUE(classic->spells.empty());
-    Simulation match(std::make_shared<const MatchData>(*classic), two_hands());
+    const auto classic = load_match_data(assets(), {.rules = "classic"}).value();
+    EXPECT_EQ(classic.gestures, nullptr);
+    EXPECT_TRUE(classic.spells.empty());
+    Simulation match(std::make_shared<const MatchData>(classic), two_hands());
     input::InputFrame frame;
     frame.devices[0].press(input::Button::trace);
     for (int i = 0; i < 100; ++i) match.tick(frame);

@@ -11,6 +11,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/data/match_data.h"
+#include "unit/copied_assets.h"
 
 namespace thaum::app {
 namespace {
@@ -29,10 +30,6 @@ struct Mistake {
 
 class Content : public testing::Test {
 protected:
-    Content() : assets_(folder_.path() / "assets") {
-        fs::copy(THAUM_SOURCE_DIR "/assets", assets_, fs::copy_options::recursive);
-    }
-
     /// Writes a file that this program has read, which its own writers never replace.
     static void put(const fs::path& path, const std::string& words) {
         std::ofstream(path, std::ios::binary) << words;
@@ -69,8 +66,8 @@ protected:
     /// Makes all mistakes at once. Returns how many of them the one report answers.
     std::size_t answered(const std::vector<Mistake>& mistakes);
 
-    TemporaryFolder folder_;
-    fs::path assets_;
+    const CopiedAssets copied_;
+    const fs::path assets_ = copied_.path;
 };
 
 /// Line in an answer that begins with "FILE:LINE:"; 0: it names none.

@@ -23,16 +23,7 @@ namespace fs = std::filesystem;
 
 class CoreFile : public ::testing::Test {
 protected:
-    CoreFile() {
-        auto name = (fs::temp_directory_path() / "thaum-file-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    ~CoreFile() override {
-        fs::permissions(folder_, fs::perms::owner_all);
-        fs::remove_all(folder_);
-    }
-    CoreFile(const CoreFile&) = delete;
-    CoreFile& operator=(const CoreFile&) = delete;
+    ~CoreFile() override { fs::permissions(folder_, fs::perms::owner_all); }
 
     fs::path in_folder(std::string_view name) const { return folder_ / name; }
 
@@ -50,7 +41,8 @@ protected:
     }
 
 private:
-    fs::path folder_;
+    const TemporaryFolder own_;
+    const fs::path folder_ = own_.path();
 };
 
 TEST(CoreStreams, NoFileGetsTheNumberOfAClosedStream) {

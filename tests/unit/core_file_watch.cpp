@@ -1,11 +1,10 @@
 // Tests of files that change during a program: each change is reported once, after the file is complete.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
+#include "core/file.h"
 #include "core/file_watch.h"
-#include "core/text.h"
 
 namespace thaum {
 namespace {
@@ -15,10 +14,7 @@ using Paths = std::vector<fs::path>;
 
 class FileWatchTest : public testing::Test {
 protected:
-    FileWatchTest() { fs::create_directories(folder_); }
-    ~FileWatchTest() override { fs::remove_all(folder_); }
-
-    fs::path file(std::string_view name) const { return folder_ / name; }
+    fs::path file(std::string_view name) const { return folder_.path() / name; }
     void write(std::string_view name, std::string_view words) const { std::ofstream(file(name)) << words; }
     /// Looks twice and returns the second result. A change is reported when the file has stayed the same
     /// between two looks.
@@ -28,7 +24,7 @@ protected:
     }
 
 private:
-    fs::path folder_ = fs::temp_directory_path() / text("thaum_file_watch_", ::getpid());
+    const TemporaryFolder folder_;
 };
 
 TEST_F(FileWatchTest, ReportsAChangeOnceAfterTheFileStayedTheSame) {

@@ -33,20 +33,6 @@ inline Crystal& crystal_to_change(Simulation& match, std::uint32_t number = 0) {
 inline std::span<float> densities(Simulation& match, std::uint32_t number = 0) {
     return match.world_to_change().blob<CrystalDensity>().subspan(number * crystal_voxels, crystal_voxels);
 }
-inline std::size_t count_of(const Simulation& match, EventKind kind) {
-    std::uint64_t from = 0;
-    std::size_t count = 0;
-    match.events().each_new(from, [&](const Event& event) { count += event.kind == kind ? 1 : 0; });
-    return count;
-}
-inline Event last_of(const Simulation& match, EventKind kind) {
-    std::uint64_t from = 0;
-    Event last;
-    match.events().each_new(from, [&](const Event& event) {
-        if (event.kind == kind) last = event;
-    });
-    return last;
-}
 inline void run(Simulation& match, Tick length, const input::InputFrame& frame = {}) {
     for (Tick t = 0; t < length; ++t) match.tick(frame);
 }

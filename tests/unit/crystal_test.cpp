@@ -16,7 +16,9 @@
 #include "game/match/spawn.h"
 #include "game/stations/crystal/crystal_shape.h"
 #include "tests/scenes/carving_hands.h"
+#include "unit/copied_assets.h"
 #include "unit/crystal_rig.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -396,27 +398,19 @@ TEST(CrystalRules, ToolsComeFromTheirFilesInTheOrderOfTheKeys) {
     for (const auto& tool : data->crystal->tools) names.push_back(tool.name);
     EXPECT_EQ(names, (std::vector<std::string>{"melt", "construct", "paint", "stamp"}));
     EXPECT_EQ(data->crystal->work_lasts, ticks(30.0));
-    DataChoice classic;
-    classic.rules = "classic";
-    const auto plain = load_match_data(assets(), classic);
-    ASSERT_TRUE(plain);
-    EXPECT_FALSE(plain->crystal) << "the classic rules have none";
+    EXPECT_FALSE(load_match_data(assets(), {.rules = "classic"})->crystal) << "the classic rules have none";
 }
 
 TEST(CrystalRules, AWrongFileIsRefusedWithItsLine) {
-    namespace fs = std::filesystem;
-    auto folder = (fs::temp_directory_path() / "thaum-crystal-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-    const auto copy = fs::path(folder) / "assets";
-    fs::copy(assets(), copy, fs::copy_options::recursive);
+    const CopiedAssets copied;
+    const auto& copy = copied.path;
     const auto whole = read_text_file(assets() / "crystal.toml", 1U << 20U).value();
     const auto refused = [&](const std::string& from, const std::string& to) {
         auto words = whole;
         const auto at = words.find(from);
         if (at == std::string::npos) return std::string("no such words");
         std::ofstream(copy / "crystal.toml") << words.replace(at, from.size(), to);
-        const auto data = load_match_data(copy, {});
-        return data ? std::string("accepted") : data.error().message;
+        return message_of(load_match_data(copy, {}), "accepted");
     };
     EXPECT_EQ(refused("voxels in both", "voxels in both"), "accepted");
     EXPECT_EQ(refused("overlap = 0.8 ", "overlap = 1.8 ").find("assets/crystal.toml:8: 'overlap'"), 0U);
@@ -428,7 +422,6 @@ TEST(CrystalRules, AWrongFileIsRefusedWithItsLine) {
               "assets/crystal.toml:15: carving/squirt.toml changes the material; crystals of a match have "
               "only one");
     EXPECT_NE(refused("hold_s = 30", "held_s = 30").find("hold_s"), std::string::npos);
-    fs::remove_all(folder);
 }
 
 }  // namespace

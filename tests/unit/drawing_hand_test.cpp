@@ -10,9 +10,7 @@ namespace {
 constexpr std::int64_t tick_of_mouse = 1'000'000;
 
 DrawingMouse drawing_mouse() {
-    const auto data = game::load_match_data(game::find_assets(), {});
-    EXPECT_TRUE(data);
-    return {data->device, 0};
+    return {game::load_match_data(game::find_assets(), {})->device, 0};
 }
 
 TEST(DrawingMouse, ACountMovesTheHandATenthOfAMillimetreAgainstTheField) {

@@ -11,6 +11,7 @@
 #include "game/senses/tactile/tactile_scene.h"
 #include "unit/audio_recipes.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -18,11 +19,7 @@ namespace {
 using audio::SoundGroup;
 using audio::Voice;
 
-FeltBands shipped_bands() {
-    const auto bands = load_felt_bands(assets() / "tactile/sound.toml");
-    EXPECT_TRUE(bands) << (bands ? "" : bands.error().message);
-    return bands.value_or(FeltBands{});
-}
+FeltBands shipped_bands() { return load_felt_bands(assets() / "tactile/sound.toml").value(); }
 
 /// A bank of tones, by number: loops of 40, 141 and 500 Hz as music, then one of 40 Hz as an effect.
 audio::SoundBank tones() {
@@ -33,9 +30,8 @@ audio::SoundBank tones() {
                                "\"\nloops = true\nseconds = 2\nlevel = 0.5\nnear_m = 2\nreach_m = 20\n"
                                "[[parts]]\nkind = \"tone\"\nhz = ",
                                hz, "\n");
-        const auto recipe = audio::read_recipe(toml, text("tone_", hz, group));
-        EXPECT_TRUE(recipe) << (recipe ? "" : recipe.error().message);
-        bank.sounds.push_back(audio::make_sound(*recipe));
+        const auto recipe = audio::read_recipe(toml, text("tone_", hz, group)).value();
+        bank.sounds.push_back(audio::make_sound(recipe));
     }
     return bank;
 }
@@ -131,10 +127,9 @@ TEST(FeltSound, FaultsInTheBandsAreToldInOneLine) {
           {"low_hz = 20\nhigh_hz = 80\nfull = 0\n", "'full' is 0"},
           {"low_hz = 20\nhigh_hz = 80\n", "'full' is missing"}}) {
         ASSERT_TRUE(write_text_file(file, text("version = 1\n[low]\n", low_band, rest)));
-        const auto bands = load_felt_bands(file);
-        ASSERT_FALSE(bands) << low_band;
-        EXPECT_EQ(bands.error().message.find(file.string()), 0U) << bands.error().message;
-        EXPECT_NE(bands.error().message.find(words), std::string::npos) << bands.error().message;
+        const auto message = message_of(load_felt_bands(file));
+        EXPECT_EQ(message.find(file.string()), 0U) << message;
+        EXPECT_NE(message.find(words), std::string::npos) << message;
     }
     EXPECT_FALSE(load_felt_bands(folder.path() / "none.toml"));
 }
@@ -258,29 +253,28 @@ std::pair<std::uint64_t, std::uint64_t> duel_felt(bool with_sound, std::size_t* 
     static const auto bank = audio::load_sounds(assets() / "sounds");
     EXPECT_TRUE(bank);
     static const auto all = felt_courses(*bank, shipped_bands());
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
-    EXPECT_TRUE(duel);
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
     const JacketRig data;
     TactileScene scene(data.numbers, data.effects, 0);
     scene.set_hears(scene.add(data.jacket), true);
-    auto sounds = match_sounds(*bank, *duel->match->data().presentation);
+    auto sounds = match_sounds(*bank, *duel.match->data().presentation);
     SoundScene heard(std::move(sounds));
     FeltSound felt(all);
     audio::AudioFrame frame;
     std::uint64_t hash = 0;
     constexpr std::array<std::uint32_t, players> both{0, 1};
     for (int i = 0; i < 20 * 125; ++i) {
-        duel->run(tactile::frame_ticks);
+        duel.run(tactile::frame_ticks);
         if (with_sound) {
-            heard.take(*duel->match, both, frame);
+            heard.take(*duel.match, both, frame);
             felt.follow(frame);
             scene.set_sound(felt.strengths(0, {1, FeltGroups::both}));
         }
-        scene.take(*duel->match);
+        scene.take(*duel.match);
         *felt_frames += scene.frame(0).is_silent() ? 0 : 1;
         hash = hash_bytes(std::as_bytes(std::span(&scene.frame(0), 1)), hash);
     }
-    return {hash, duel->match->state_hash()};
+    return {hash, duel.match->state_hash()};
 }
 
 TEST(FeltSoundOnAJacket, EqualMatchesAreFeltEquallyAndFeelingChangesNothing) {

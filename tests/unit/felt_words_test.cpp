@@ -10,11 +10,7 @@ namespace thaum::game::test {
 namespace {
 
 const std::shared_ptr<const SenseData>& sense_data() {
-    static const auto loaded = [] {
-        auto data = SenseData::load(assets(), audio::WithSamples::no);
-        EXPECT_TRUE(data) << (data ? "" : data.error().message);
-        return *data;
-    }();
+    static const auto loaded = [] { return SenseData::load(assets(), audio::WithSamples::no).value(); }();
     return loaded;
 }
 

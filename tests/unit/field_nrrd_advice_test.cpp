@@ -32,14 +32,13 @@ TEST_F(VolumeFiles, SmallDifferencesOnALargeOffset) {
     const auto with = [&]<class T>(std::string_view type, std::vector<T> values) {
         return read(fields(type, "2 2 1"), bytes_of(values));
     };
-    const auto kept = with("int", std::vector<std::int32_t>{1'000'000, 1'000'001, 1'000'002, 1'000'003});
-    ASSERT_TRUE(kept) << kept.error().message;
-    EXPECT_EQ(kept->samples, (std::vector<float>{1'000'000, 1'000'001, 1'000'002, 1'000'003}));
-    EXPECT_TRUE(kept->notes.empty());
+    const auto kept =
+        with("int", std::vector<std::int32_t>{1'000'000, 1'000'001, 1'000'002, 1'000'003}).value();
+    EXPECT_EQ(kept.samples, (std::vector<float>{1'000'000, 1'000'001, 1'000'002, 1'000'003}));
+    EXPECT_TRUE(kept.notes.empty());
     EXPECT_TRUE(with("double", std::vector<double>{0.1, 0.2, 0.3, 1000.7})->notes.empty());
-    const auto coarse = with("double", std::vector<double>{1, 1 + 1e-6, 1 + 2e-6, 1 + 3e-6});
-    ASSERT_TRUE(coarse) << coarse.error().message;
-    EXPECT_EQ(coarse->notes,
+    const auto coarse = with("double", std::vector<double>{1, 1 + 1e-6, 1 + 2e-6, 1 + 3e-6}).value();
+    EXPECT_EQ(coarse.notes,
               std::vector<std::string>{"the samples, which differ by 3e-06 at most, are rounded to steps of "
                                        "1.19e-07; to keep all of them, subtract 1 from all samples"});
     const std::string same = "too coarse; subtract ";
@@ -62,11 +61,9 @@ TEST_F(VolumeFiles, SmallDifferencesOnALargeOffset) {
 
 TEST_F(VolumeFiles, EqualAndHugeSamplesAreABody) {
     for (const double value : {1e9, -1e30, 3e38}) {
-        const auto v = read(fields("double", "2 2 2"), bytes_of(std::vector<double>(8, value)));
-        ASSERT_TRUE(v) << v.error().message;
-        const auto body = voxels_of(*v);
-        ASSERT_TRUE(body) << value << body.error().message;
-        EXPECT_GT(body->full, body->empty);
+        const auto v = read(fields("double", "2 2 2"), bytes_of(std::vector<double>(8, value))).value();
+        const auto body = voxels_of(v).value();
+        EXPECT_GT(body.full, body.empty);
     }
     const auto wide = read(fields("float", "2 1 1"), bytes_of(std::vector<float>{-3e38F, 3e38F}));
     EXPECT_EQ(voxels_of(*wide)->surface, 0) << "the range itself is beyond a float";
@@ -86,21 +83,19 @@ TEST_F(VolumeFiles, FilesOfSamplesFromOtherComputers) {
                                       {"RAW\\Z.raw", "sub/raw/z.raw"},
                                       {"raw\\z.raw", "sub/raw/z.raw"},
                                       {".\\raw\\..\\raw\\z.RAW", "sub/raw/z.raw"}}) {
-        const auto v = detached(name);
-        ASSERT_TRUE(v) << v.error().message;
-        EXPECT_EQ(v->samples[23], 23);
-        EXPECT_EQ(v->notes,
+        const auto v = detached(name).value();
+        EXPECT_EQ(v.samples[23], 23);
+        EXPECT_EQ(v.notes,
                   std::vector<std::string>{text("there is no file '", printable(name, 200),
                                                 "'; the samples are read from ", in_folder(place).string())});
-        EXPECT_EQ(v->files[1].lexically_normal(), in_folder(place));
+        EXPECT_EQ(v.files[1].lexically_normal(), in_folder(place));
     }
     put("sub/w.raw", shorts(24));
     for (const char* name : {"C:\\Users\\x\\W.raw", "C:\\Users\\some one\\w.raw", "/elsewhere/w.raw",
                              "\\\\server\\w.raw", "\"w.raw\""}) {
-        const auto v = detached(name);
-        ASSERT_TRUE(v) << v.error().message;
-        EXPECT_EQ(v->files[1], in_folder("sub/w.raw"));
-        EXPECT_EQ(v->notes.size(), 1U);
+        const auto v = detached(name).value();
+        EXPECT_EQ(v.files[1], in_folder("sub/w.raw"));
+        EXPECT_EQ(v.notes.size(), 1U);
     }
     put("sub/W.RAW", shorts(24));
     expect_refused(detached("C:\\W.raw"), "sub/d.nhdr:7: field 'data file': there is no file 'C:\\W.raw'");
@@ -143,9 +138,8 @@ TEST_F(VolumeFiles, BytesOfAnotherEncodingAreNamed) {
                        at + "as many plain bytes as the sizes and the type promise; write 'encoding: raw'");
     expect_refused(in("gzip", "?"), "are no gzip bytes");
     expect_refused(in("raw", shorts(24), "float"), "there are 2 for each sample, but 'type' has 4");
-    const auto more = in("raw", shorts(24), "int8");
-    ASSERT_TRUE(more) << more.error().message;
-    EXPECT_EQ(more->notes,
+    const auto more = in("raw", shorts(24), "int8").value();
+    EXPECT_EQ(more.notes,
               std::vector<std::string>{"what follows the samples is left out; there are 2 for each "
                                        "sample, but 'type' has 1"});
     std::string short_numbers = "x";
@@ -157,15 +151,13 @@ TEST_F(VolumeFiles, BytesOfAnotherEncodingAreNamed) {
                    "'5;2' at place 2 is no number; write points");
     expect_refused(in("ascii", "1 2 3"), "promises 24 numbers of samples, but there are 3");
     const std::string line = "; the header seems to have an empty line too many";
-    const auto displaced = in("raw", "\n" + shorts(24));
-    ASSERT_TRUE(displaced) << displaced.error().message;
-    EXPECT_EQ(displaced->notes, std::vector<std::string>{"what follows the samples is left out" + line});
+    const auto displaced = in("raw", "\n" + shorts(24)).value();
+    EXPECT_EQ(displaced.notes, std::vector<std::string>{"what follows the samples is left out" + line});
     expect_refused(in("gzip", "\r\n" + gzipped(shorts(24))), "no gzip bytes" + line);
     put("s.raw", shorts(24));
     const auto detached =
-        read_nrrd(put("d.nhdr", text("NRRD0004\n", fields("int8", "2 3 4"), "\ndata file: s.raw\n")));
-    ASSERT_TRUE(detached) << detached.error().message;
-    EXPECT_EQ(detached->notes, std::vector<std::string>{"s.raw: " + more->notes[0]});
+        read_nrrd(put("d.nhdr", text("NRRD0004\n", fields("int8", "2 3 4"), "\ndata file: s.raw\n"))).value();
+    EXPECT_EQ(detached.notes, std::vector<std::string>{"s.raw: " + more.notes[0]});
     put("s.raw", gzipped(shorts(24)));
     expect_refused(
         read_nrrd(put("d.nhdr", text("NRRD0004\n", fields("short", "2 3 4"), "\ndata file: s.raw\n"))),
@@ -179,10 +171,9 @@ TEST_F(VolumeFiles, TheOtherByteOrderIsTold) {
     EXPECT_TRUE(read(fields("float", "2 3 4"), bytes_of(values)));
     std::vector<std::int16_t> bytes(24);
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::int16_t>(i);
-    const auto shorts_swapped = read(fields("short", "2 3 4"), bytes_of(bytes, true));
-    ASSERT_TRUE(shorts_swapped) << shorts_swapped.error().message;
+    const auto shorts_swapped = read(fields("short", "2 3 4"), bytes_of(bytes, true)).value();
     EXPECT_EQ(
-        shorts_swapped->notes,
+        shorts_swapped.notes,
         std::vector<std::string>{"every sample is a multiple of 256; if that is wrong, write 'endian: big'"});
     for (float& value : values) value = 1e-35F;
     EXPECT_TRUE(read(fields("float", "2 3 4"), bytes_of(values))) << "small, but absurd in both orders";
@@ -208,9 +199,8 @@ TEST_F(VolumeFiles, FaultsOfHeadersHaveTheirLine) {
         << "a byte order mark";
     auto with_returns = text("NRRD0004\n", good, "\n\n");
     std::ranges::replace(with_returns, '\n', '\r');
-    const auto old = read_nrrd(put("v.nrrd", with_returns + shorts(24)));
-    ASSERT_TRUE(old) << old.error().message;
-    EXPECT_EQ(old->samples[23], 23);
+    const auto old = read_nrrd(put("v.nrrd", with_returns + shorts(24))).value();
+    EXPECT_EQ(old.samples[23], 23);
 }
 
 TEST_F(VolumeFiles, OtherFormatsAreNamed) {

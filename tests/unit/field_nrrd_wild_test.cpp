@@ -14,9 +14,7 @@ TEST_F(VolumeFiles, OfColoursTheLuminanceIsRead) {
         "space directions: none (0,1,0) (-1,0,0) (0,0,1)\nspace: RAS\nkinds: ";
     const std::string_view data("\xff\x00\x00\x0a\x14\x1e", 6);
     const auto read_as = [&](std::string_view kind, const ReadChoice& choice) {
-        auto v = read_nrrd(put("v.nrrd", text(start, kind, " domain domain domain\n\n", data)), choice);
-        EXPECT_TRUE(v) << (v ? "" : v.error().message);
-        return v.value_or(Volume{});
+        return read_nrrd(put("v.nrrd", text(start, kind, " domain domain domain\n\n", data)), choice).value();
     };
     const auto seen = read_as("RGB-color", {});
     EXPECT_EQ(seen.components, 1);
@@ -42,11 +40,10 @@ TEST_F(VolumeFiles, OneMomentOfTimeIsRead) {
         "NRRD0005\ntype: short\ndimension: 4\nendian: little\nencoding: raw\nsizes: 3 2 2 1\n"
         "kinds: time domain domain domain\n\n";
     const auto path = put("v.nrrd", head + shorts(12));
-    const auto last = read_nrrd(path, {.frame = 2});
-    ASSERT_TRUE(last) << last.error().message;
-    EXPECT_EQ(last->samples, (std::vector<float>{2, 5, 8, 11}));
-    EXPECT_EQ(last->frames, 3);
-    EXPECT_EQ(last->notes, std::vector<std::string>{"moment 3 of 3 is read"});
+    const auto last = read_nrrd(path, {.frame = 2}).value();
+    EXPECT_EQ(last.samples, (std::vector<float>{2, 5, 8, 11}));
+    EXPECT_EQ(last.frames, 3);
+    EXPECT_EQ(last.notes, std::vector<std::string>{"moment 3 of 3 is read"});
     expect_refused(read_nrrd(path, {.frame = 3}), "there is no moment 4; the file has 3");
     expect_refused(read_nrrd(path, {.frame = -1}), "there is no moment 0");
 }
@@ -71,25 +68,22 @@ TEST_F(VolumeFiles, OfNumbersInWordsEachChangeIsTold) {
     const auto read_ascii = [&](std::string_view type, std::string_view numbers) {
         return read(text("type: ", type, "\ndimension: 3\nsizes: 2 2 1\nencoding: ascii"), numbers);
     };
-    const auto cut = read_ascii("short", "1 2.7 40000 -40000\n");
-    ASSERT_TRUE(cut) << cut.error().message;
-    EXPECT_EQ(cut->samples, (std::vector<float>{1, 2, 32767, -32768}));
-    EXPECT_EQ(cut->notes, std::vector<std::string>{
-                              "samples such as 2.7 are no numbers of the type 'int16', and are made so"});
-    const auto right = read_ascii("short", "1, 2, 3, -4\n");
-    ASSERT_TRUE(right);
-    EXPECT_TRUE(right->notes.empty());
+    const auto cut = read_ascii("short", "1 2.7 40000 -40000\n").value();
+    EXPECT_EQ(cut.samples, (std::vector<float>{1, 2, 32767, -32768}));
+    EXPECT_EQ(cut.notes, std::vector<std::string>{
+                             "samples such as 2.7 are no numbers of the type 'int16', and are made so"});
+    const auto right = read_ascii("short", "1, 2, 3, -4\n").value();
+    EXPECT_TRUE(right.notes.empty());
     expect_refused(read_ascii("float", "100,5 107,5 1,5 2,5\n"), "numbers have points, not commas");
 }
 
 TEST_F(VolumeFiles, SamplesOfAnUntoldKindAreColoursOrAVectorWithALine) {
     const auto with = [&](std::string_view type, std::string_view sizes, std::string_view more,
                           std::size_t bytes) {
-        const auto v =
-            read(text("type: ", type, "\ndimension: 4\nencoding: raw\nendian: little\nsizes: ", sizes, more),
-                 std::string(bytes, '\1'));
-        EXPECT_TRUE(v) << (v ? "" : v.error().message);
-        return v.value_or(Volume{});
+        return read(text("type: ", type, "\ndimension: 4\nencoding: raw\nendian: little\nsizes: ", sizes,
+                         more),
+                    std::string(bytes, '\1'))
+            .value();
     };
     const auto colour = with("uint8", "3 2 2 2", "", 24);
     EXPECT_EQ(colour.components, 1) << "bytes have no sign, so they are colours";
@@ -157,12 +151,10 @@ TEST_F(VolumeFiles, BytesBehindTheSamplesAreLeftAndTold) {
           {"gzip", gzipped(shorts(24)) + std::string(100, '\0')},
           {"gzip", gzipped(shorts(12)) + gzipped(shorts(24).substr(24) + "tail")},
           {"ascii", text("0 1 2 3 4 5 6 7 8 9 10 11,12, 13 +14 15\r\n16 17 18 19 20 21 22 23\n end")}}) {
-        const auto v = read(head + encoding, data);
-        ASSERT_TRUE(v) << encoding << ": " << v.error().message;
-        for (int i = 0; i < 24; ++i)
-            EXPECT_EQ(v->samples[static_cast<std::size_t>(i)], static_cast<float>(i));
-        ASSERT_EQ(v->notes.size(), 1U) << encoding;
-        EXPECT_NE(v->notes[0].find("what follows the samples is left out"), std::string::npos);
+        const auto v = read(head + encoding, data).value();
+        for (int i = 0; i < 24; ++i) EXPECT_EQ(v.samples[static_cast<std::size_t>(i)], static_cast<float>(i));
+        ASSERT_EQ(v.notes.size(), 1U) << encoding;
+        EXPECT_NE(v.notes[0].find("what follows the samples is left out"), std::string::npos);
     }
 }
 
@@ -178,17 +170,16 @@ TEST_F(VolumeFiles, SkipsInEveryEncoding) {
         const auto content = read_text_file(in_folder(file), 10'000).value();
         for (const auto& path : {put("d.nhdr", text(fields, "data file: ", file, "\n")),
                                  put("a.nrrd", text(fields, "\n", content))}) {
-            const auto v = read_nrrd(path);
-            ASSERT_TRUE(v) << v.error().message;
+            const auto v = read_nrrd(path).value();
             for (int i = 0; i < 24; ++i)
-                EXPECT_EQ(v->samples[static_cast<std::size_t>(i)], static_cast<float>(i));
+                EXPECT_EQ(v.samples[static_cast<std::size_t>(i)], static_cast<float>(i));
         }
     }
     const auto last =
         read("type: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: gzip\nbyte skip: -1",
-             gzipped("something" + shorts(24)));
-    ASSERT_TRUE(last) << last.error().message;
-    EXPECT_EQ(last->samples[23], 23);
+             gzipped("something" + shorts(24)))
+            .value();
+    EXPECT_EQ(last.samples[23], 23);
 }
 
 TEST_F(VolumeFiles, SamplesInSeveralFiles) {
@@ -224,9 +215,9 @@ TEST_F(VolumeFiles, AFileWhoseNameBeginsWithListIsNoList) {
     put("LISTING.raw", shorts(24));
     const auto v = read_nrrd(put("d.nhdr",
                                  "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 3 4\nendian: little\n"
-                                 "data file: LISTING.raw\nencoding: raw\n"));
-    ASSERT_TRUE(v) << v.error().message;
-    EXPECT_EQ(v->samples[23], 23);
+                                 "data file: LISTING.raw\nencoding: raw\n"))
+                       .value();
+    EXPECT_EQ(v.samples[23], 23);
 }
 
 TEST_F(VolumeFiles, AFileOfSamplesElsewhereIsTold) {
@@ -237,26 +228,23 @@ TEST_F(VolumeFiles, AFileOfSamplesElsewhereIsTold) {
     for (const auto& file :
          {std::string("../d.raw"), std::string("./x/../../d.raw"), in_folder("d.raw").string()}) {
         fs::create_directories(in_folder("below/x"));
-        const auto v = read_nrrd(put("below/d.nhdr", text(head, "data file: ", file, "\n")));
-        ASSERT_TRUE(v) << v.error().message;
-        EXPECT_EQ(v->notes,
+        const auto v = read_nrrd(put("below/d.nhdr", text(head, "data file: ", file, "\n"))).value();
+        EXPECT_EQ(v.notes,
                   std::vector<std::string>{text("the samples are read from ", in_folder("d.raw").string())});
     }
 }
 
 TEST_F(VolumeFiles, LargeIntegersAreReadAndRoundingIsTold) {
     const std::string head = "dimension: 3\nsizes: 2 1 1\nendian: big\nencoding: raw\ntype: ";
-    const auto small = read(head + "int", std::string_view("\xff\xff\xff\xfe\x00\x00\x00\xfa", 8));
-    ASSERT_TRUE(small) << small.error().message;
-    EXPECT_EQ(small->samples, (std::vector<float>{-2, 250}));
-    EXPECT_TRUE(small->notes.empty());
-    const auto large = read(head + "unsigned long long", std::string(16, '\xff'));
-    ASSERT_TRUE(large) << large.error().message;
-    EXPECT_EQ(large->samples[0], 0x1p64F);
-    EXPECT_EQ(large->notes, std::vector<std::string>{"integers beyond 16,777,216 are rounded"});
-    const auto written = write_nrrd(in_folder("a.nrrd"), *large);
+    const auto small = read(head + "int", std::string_view("\xff\xff\xff\xfe\x00\x00\x00\xfa", 8)).value();
+    EXPECT_EQ(small.samples, (std::vector<float>{-2, 250}));
+    EXPECT_TRUE(small.notes.empty());
+    const auto large = read(head + "unsigned long long", std::string(16, '\xff')).value();
+    EXPECT_EQ(large.samples[0], 0x1p64F);
+    EXPECT_EQ(large.notes, std::vector<std::string>{"integers beyond 16,777,216 are rounded"});
+    const auto written = write_nrrd(in_folder("a.nrrd"), large);
     ASSERT_TRUE(written) << written.error().message;
-    EXPECT_EQ(read_nrrd(in_folder("a.nrrd"))->samples, large->samples);
+    EXPECT_EQ(read_nrrd(in_folder("a.nrrd"))->samples, large.samples);
     EXPECT_EQ(read("type: uint8\ndimension: 3\nsizes: 2 1 1\nencoding: text", " 3.7 nan")->samples[0], 3);
     expect_refused(read("type: uint8\ndimension: 3\nsizes: 3 1 1\nencoding: txt", "1 two 3"),
                    "'two' at place 2 is no number");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "unit/message_of.h"
 
 namespace thaum::field {
 namespace {
@@ -16,11 +17,7 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-TransferFunction through(const std::vector<vec2>& points) {
-    const auto f = transfer_function(points);
-    EXPECT_TRUE(f) << (f ? "" : f.error().message);
-    return f.value_or(TransferFunction{});
-}
+TransferFunction through(const std::vector<vec2>& points) { return transfer_function(points).value(); }
 
 /// Sorted points with random jumps and distances from 1e-9 to 1e9.
 TransferFunction random_function(Random& random) {
@@ -128,8 +125,7 @@ TEST(TransferFunction, HugeAndMissingNumbersStayFinite) {
 
 TEST(TransferFunction, PointsThatMakeNoneAreRefused) {
     const auto message = [](const std::vector<vec2>& points) {
-        const auto f = transfer_function(points);
-        return f ? "" : f.error().message;
+        return message_of(transfer_function(points));
     };
     EXPECT_NE(message({}).find("at least one"), std::string::npos);
     EXPECT_NE(message(std::vector<vec2>(33)).find("33 points, more than 32"), std::string::npos);

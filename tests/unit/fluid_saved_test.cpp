@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "fluid/saved.h"
+#include "unit/message_of.h"
 
 namespace thaum::fluid {
 namespace {
@@ -60,10 +61,9 @@ struct Brew {
 };
 
 Brew brew_of(const Case& c) {
-    auto fluid = make_fluid(c.settings);
-    EXPECT_TRUE(fluid.has_value());
+    auto fluid = make_fluid(c.settings).value();
     const auto surface = checked({.nodes = 9, .rim = Rim::free});
-    return {std::move(*fluid), make_spring_surface(*surface)};
+    return {std::move(fluid), make_spring_surface(*surface)};
 }
 
 /// A ladle goes in circles, a substance is poured at intervals, and a probe breaks through.
@@ -85,10 +85,7 @@ Brew brewed(const Case& c, int steps) {
     return brew;
 }
 
-std::string refusal(std::span<const std::byte> bytes) {
-    const auto found = restore(bytes, solid_of);
-    return found ? "" : found.error().message;
-}
+std::string refusal(std::span<const std::byte> bytes) { return message_of(restore(bytes, solid_of)); }
 
 TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
     for (const Case& c : cases()) {
@@ -96,10 +93,9 @@ TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
         Brew through = brewed(c, 6);
         // A push queued for the next step is part of the state.
         push(through.fluid, {vec3(0.4), 0.2, vec3(0.01, 0, 0)});
-        auto saved = restore(save(through.fluid, through.surface, c.shape), solid_of);
-        ASSERT_TRUE(saved.has_value()) << saved.error().message;
-        EXPECT_EQ(saved->shape, c.shape);
-        Brew again{std::move(saved->fluid), std::move(saved->surface)};
+        auto saved = restore(save(through.fluid, through.surface, c.shape), solid_of).value();
+        EXPECT_EQ(saved.shape, c.shape);
+        Brew again{std::move(saved.fluid), std::move(saved.surface)};
         if (c.settings.solver == Solver::thaum) {
             EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // includes the ghosts
         }
@@ -115,11 +111,10 @@ TEST(FluidSaved, SleepAndDataOfTheCallerAreRestored) {
     const Case c = cases()[0];
     const Brew still = brew_of(c);
     const Bytes caller_data{std::byte{3}, std::byte{1}};
-    const auto saved = restore(save(still.fluid, still.surface, c.shape, caller_data), solid_of);
-    ASSERT_TRUE(saved.has_value());
-    EXPECT_TRUE(saved->fluid.now.asleep);
-    EXPECT_EQ(saved->surface.asleep, 1U);
-    EXPECT_EQ(saved->caller_data, caller_data);
+    const auto saved = restore(save(still.fluid, still.surface, c.shape, caller_data), solid_of).value();
+    EXPECT_TRUE(saved.fluid.now.asleep);
+    EXPECT_EQ(saved.surface.asleep, 1U);
+    EXPECT_EQ(saved.caller_data, caller_data);
 }
 
 TEST(FluidSaved, CutOffOrDamagedFilesAreRefused) {

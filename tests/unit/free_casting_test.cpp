@@ -393,9 +393,8 @@ TEST(FreeCasting, TenMinutesOfBotsCastAtMostOnce) {
     std::size_t casts = 0;
     Tick played = 0;
     for (std::uint64_t seed = 1; played < ticks(600); ++seed) {
-        auto made = make_bot_duel(test::assets(), test::duel_data(), {3, 2}, seed);
-        ASSERT_TRUE(made);
-        auto& duel = *made;
+        auto made = make_bot_duel(test::assets(), test::duel_data(), {3, 2}, seed).value();
+        auto& duel = made;
         auto setup = duel.match->setup();
         for (auto& device : setup.devices) device.casts_freely = true;
         duel.match = std::make_unique<Simulation>(test::duel_data(), setup);

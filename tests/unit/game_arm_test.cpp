@@ -17,9 +17,7 @@ using input::Button;
 std::shared_ptr<const MatchData> short_rounds() {
     DataChoice choice{.match = "standard",
                       .overrides = {"standard.seconds=2", "standard.interval_s=1", "haptics.share=1"}};
-    auto data = load_match_data(assets(), choice);
-    EXPECT_TRUE(data) << (data ? "" : data.error().message);
-    return std::make_shared<const MatchData>(std::move(*data));
+    return std::make_shared<const MatchData>(load_match_data(assets(), choice).value());
 }
 
 MatchSetup one_arm() {

@@ -164,12 +164,9 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
 }
 
 TEST(GameCauldron, ClassicRulesHaveNoCauldron) {
-    DataChoice choice;
-    choice.rules = "classic";
-    auto data = load_match_data(assets(), choice);
-    ASSERT_TRUE(data.has_value());
-    EXPECT_FALSE(data->cauldron.has_value());
-    Simulation match(std::make_shared<const MatchData>(std::move(*data)), {.devices = {mouse(0), mouse(1)}});
+    auto data = load_match_data(assets(), {.rules = "classic"}).value();
+    EXPECT_FALSE(data.cauldron.has_value());
+    Simulation match(std::make_shared<const MatchData>(std::move(data)), {.devices = {mouse(0), mouse(1)}});
     for (Tick t = 0; t < 100; ++t) match.tick(stirring(t));
     EXPECT_EQ(match.world().count<Cauldron>(), 0U);
     EXPECT_EQ(match.brew(), nullptr);

@@ -12,11 +12,8 @@ namespace thaum::game::test {
 inline std::filesystem::path assets() { return std::filesystem::path(THAUM_SOURCE_DIR) / "assets"; }
 
 inline std::shared_ptr<const MatchData> duel_data(std::vector<std::string> overrides = {}) {
-    DataChoice choice;
-    choice.overrides = std::move(overrides);
-    auto data = load_match_data(assets(), choice);
-    EXPECT_TRUE(data.has_value()) << (data ? "" : data.error().message);
-    return std::make_shared<const MatchData>(std::move(*data));
+    return std::make_shared<const MatchData>(
+        load_match_data(assets(), {.overrides = std::move(overrides)}).value());
 }
 
 /// Setup of a match of two scripted hands.
@@ -31,10 +28,24 @@ inline const LoadedWand& wand_of(const MatchData& data, std::string_view name) {
                          [&](const LoadedWand& wand) { return wand.kind->name == name; });
 }
 
+/// Number of a match's events of a kind.
+inline std::size_t count_of(const Simulation& match, EventKind kind) {
+    std::uint64_t from = 0;
+    std::size_t count = 0;
+    match.events().each_new(from, [&](const Event& event) { count += event.kind == kind ? 1 : 0; });
+    return count;
+}
+inline Event last_of(const Simulation& match, EventKind kind) {
+    std::uint64_t from = 0;
+    Event last;
+    match.events().each_new(from, [&](const Event& event) {
+        if (event.kind == kind) last = event;
+    });
+    return last;
+}
+
 inline BotDuel make_duel(std::uint64_t seed) {
-    auto duel = make_bot_duel(assets(), duel_data(), {1, 1}, seed);
-    EXPECT_TRUE(duel.has_value()) << (duel ? "" : duel.error().message);
-    return std::move(*duel);
+    return make_bot_duel(assets(), duel_data(), {1, 1}, seed).value();
 }
 
 }  // namespace thaum::game::test

@@ -3,6 +3,7 @@
 #include "game/match/power_ups.h"
 #include "game/match/result.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -51,10 +52,7 @@ TEST(GameMatch, TheArenaFollowsTheDesign) {
 TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     EXPECT_EQ(duel_data({"quick.kills=7"})->round.kills, 7);
     const auto message = [](std::string override_text) {
-        DataChoice choice;
-        choice.overrides = {std::move(override_text)};
-        const auto data = load_match_data(assets(), choice);
-        return data ? std::string("accepted") : data.error().message;
+        return message_of(load_match_data(assets(), {.overrides = {std::move(override_text)}}), "accepted");
     };
     EXPECT_NE(message("quick.kils=7").find("rules/quick.toml: has no key 'kils'"), std::string::npos);
     EXPECT_NE(message("quick.kills=0").find("'kills' is 0"), std::string::npos);
@@ -68,26 +66,23 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
 
 TEST(GameRules, TheRuleSetFollowsItsFile) {
     const auto thaum = duel_data();
-    auto classic = load_match_data(assets(), {.rules = "classic", .match = "standard"});
-    ASSERT_TRUE(classic) << classic.error().message;
+    auto classic = load_match_data(assets(), {.rules = "classic", .match = "standard"}).value();
     EXPECT_GT(wand_of(*thaum, "bolt").stats.energy_regain, 0);
-    EXPECT_EQ(wand_of(*classic, "bolt").stats.energy_regain, 0);
+    EXPECT_EQ(wand_of(classic, "bolt").stats.energy_regain, 0);
     EXPECT_GT(thaum->round.spawn_shield, 0U);
-    EXPECT_EQ(classic->round.spawn_shield, 0U);
+    EXPECT_EQ(classic.round.spawn_shield, 0U);
     EXPECT_EQ(thaum->round.rounds, 1U);
-    EXPECT_EQ(classic->round.rounds, 3U);
-    EXPECT_EQ(classic->round.kills, 5);
+    EXPECT_EQ(classic.round.rounds, 3U);
+    EXPECT_EQ(classic.round.kills, 5);
 }
 
 TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
-    auto data = load_match_data(assets(), {.rules = "classic", .match = "standard"});
-    ASSERT_TRUE(data) << data.error().message;
-    const auto header = log_header(*data, {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    auto data = load_match_data(assets(), {.rules = "classic", .match = "standard"}).value();
+    const auto header = log_header(data, {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
     EXPECT_EQ(header.rule_set, "classic");
-    const auto match = match_of_log(header, assets());
-    ASSERT_TRUE(match) << match.error().message;
-    EXPECT_EQ((*match)->data().choice.rules, "classic");
-    EXPECT_EQ((*match)->data().choice.match, "standard");
+    const auto match = match_of_log(header, assets()).value();
+    EXPECT_EQ(match->data().choice.rules, "classic");
+    EXPECT_EQ(match->data().choice.match, "standard");
     auto other = header;
     other.rule_set = "draughts";
     EXPECT_NE(match_of_log(other, assets()).error().message.find("no rule set 'draughts'"),
@@ -95,9 +90,8 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
 }
 
 TEST(GameMatchLog, AnotherDataFileIsRefusedAndOnlyMaterialsMayBeUnnamed) {
-    const auto data = load_match_data(assets(), {});
-    ASSERT_TRUE(data);
-    const auto header = log_header(*data, {.seed = 1, .devices = {}}, {"a", "b"});
+    const auto data = load_match_data(assets(), {}).value();
+    const auto header = log_header(data, {.seed = 1, .devices = {}}, {"a", "b"});
     const auto named = [](input::LogHeader& log, std::string_view name) {
         return std::ranges::find(log.files, name, &input::DataFile::name);
     };

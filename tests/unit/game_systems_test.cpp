@@ -136,13 +136,12 @@ TEST(GameSystemsOfBots, EverySystemRunsWithinItsDeclarations) {
     for (Tick t = 0; t < 500; ++t) at_the_orb.tick(bench::searching(t));
     strike_out(at_the_orb, idle);
 
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1);
-    ASSERT_TRUE(duel.has_value());
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 1).value();
     // Bots cast it too seldom.
-    duel->match->world_to_change().create(Motion{}, Fog{.radius = 1, .sight = 1, .until = 5000});
+    duel.match->world_to_change().create(Motion{}, Fog{.radius = 1, .sight = 1, .until = 5000});
     for (int s = 0; s < 245 && !idle.empty(); ++s) {
-        duel->run(1000);
-        strike_out(*duel->match, idle);
+        duel.run(1000);
+        strike_out(*duel.match, idle);
     }
     EXPECT_EQ(idle, std::set<std::string_view>{});
 }

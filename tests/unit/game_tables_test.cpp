@@ -6,6 +6,7 @@
 #include <charconv>
 #include <map>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "game/match/header_text.h"
 #include "unit/game_duel.h"
@@ -94,9 +95,7 @@ constexpr Tick state_every = 500;
 /// A recorded duel with a pause, skipped samples, two marks and a lost device: its log, and what happened in the match.
 class TableRecording {
 public:
-    TableRecording()
-        : file_(std::filesystem::path(testing::TempDir()) / text("tables_", ::getpid(), ".thaumlog")) {
-        std::filesystem::remove(file_);
+    TableRecording() {
         auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=40"}), {1, 1}, 2).value();
         auto& match = *duel.match;
         auto log =
@@ -121,10 +120,6 @@ public:
         EXPECT_TRUE(log.close("a \"close\" end, of \x1b[31m sorts").has_value());
         result = result_line(match);
     }
-    ~TableRecording() { std::filesystem::remove(file_); }
-    TableRecording(const TableRecording&) = delete;
-    TableRecording& operator=(const TableRecording&) = delete;
-
     Playback play() const { return Playback::open(file_, assets()).value(); }
 
     std::string result;
@@ -135,7 +130,8 @@ private:
     void note_state(const Simulation& match) {
         if (match.now() % state_every == 0) states[match.now()] = {moment_of(match, 0), moment_of(match, 1)};
     }
-    std::filesystem::path file_;
+    const TemporaryFolder folder_;
+    const std::filesystem::path file_ = folder_.path() / "tables.thaumlog";
 };
 
 const TableRecording& table_recording() {
@@ -245,8 +241,8 @@ TEST(GameTables, EveryRunGivesTheSameBytes) {
 }
 
 TEST(GameTables, TheHeaderInWordsNamesSettingsAndProfileData) {
-    const auto file = std::filesystem::path(testing::TempDir()) / text("header_", ::getpid(), ".thaumlog");
-    std::filesystem::remove(file);
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "header.thaumlog";
     input::DeviceSpec pad{
         .player = 1, .kind = input::DeviceKind::pad, .name = "pad\x1b[2J 1", .invert_y = true};
     pad.set_force_percent(40);
@@ -267,7 +263,6 @@ TEST(GameTables, TheHeaderInWordsNamesSettingsAndProfileData) {
           "\nkind: event 5 death\n", "\nprofile data: gesture 'circle' of player 2, 12 bytes\n"})
         EXPECT_NE(lines.find(line), std::string::npos) << line << "is not in\n" << lines;
     EXPECT_EQ(lines.find("name of player 1"), std::string::npos);
-    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -78,9 +78,7 @@ TEST(HapticSetup, NoShareIsNoForce) {
 
 TEST(HapticSetup, AnUnknownDeviceIsAnErrorInOneLine) {
     for (const auto* device : {"\"spoon\"", "\"../wands/bolt\"", "\"\"", "3"}) {
-        DataChoice choice;
-        choice.overrides = {text("haptics.device=", device)};
-        const auto data = load_match_data(assets(), choice);
+        const auto data = load_match_data(assets(), {.overrides = {text("haptics.device=", device)}});
         ASSERT_FALSE(data) << device;
         EXPECT_EQ(data.error().message.find('\n'), std::string::npos) << data.error().message;
     }
@@ -116,12 +114,8 @@ double reach_of_tip(const Simulation& match, std::uint32_t player, double width)
 TEST(HapticSetup, ANarrowerDeviceReachesAsFar) {
     double reached = 0;
     for (const auto* device : {"touch", "falcon", "omega3", "premium"}) {
-        DataChoice choice;
-        choice.overrides = {text("haptics.device=\"", device, "\"")};
-        const auto data = load_match_data(assets(), choice);
-        ASSERT_TRUE(data) << device;
-        const Simulation match(std::make_shared<const MatchData>(*data), {});
-        const double reach = reach_of_tip(match, 0, data->device.workspace.x);
+        const Simulation match(duel_data({text("haptics.device=\"", device, "\"")}), {});
+        const double reach = reach_of_tip(match, 0, match.data().device.workspace.x);
         if (reached == 0) reached = reach;
         EXPECT_NEAR(reach, reached, 1e-12) << device;
     }
@@ -135,7 +129,7 @@ TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     const auto reach = [&](std::array<std::uint32_t, 3> box_um, input::DeviceKind kind, double width) {
         const input::DeviceSpec arm{.player = 1, .kind = kind, .name = "arm", .box_um = box_um};
         const Simulation match(data, {.seed = 1, .devices = {bot_device(0, 1), bot_device(1, 1), arm}});
-        EXPECT_NEAR(reach_of_tip(match, 0, data->device.workspace.x), 0.8, 1e-12);
+        EXPECT_NEAR(reach_of_tip(match, 0, match.data().device.workspace.x), 0.8, 1e-12);
         EXPECT_EQ(match.haptic_setup().reach[0], data->device.workspace / 2.0);
         return reach_of_tip(match, 1, width);
     };

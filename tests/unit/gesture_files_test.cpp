@@ -5,56 +5,53 @@
 #include "gesture/stroke_csv.h"
 #include "gesture/stroke_recorder.h"
 #include "unit/gesture_shapes.h"
+#include "unit/message_of.h"
 
 namespace thaum::gesture {
 namespace {
 
 TEST(GestureCsv, StrokesAreRowsOfEqualUserGestureAndSample) {
-    const auto set = read_strokes(
-        "user,gesture,sample,t,x,y,z,force\n1,o,0,0,1,2,3,4\n1,v,0,0,5,6,7,8\n1,o,0,0.5,9,9,9,9\n", "f");
-    ASSERT_TRUE(set) << set.error().message;
-    ASSERT_EQ(set->strokes.size(), 2U);
-    EXPECT_EQ(set->strokes[0].gesture, "o");
-    ASSERT_EQ(set->strokes[0].points.size(), 2U);
-    EXPECT_EQ(set->strokes[0].points[0].at, vec3(1, 2, 3));
-    EXPECT_EQ(set->strokes[0].points[1].t, 0.5);
-    EXPECT_EQ(set->strokes[1].points[0].force, 8);
-    EXPECT_TRUE(set->has_depth && set->has_force);
+    const auto set =
+        read_strokes(
+            "user,gesture,sample,t,x,y,z,force\n1,o,0,0,1,2,3,4\n1,v,0,0,5,6,7,8\n1,o,0,0.5,9,9,9,9\n", "f")
+            .value();
+    ASSERT_EQ(set.strokes.size(), 2U);
+    EXPECT_EQ(set.strokes[0].gesture, "o");
+    ASSERT_EQ(set.strokes[0].points.size(), 2U);
+    EXPECT_EQ(set.strokes[0].points[0].at, vec3(1, 2, 3));
+    EXPECT_EQ(set.strokes[0].points[1].t, 0.5);
+    EXPECT_EQ(set.strokes[1].points[0].force, 8);
+    EXPECT_TRUE(set.has_depth && set.has_force);
 }
 
 TEST(GestureCsv, ColumnsMayStandInAnyOrderAndForceMayBeMissing) {
     const auto set =
-        read_strokes("y,x,extra,sample,t,gesture,user\r\n2,1,?,a,0,o,me\r\n\r\n4,3,?,a,1,o,me\r\n", "f");
-    ASSERT_TRUE(set) << set.error().message;
-    EXPECT_EQ(set->strokes[0].points[1].at, vec3(3, 4, 0));
-    EXPECT_FALSE(set->has_depth);
-    EXPECT_FALSE(set->has_force);
+        read_strokes("y,x,extra,sample,t,gesture,user\r\n2,1,?,a,0,o,me\r\n\r\n4,3,?,a,1,o,me\r\n", "f")
+            .value();
+    EXPECT_EQ(set.strokes[0].points[1].at, vec3(3, 4, 0));
+    EXPECT_FALSE(set.has_depth);
+    EXPECT_FALSE(set.has_force);
 }
 
 TEST(GestureCsv, TextOfStrokesReadsBackToTheSame) {
     const std::vector<Stroke> strokes{{"u", "g", "1", ess()}, {"u", "g", "2", circle()}};
-    const auto set = read_strokes(to_csv(strokes), "f");
-    ASSERT_TRUE(set);
-    ASSERT_EQ(set->strokes.size(), 2U);
+    const auto set = read_strokes(to_csv(strokes), "f").value();
+    ASSERT_EQ(set.strokes.size(), 2U);
     for (std::size_t i = 0; i < 100; ++i) {
-        EXPECT_EQ(set->strokes[1].points[i].at, strokes[1].points[i].at);
-        EXPECT_EQ(set->strokes[1].points[i].t, strokes[1].points[i].t);
+        EXPECT_EQ(set.strokes[1].points[i].at, strokes[1].points[i].at);
+        EXPECT_EQ(set.strokes[1].points[i].t, strokes[1].points[i].t);
     }
 }
 
 TEST(GestureCsv, NamesMayHoldWhatSeparatesCells) {
     const std::vector<Stroke> strokes{{"Doe, Jane", "\"o\"", " 1", ess()}};
-    const auto set = read_strokes(to_csv(strokes), "f");
-    ASSERT_TRUE(set) << set.error().message;
-    EXPECT_EQ(set->strokes[0].user, strokes[0].user);
-    EXPECT_EQ(set->strokes[0].gesture, strokes[0].gesture);
-    EXPECT_EQ(set->strokes[0].sample, strokes[0].sample);
+    const auto set = read_strokes(to_csv(strokes), "f").value();
+    EXPECT_EQ(set.strokes[0].user, strokes[0].user);
+    EXPECT_EQ(set.strokes[0].gesture, strokes[0].gesture);
+    EXPECT_EQ(set.strokes[0].sample, strokes[0].sample);
 }
 
-std::string fault_of(std::string_view csv) {
-    const auto set = read_strokes(csv, "file.csv");
-    return set ? "none" : set.error().message;
-}
+std::string fault_of(std::string_view csv) { return message_of(read_strokes(csv, "file.csv"), "none"); }
 
 TEST(GestureCsv, FaultsNameFileAndLine) {
     const std::string title = "user,gesture,sample,t,x,y\n";
@@ -75,13 +72,11 @@ TEST(GestureCsv, FaultsNameFileAndLine) {
 }
 
 TEST(GestureCsv, LabelsAndSessionsAreRead) {
-    const auto sessions = read_sessions("user,t,x,y\na,0,1,1\nb,0,2,2\na,1,3,3\n", "f");
-    ASSERT_TRUE(sessions);
-    ASSERT_EQ(sessions->sessions.size(), 2U);
-    EXPECT_EQ(sessions->sessions[0].points.size(), 2U);
-    const auto labels = read_labels("user,gesture,t_start,t_end\na,o,0.25,1\n", "f");
-    ASSERT_TRUE(labels);
-    EXPECT_EQ((*labels)[0].start, 0.25);
+    const auto sessions = read_sessions("user,t,x,y\na,0,1,1\nb,0,2,2\na,1,3,3\n", "f").value();
+    ASSERT_EQ(sessions.sessions.size(), 2U);
+    EXPECT_EQ(sessions.sessions[0].points.size(), 2U);
+    const auto labels = read_labels("user,gesture,t_start,t_end\na,o,0.25,1\n", "f").value();
+    EXPECT_EQ(labels[0].start, 0.25);
     EXPECT_FALSE(read_labels("user,gesture,t_start,t_end\na,o,2,1\n", "f"));
 }
 
@@ -96,18 +91,16 @@ TEST(GestureFile, ReadsBackToTheSameBits) {
                                   .gentle_below = 1,
                                   .harsh_above = 4});
     gesture.strokes[0][3].force = 0.1;
-    const auto config = Config::parse(to_file(gesture), "g.toml", gesture_file_version);
-    ASSERT_TRUE(config) << config.error().message;
-    const auto read = read_gesture(*config);
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->name, gesture.name);
-    EXPECT_NEAR(read->options.rotation, 0.5, 1e-15);
-    EXPECT_EQ(read->options.closed, true);
-    EXPECT_EQ(read->options.harsh_above, 4);
-    ASSERT_EQ(read->strokes.size(), 2U);
+    const auto config = Config::parse(to_file(gesture), "g.toml", gesture_file_version).value();
+    const auto read = read_gesture(config).value();
+    EXPECT_EQ(read.name, gesture.name);
+    EXPECT_NEAR(read.options.rotation, 0.5, 1e-15);
+    EXPECT_EQ(read.options.closed, true);
+    EXPECT_EQ(read.options.harsh_above, 4);
+    ASSERT_EQ(read.strokes.size(), 2U);
     for (std::size_t i = 0; i < 100; ++i) {
-        EXPECT_EQ(read->strokes[0][i].at, gesture.strokes[0][i].at);
-        EXPECT_EQ(read->strokes[0][i].force, gesture.strokes[0][i].force);
+        EXPECT_EQ(read.strokes[0][i].at, gesture.strokes[0][i].at);
+        EXPECT_EQ(read.strokes[0][i].force, gesture.strokes[0][i].force);
     }
 }
 
@@ -133,8 +126,7 @@ TEST(StrokeRecorder, CutsStrokesWhileTheButtonIsDown) {
 std::string gesture_fault(const std::string& stroke) {
     const auto config = Config::parse("version = 1\nname = \"g\"\n[[stroke]]\n" + stroke, "g.toml", 1);
     if (!config) return config.error().message;
-    const auto read = read_gesture(*config);
-    return read ? "none" : read.error().message;
+    return message_of(read_gesture(*config), "none");
 }
 
 TEST(GestureFile, FaultsNameTheColumn) {

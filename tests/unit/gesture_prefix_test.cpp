@@ -14,11 +14,7 @@
 namespace thaum::gesture {
 namespace {
 
-PrefixReader reader_of(const std::vector<Gesture>& gestures) {
-    auto made = PrefixReader::make(gestures);
-    EXPECT_TRUE(made) << (made ? "" : made.error().message);
-    return std::move(*made);
-}
+PrefixReader reader_of(const std::vector<Gesture>& gestures) { return PrefixReader::make(gestures).value(); }
 
 struct Score {
     double right{}, told{}, told_right{};

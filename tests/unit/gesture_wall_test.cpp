@@ -8,11 +8,7 @@
 namespace thaum::app {
 namespace {
 
-game::RangeFiles shipped_range() {
-    auto files = game::RangeFiles::open(THAUM_SOURCE_DIR "/assets", {});
-    EXPECT_TRUE(files) << (files ? "" : files.error().message);
-    return std::move(*files);
-}
+game::RangeFiles shipped_range() { return game::RangeFiles::open(THAUM_SOURCE_DIR "/assets", {}).value(); }
 
 game::GestureWallPicture wall_of(Practice& practice) {
     auto picture = game::make_picture();

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/file.h"
+#include "unit/message_of.h"
 
 namespace thaum::haptics {
 namespace {
@@ -32,17 +33,15 @@ std::string fault_of(const std::string& key, const std::string& line) {
     auto toml = shipped("touch");
     const auto at = toml.find("\n" + key) + 1;
     toml.replace(at, toml.find('\n', at) - at, line);
-    const auto spec = read(toml);
-    return spec ? "" : spec.error().message;
+    return message_of(read(toml));
 }
 
 TEST(HapticsDevice, TheFiveModelsAreRead) {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(folder)) {
         const auto config =
-            Config::parse(*read_text_file(entry.path(), 1U << 16U), entry.path().filename(), 1);
-        ASSERT_TRUE(config.has_value());
-        const auto spec = read_device(*config);
+            Config::parse(*read_text_file(entry.path(), 1U << 16U), entry.path().filename(), 1).value();
+        const auto spec = read_device(config);
         ASSERT_TRUE(spec.has_value()) << spec.error().message;
         ++count;
     }

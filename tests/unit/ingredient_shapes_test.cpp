@@ -7,6 +7,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "unit/hud_rig.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::hud_tests {
 namespace {
@@ -99,8 +100,7 @@ TEST(IngredientShapes, OfNichesAreInThePicture) {
 std::string fault_of(std::string_view from, std::string_view to) {
     const auto file = cauldron_file(from, to);
     read_cauldron_rules(file);
-    const auto checked = file.check();
-    return checked ? "" : checked.error().message;
+    return message_of(file.check());
 }
 
 TEST(IngredientShapes, WrongWordIsReportedInOneLine) {

@@ -15,16 +15,8 @@
 
 namespace thaum::input::samples {
 
-struct Folder {
-    std::filesystem::path path;
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "thaum-log-XXXXXX").string();
-        path = ::mkdtemp(name.data());
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
-    std::filesystem::path operator/(std::string_view name) const { return path / name; }
+struct Folder : TemporaryFolder {
+    std::filesystem::path operator/(std::string_view name) const { return path() / name; }
 };
 
 /// One file whose bytes change often, which is far quicker than a new file each time.

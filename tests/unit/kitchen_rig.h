@@ -79,27 +79,16 @@ public:
     }
 
     /// Number of events of a kind so far.
-    std::size_t count(EventKind kind) const {
-        std::size_t sum = 0;
-        const auto& events = match_->events();
-        for (auto i = events.first(); i < events.count(); ++i) sum += events[i].kind == kind ? 1 : 0;
-        return sum;
-    }
-    /// Detail of the newest event of a kind.
-    std::uint32_t newest(EventKind kind) const {
-        const auto& events = match_->events();
-        for (auto i = events.count(); i > events.first(); --i)
-            if (events[i - 1].kind == kind) return events[i - 1].detail;
-        return 0xFFFF'FFFF;
-    }
+    std::size_t count(EventKind kind) const { return count_of(*match_, kind); }
     BrewFault fault() const {
-        return count(EventKind::brew_fault) == 0 ? BrewFault::none
-                                                 : static_cast<BrewFault>(newest(EventKind::brew_fault));
+        return count(EventKind::brew_fault) == 0
+                   ? BrewFault::none
+                   : static_cast<BrewFault>(last_of(*match_, EventKind::brew_fault).detail);
     }
     /// Name of the potion that was brewed last; empty: none.
     std::string brewed() const {
-        const auto number = newest(EventKind::potion);
-        return number < match_->data().recipes.size() ? match_->data().recipes[number].name : std::string();
+        if (count(EventKind::potion) == 0) return {};
+        return match_->data().recipes.at(last_of(*match_, EventKind::potion).detail).name;
     }
     std::uint32_t number_of(std::string_view name) const {
         const auto& all = match_->data().recipes;

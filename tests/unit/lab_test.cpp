@@ -2,11 +2,13 @@
 // saved session continues, and invalid input is refused without any loss.
 #include <gtest/gtest.h>
 
+#include "core/file.h"
 #include "game/data/match_data.h"
 #include "game/lab/controls.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
 #include "game/lab/script.h"
+#include "unit/message_of.h"
 
 namespace thaum::game {
 namespace {
@@ -22,11 +24,7 @@ LabSettings small() {
     return settings;
 }
 
-LabState lab_of(const LabSettings& settings) {
-    auto lab = make_lab(data().rules, settings);
-    EXPECT_TRUE(lab.has_value()) << lab.error().message;
-    return std::move(*lab);
-}
+LabState lab_of(const LabSettings& settings) { return make_lab(data().rules, settings).value(); }
 
 LabScript stirred(Stirring kind) {
     return {.path = {.kind = kind},
@@ -159,22 +157,19 @@ TEST(Lab, AResetIsTheBeginning) {
 }
 
 TEST(Lab, ASavedSessionGoesOnAsIfNeverStopped) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / "thaum_lab_test";
-    std::filesystem::create_directories(folder);
+    const TemporaryFolder folder;
     for (const LabSettings& settings : kinds()) {
         const LabScript script = stirred(Stirring::figure8);
         LabState through = lab_of(settings);
         run(through, script, 7);
-        ASSERT_TRUE(save_lab(through, folder / "state").has_value());
-        auto again = load_lab(folder / "state", data().rules);
-        ASSERT_TRUE(again.has_value()) << again.error().message;
+        ASSERT_TRUE(save_lab(through, folder.path() / "state").has_value());
+        auto again = load_lab(folder.path() / "state", data().rules).value();
         std::string rows, rows_again;
         run(through, script, 20, 0, &rows);
-        run(*again, script, 20, 0, &rows_again);
+        run(again, script, 20, 0, &rows_again);
         EXPECT_EQ(rows, rows_again);
-        EXPECT_EQ(save_lab(through), save_lab(*again));
+        EXPECT_EQ(save_lab(through), save_lab(again));
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Lab, AFileOfAnotherBowlOrNoneIsRefused) {
@@ -182,8 +177,7 @@ TEST(Lab, AFileOfAnotherBowlOrNoneIsRefused) {
     const auto refusal = [&](auto spoil) {
         LabState spoilt = lab_of(small());
         spoil(spoilt);
-        const auto found = restore_lab(save_lab(spoilt), data().rules);
-        return found ? std::string() : found.error().message;
+        return message_of(restore_lab(save_lab(spoilt), data().rules));
     };
     EXPECT_EQ(refusal([](LabState&) {}), "");
     const auto has = [](const std::string& message, const char* words) {
@@ -241,17 +235,13 @@ TEST(LabControls, NoKeyGivesSettingsThatTheFluidRejects) {
 }
 
 TEST(StirPath, AFileIsFollowedAndItsFaultsAreNamed) {
-    const auto path = parse_stir_path("time_s,x_m,y_m,z_m\n1,0,-0.2,0\r\n2,1,-0.4,0.5\n", "f");
-    ASSERT_TRUE(path.has_value()) << path.error().message;
+    const auto path = parse_stir_path("time_s,x_m,y_m,z_m\n1,0,-0.2,0\r\n2,1,-0.4,0.5\n", "f").value();
     const Basin basin{};
-    EXPECT_FALSE(ladle_at(*path, basin, 0.9).has_value());
-    EXPECT_EQ(*ladle_at(*path, basin, 1), vec3(0, -0.2, 0));
-    EXPECT_NEAR(glm::length(*ladle_at(*path, basin, 1.5) - vec3(0.5, -0.3, 0.25)), 0, 1e-15);
-    EXPECT_FALSE(ladle_at(*path, basin, 2.1).has_value());
-    const auto fault = [](std::string_view csv) {
-        const auto found = parse_stir_path(csv, "f");
-        return found ? "" : found.error().message;
-    };
+    EXPECT_FALSE(ladle_at(path, basin, 0.9).has_value());
+    EXPECT_EQ(*ladle_at(path, basin, 1), vec3(0, -0.2, 0));
+    EXPECT_NEAR(glm::length(*ladle_at(path, basin, 1.5) - vec3(0.5, -0.3, 0.25)), 0, 1e-15);
+    EXPECT_FALSE(ladle_at(path, basin, 2.1).has_value());
+    const auto fault = [](std::string_view csv) { return message_of(parse_stir_path(csv, "f")); };
     EXPECT_EQ(fault("1,2,3\n"), "f:1: the number of cells is 3, that of titles 4");
     EXPECT_EQ(fault("1,2,3,x\n"), "f:1: 'x' in the column 'z_m' is not a finite number");
     EXPECT_EQ(fault("1,0,0,0\n1,0,0,0\n"), "f:2: times must rise");

@@ -7,17 +7,14 @@
 #include <cstdlib>
 
 #include "unit/live_rig.h"
+#include "unit/message_of.h"
 
 namespace thaum::app {
 namespace {
 
 void plug_in_arms(const char* scripts) { ::setenv("FAKE_ARMS", scripts, 1); }
 
-std::vector<Seat> hands(std::string_view words) {
-    const auto seats = hands_named(words);
-    EXPECT_TRUE(seats) << words << ": " << (seats ? "" : seats.error().message);
-    return seats ? *seats : std::vector<Seat>();
-}
+std::vector<Seat> hands(std::string_view words) { return hands_named(words).value(); }
 
 std::vector<SeatKind> kinds_of(std::string_view words) {
     std::vector<SeatKind> kinds;
@@ -71,10 +68,7 @@ Expected<std::vector<std::string>> opened(std::string_view words) {
     return names;
 }
 
-std::string refusal_of_hands(std::string_view words) {
-    const auto arms = opened(words);
-    return arms ? "opened" : arms.error().message;
-}
+std::string refusal_of_hands(std::string_view words) { return message_of(opened(words), "opened"); }
 
 using Names = std::vector<std::string>;
 
@@ -115,10 +109,9 @@ TEST(LiveArms, AnArmThatIsNotThereIsRefused) {
 TEST(LiveArms, AreWatchedEachForItself) {
     plug_in_arms("vanish=100,back=1;name=Right");
     const auto seats = hands("arm,arm");
-    const auto arms = open_arms(seats, wanted);
-    ASSERT_TRUE(arms);
-    const auto& left = *arms->at(0)->keeper;
-    const auto& right = *arms->at(1)->keeper;
+    const auto arms = open_arms(seats, wanted).value();
+    const auto& left = *arms.at(0)->keeper;
+    const auto& right = *arms.at(1)->keeper;
     const auto eventually = [](auto holds) {
         for (int i = 0; i < 20'000 && !holds(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -163,11 +156,10 @@ TEST(LiveArms, GoToTheirSeatsOrToThePlayerWithTheMouse) {
 
 TEST(LiveArms, StandAfterTheHandsOfBothPlayersInTheMatch) {
     plug_in_arms("name=Left;name=Right");
-    auto arms = open_arms(hands("arm,arm"), wanted);
-    ASSERT_TRUE(arms);
+    auto arms = open_arms(hands("arm,arm"), wanted).value();
     const auto seats = rig::seats_for(rig::bot_seat, rig::mouse_seat);
-    bind_arms(*arms, seats, true);
-    const auto devices = devices_of(seats, *arms);
+    bind_arms(arms, seats, true);
+    const auto devices = devices_of(seats, arms);
     ASSERT_EQ(devices.size(), 3U) << "nobody holds the second arm";
     EXPECT_EQ(devices[0].kind, input::DeviceKind::bot);
     EXPECT_EQ(devices[1].kind, input::DeviceKind::keyboard_mouse);

@@ -106,11 +106,10 @@ TEST(LiveBodyThreads, ThePlayerWhoDoesNotWantSoundsFeelsNone) {
 TEST(LiveBodyThreads, AnOwnLayoutTakesThePlaceOfTheUsualOne) {
     FeltDuel duel;
     const auto jacket = parse_jacket(duel.settings.players[0].jacket).value();
-    auto layout = load_own_layout("sleeves", jacket, game::test::assets());
-    ASSERT_TRUE(layout) << layout.error().message;
-    const auto motors = layout->actuators.size();
+    auto layout = load_own_layout("sleeves", jacket, game::test::assets()).value();
+    const auto motors = layout.actuators.size();
     duel.tactile.use_own_layout(0, motors);
-    duel.body->own[0] = std::move(*layout);
+    duel.body->own[0] = std::move(layout);
     duel.apply("own");
     duel.play(20);
     ASSERT_GT(duel.frames(), 0U);
@@ -151,17 +150,16 @@ TEST(LiveBody, AFaultyFileCostsItselfAlone) {
                           std::filesystem::copy_options::recursive);
     ASSERT_TRUE(write_text_file(folder.path() / "tactile/layouts/x40.toml", "version = 1\n"));
     ASSERT_TRUE(write_text_file(folder.path() / "tactile/effects/stir.toml", "version = 1\npurpos = 3\n"));
-    const auto body = LiveBody::load(folder.path());
-    ASSERT_TRUE(body);
-    EXPECT_FALSE(body->faults.empty());
-    EXPECT_FALSE(body->effects.find("stir"));
-    EXPECT_TRUE(body->effects.find("bolt_hit"));
-    EXPECT_FALSE(body->figure.actuators.empty());
-    const auto* jacket = body->jacket_of(0, "x40");
+    const auto body = LiveBody::load(folder.path()).value();
+    EXPECT_FALSE(body.faults.empty());
+    EXPECT_FALSE(body.effects.find("stir"));
+    EXPECT_TRUE(body.effects.find("bolt_hit"));
+    EXPECT_FALSE(body.figure.actuators.empty());
+    const auto* jacket = body.jacket_of(0, "x40");
     ASSERT_NE(jacket, nullptr);
     EXPECT_TRUE(jacket->actuators.empty());
-    tactile::TactileMixer mixer(*jacket, body->effects);
-    for (std::uint32_t effect = 0; effect < body->effects.effects.size(); ++effect) {
+    tactile::TactileMixer mixer(*jacket, body.effects);
+    for (std::uint32_t effect = 0; effect < body.effects.effects.size(); ++effect) {
         mixer.start(effect, tactile::Where::from({0, 0, 1}, 1.2), 1, 0);
         for (Tick now = 0; now < 80; now += tactile::frame_ticks) {
             const auto frame = mixer.mix(now);

@@ -8,6 +8,7 @@
 #include "core/file.h"
 #include "game/live/next_match.h"
 #include "unit/live_rig.h"
+#include "unit/message_of.h"
 
 namespace thaum::app {
 namespace {
@@ -24,8 +25,7 @@ protected:
 
     /// Records a match without ticks. Returns an error's message, or an empty string.
     std::string record(const LogPlace& place, std::uint64_t number) const {
-        const auto recording = record_match(place, number, header_);
-        return recording ? "" : recording.error().message;
+        return message_of(record_match(place, number, header_));
     }
     std::vector<std::string> logs() const {
         std::vector<std::string> names;
@@ -65,12 +65,10 @@ TEST_F(RecordingTest, TheFolderGetsOneLogAMatchAndKeepsTheNewest) {
 }
 
 TEST_F(RecordingTest, WithoutAPlaceNothingIsRecorded) {
-    const auto recording = record_match({}, 1, header_);
-    ASSERT_TRUE(recording);
-    EXPECT_TRUE(std::holds_alternative<std::monostate>(*recording));
-    const auto log = record_match(named_, 1, header_);
-    ASSERT_TRUE(log);
-    EXPECT_TRUE(std::holds_alternative<input::LogWriter>(*log));
+    const auto recording = record_match({}, 1, header_).value();
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(recording));
+    const auto log = record_match(named_, 1, header_).value();
+    EXPECT_TRUE(std::holds_alternative<input::LogWriter>(log));
 }
 
 TEST_F(RecordingTest, AFolderThatCannotBeMadeIsAnError) {
@@ -84,9 +82,8 @@ class NextMatchTest : public testing::Test {
 protected:
     NextMatchTest() {
         fs::copy(THAUM_SOURCE_DIR "/assets", folder_, fs::copy_options::recursive);
-        auto data = game::load_match_data(folder_, {});
-        EXPECT_TRUE(data) << (data ? "" : data.error().message);
-        next_.emplace(folder_, std::make_shared<const game::MatchData>(std::move(*data)));
+        next_.emplace(folder_,
+                      std::make_shared<const game::MatchData>(game::load_match_data(folder_, {}).value()));
     }
 
     const rig::TestPath path_{"assets"};
@@ -104,9 +101,8 @@ TEST_F(NextMatchTest, ReadsTheChosenFiles) {
 TEST_F(NextMatchTest, AFaultyFileIsNamedAndTheOldDataStays) {
     const auto before = next_->data();
     std::ofstream(folder_ / "rules" / "quick.toml") << "version = 1\nkills = \"many\"\n";
-    const auto chosen = next_->choose("quick", "boiling_court");
-    ASSERT_FALSE(chosen);
-    EXPECT_NE(chosen.error().message.find("quick.toml"), std::string::npos) << chosen.error().message;
+    const auto message = message_of(next_->choose("quick", "boiling_court"));
+    EXPECT_NE(message.find("quick.toml"), std::string::npos) << message;
     EXPECT_EQ(next_->data(), before);
 }
 

@@ -1,12 +1,12 @@
 // unit/live_rig.h: keys, pads and seats for tests of a live session's parts.
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "game/live/seats.h"
 
@@ -15,16 +15,11 @@ namespace thaum::app::rig {
 constexpr std::int64_t ms = 1'000'000;  ///< one millisecond (ns)
 constexpr render::Size window{1280, 720};
 
-/// A path for a file or folder of this process, at which nothing lies before and after the test.
+/// A path for a file or folder, at which nothing lies before and after the test.
 struct TestPath {
-    explicit TestPath(std::string_view name)
-        : path(std::filesystem::path(testing::TempDir()) / text("thaum_", ::getpid(), "_", name)) {
-        std::filesystem::remove_all(path);
-    }
-    ~TestPath() { std::filesystem::remove_all(path); }
-    TestPath(const TestPath&) = delete;
-    TestPath& operator=(const TestPath&) = delete;
+    explicit TestPath(std::string_view name) : path(folder.path() / name) {}
 
+    const TemporaryFolder folder{};
     const std::filesystem::path path;
 };
 

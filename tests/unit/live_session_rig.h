@@ -10,9 +10,8 @@ namespace thaum::app {
 
 inline std::shared_ptr<const game::MatchData> shipped_data() {
     static const auto data = [] {
-        auto loaded = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
-        EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
-        return std::make_shared<const game::MatchData>(std::move(*loaded));
+        return std::make_shared<const game::MatchData>(
+            game::load_match_data(THAUM_SOURCE_DIR "/assets", {}).value());
     }();
     return data;
 }
@@ -61,9 +60,19 @@ protected:
             press("down");
         ASSERT_EQ(menu.picture().rows.at(menu.picture().cursor).label, label);
     }
+    /// Chooses a row and presses enter there.
+    void enter(std::string_view label) {
+        choose(label);
+        press("enter");
+    }
     void pause(std::uint32_t player) {
         shared_.progress.paused_by = player;
         shared_.progress.state = PlayState::paused;
+        step();
+    }
+    void go_on() {
+        shared_.progress.state = PlayState::playing;
+        step();
     }
     const Screen& screen() {
         shared_.screen.take();

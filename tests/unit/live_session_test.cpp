@@ -44,7 +44,6 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
               "pad lost: plug it in and press a button on it or on a free pad");
     EXPECT_EQ(screen().menu, game::MenuPicture{}) << "the match has not paused yet";
     pause(1);
-    step();
     EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 0}}).head);
     EXPECT_TRUE(screen().hud.menu);
     pads_[0] = rig::pad_with();
@@ -58,8 +57,7 @@ TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
     EXPECT_FALSE(shared_.pad_lost[1]);
     EXPECT_EQ(screen().hud.device_messages[1], "");
     EXPECT_EQ(session_->menu().state().pages.size(), 1U) << "the button does not act in the menu";
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     EXPECT_FALSE(session_->menu().is_open());
     step();
     EXPECT_FALSE(rig::is_down(sample(1), Button::jump)) << "held over the rejoin";
@@ -77,7 +75,6 @@ TEST_F(LiveSessionTest, AMatchWithoutAPlayersPadBeginsPausedAndSaysWhosePadIsMis
     EXPECT_FALSE(shared_.pad_lost[0]);
     EXPECT_TRUE(shared_.pad_lost[1]);
     pause(1);
-    step();
     EXPECT_EQ(screen().menu.title, pause_words({.lost_pad = {std::nullopt, 1}}).head);
     pads_[1] = rig::pad_with({PadButton::a});
     step();
@@ -96,7 +93,6 @@ TEST_F(LiveSessionTest, NobodyGoesOnWithoutTheLostPad) {
     pads_ = one;
     step();
     pause(1);
-    step();
     requests().pause = game::no_player;
     const auto refused = [&] {
         step();
@@ -105,8 +101,7 @@ TEST_F(LiveSessionTest, NobodyGoesOnWithoutTheLostPad) {
     };
     press("escape");
     EXPECT_TRUE(refused()) << screen().menu.note;
-    choose("Go on");
-    press("enter");
+    enter("Go on");
     EXPECT_TRUE(refused());
     pads_[0] = rig::pad_with({PadButton::start});
     step();
@@ -123,7 +118,6 @@ TEST_F(LiveSessionTest, NobodyGoesOnWithoutTheLostPad) {
 TEST_F(LiveSessionTest, AWishToGoOnComesTooLateForAPadThatLeaves) {
     begin({rig::pad_with()});
     pause(0);
-    step();
     press("escape");
     pads_ = {};
     step();
@@ -139,8 +133,7 @@ TEST_F(LiveSessionTest, ARoundThatBeginsWithoutAPadPauses) {
     requests().pause = game::no_player;  // there is nothing to pause between two rounds
     step();
     EXPECT_EQ(requests().pause, game::no_player);
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     EXPECT_EQ(requests().pause, 1U);
 }
 
@@ -149,21 +142,16 @@ TEST_F(LiveSessionTest, ThePauseWithoutAPadOffersTheKeypadAndAWayOut) {
     pads_ = {};
     step();
     pause(1);
-    step();
-    choose("Keypad and arrows for Tide");
-    press("enter");
+    enter("Keypad and arrows for Tide");
     step();
     EXPECT_EQ(requests().go_on, 1U);
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     session_->key(rig::key("kp_8"), true, now_);
     EXPECT_EQ(sample(1).counts[input::hand::forward], 127);
     // Nobody is locked in: the row at the end leaves.
     begin(Pads{});
     pause(1);
-    step();
-    choose("Quit");
-    press("enter");
+    enter("Quit");
     step();
     EXPECT_TRUE(shared_.stop);
 }
@@ -173,11 +161,9 @@ TEST_F(LiveSessionTest, TheKeypadStandsInForALostPad) {
     pads_ = {};
     step();
     pause(1);
-    step();
     press("kp_0");
     EXPECT_EQ(requests().go_on, 1U);
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     session_->key(rig::key("kp_8"), true, now_);
     EXPECT_EQ(sample(1).counts[input::hand::forward], 127);
 }
@@ -230,12 +216,9 @@ TEST_F(LiveSessionTest, ThePauseSaysThatTheWindowLostTheFocus) {
     session_->focus(false, now_);
     step(200);
     pause(0);
-    step();
     EXPECT_EQ(screen().menu.line, pause_words({.focus_lost = true}).line);
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     pause(0);
-    step();
     EXPECT_EQ(screen().menu.line, "by Ember") << "another pause has another reason";
     session_->focus(false, now_);
     step(200);
@@ -279,7 +262,6 @@ TEST_F(LiveSessionTest, InputGoesToTheHandsInPlayAndToTheMenuInThePause) {
     EXPECT_EQ(playing.counts[input::hand::look_right], 7);
     EXPECT_TRUE(session_->captures_cursor());
     pause(0);
-    step();
     EXPECT_FALSE(session_->captures_cursor());
     EXPECT_EQ(sample(0).counts[input::hand::forward], 0) << "the pause releases all keys";
     shared_.input_came_ns = 0;
@@ -357,7 +339,6 @@ TEST_F(LiveSessionTest, SomeKeysActAtAnyTime) {
     press(rig::code_of(defaults_, SessionKey::forces));
     press(rig::code_of(defaults_, SessionKey::fullscreen));
     pause(0);
-    step();
     press(rig::code_of(defaults_, SessionKey::mark));
     press(rig::code_of(defaults_, SessionKey::split));
     session_->publish_screen();
@@ -368,17 +349,15 @@ TEST_F(LiveSessionTest, SomeKeysActAtAnyTime) {
 }
 
 TEST_F(LiveSessionTest, AReplayHasItsOwnKeysAndMouse) {
-    auto replay = short_replay();
-    ASSERT_TRUE(replay) << replay.error().message;
-    const game::ReplayIndex index(*replay);
-    const ShownReplay shown{*replay, index, 5, 0.5};
+    auto replay = short_replay().value();
+    const game::ReplayIndex index(replay);
+    const ShownReplay shown{replay, index, 5, 0.5};
     plan_.replay = &shown;
     begin();
     EXPECT_EQ(shared_.replay.target, 5U);
     EXPECT_EQ(shared_.replay.speed, 0.5);
     EXPECT_FALSE(shared_.seats[0].hands) << "a replay has no players at the devices";
     pause(0);
-    step();
     EXPECT_FALSE(session_->menu().is_open()) << "a pause in the log opens no menu";
     EXPECT_FALSE(screen().hud.can_play_again);
     EXPECT_EQ(screen().hud.replay->length, 8U);
@@ -404,22 +383,19 @@ TEST_F(LiveSessionTest, ASettingChangedInThePauseReachesFileScreenAndHands) {
     ASSERT_TRUE(load_settings(plan_.settings_file, plan_.assets));
     begin();
     pause(0);
-    step();
     for (const auto* key : {"down", "down", "enter", "down", "down", "right"}) press(key);
     step();
     EXPECT_EQ(screen().hud.fov, 95);
-    choose("Each player's own settings");
-    press("enter");
+    enter("Each player's own settings");
     choose("Mouse speed");
     press("right");
     step();
-    const auto saved = parse_settings(read_text_file(plan_.settings_file, 1U << 20U).value(), "settings");
-    ASSERT_TRUE(saved);
-    EXPECT_EQ(saved->fov, 95);
-    EXPECT_DOUBLE_EQ(saved->players[0].sensitivity, 1.05);
-    EXPECT_DOUBLE_EQ(saved->players[1].sensitivity, 1);
-    shared_.progress.state = PlayState::playing;
-    step();
+    const auto saved =
+        parse_settings(read_text_file(plan_.settings_file, 1U << 20U).value(), "settings").value();
+    EXPECT_EQ(saved.fov, 95);
+    EXPECT_DOUBLE_EQ(saved.players[0].sensitivity, 1.05);
+    EXPECT_DOUBLE_EQ(saved.players[1].sensitivity, 1);
+    go_on();
     session_->mouse_move(100, 0, now_);
     EXPECT_EQ(sample(0).counts[input::hand::look_right], 105);
 }
@@ -427,13 +403,11 @@ TEST_F(LiveSessionTest, ASettingChangedInThePauseReachesFileScreenAndHands) {
 TEST_F(LiveSessionTest, AnotherKeyActsAtOnce) {
     begin();
     pause(0);
-    step();
     for (const auto* key : {"down", "enter", "enter"}) press(key);
     choose("Move forward");
     for (const auto* key : {"enter", "i"}) press(key);
     step();
-    shared_.progress.state = PlayState::playing;
-    step();
+    go_on();
     session_->key(rig::key("i"), true, now_);
     EXPECT_EQ(sample(0).counts[input::hand::forward], 127);
 }
@@ -447,7 +421,6 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesTheDummy) {
     session_->take_seats({});
     session_->begin_match({});
     pause(0);
-    step();
     press("down");
     press("right");
     step();
@@ -458,15 +431,13 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesItsRules) {
     begin_range();
     ASSERT_TRUE(session_->next().take_range());
     pause(0);
-    step();
     choose("Energy of the wands");
     press("right");
     choose("Effects of the brew");
     press("right");
     step();
     EXPECT_EQ(requests().range.load(), (game::RangeChanges{.endless_energy = true, .harmless_brew = true}));
-    choose("Restart the range");
-    press("enter");
+    enter("Restart the range");
     step();
     EXPECT_TRUE(requests().end);
     EXPECT_TRUE(session_->take_restart());
@@ -483,9 +454,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
     ASSERT_TRUE(session_->next().take_range() && session_->next().take_lessons());
     const auto chosen = [&](std::string_view row) {
         pause(0);
-        step();
-        choose(row);
-        press("enter");
+        enter(row);
         step();
     };
     chosen("Skip this step");
@@ -500,11 +469,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheApprenticeSkipsRepeatsAndRestarts) {
 TEST_F(LiveSessionTest, ThePauseOfTheRangeFindsTheLargestForceByFeel) {
     begin_range();
     pause(0);
-    step();
-    for (const auto* row : {"Settings", "Forces and body", "Find it by feel"}) {
-        choose(row);
-        press("enter");
-    }
+    for (const auto* row : {"Settings", "Forces and body", "Find it by feel"}) enter(row);
     step();
     EXPECT_EQ(requests().force_trials.load(), 1U);
     EXPECT_EQ(requests().go_on.load(), 0U) << "and the match goes on";
@@ -518,9 +483,7 @@ TEST_F(LiveSessionTest, ThePauseOfTheRangeFindsTheLargestForceByFeel) {
 TEST_F(LiveSessionTest, RestartingInThePauseEndsTheMatchAndBeginsAnother) {
     begin();
     pause(0);
-    step();
-    choose("Restart the match");
-    press("enter");
+    enter("Restart the match");
     EXPECT_FALSE(requests().end);
     step();
     EXPECT_TRUE(requests().end);
@@ -533,7 +496,6 @@ TEST_F(LiveSessionTest, EndingTheMatchInThePauseEndsItAndNotTheProgram) {
     plan_.start_screen = true;
     begin();
     pause(game::no_player);
-    step();
     press("q");
     step();
     EXPECT_TRUE(requests().end);
@@ -563,7 +525,6 @@ TEST_F(LiveSessionTest, TheScreenIsPublishedOnlyWhenItChanges) {
     step();
     EXPECT_FALSE(shared_.screen.take());
     pause(0);
-    step();
     EXPECT_TRUE(shared_.screen.take());
     step();
     EXPECT_FALSE(shared_.screen.take());

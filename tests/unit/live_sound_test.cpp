@@ -1,8 +1,6 @@
 // Tests of the sound of a live session with a device of the test: menus, matches, words, and a device that goes.
 #include "game/live/sound.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
@@ -11,7 +9,6 @@
 #include "audio/synth.h"
 #include "core/clock.h"
 #include "core/file.h"
-#include "core/text.h"
 #include "game/live/body.h"
 #include "unit/game_duel.h"
 
@@ -52,11 +49,9 @@ private:
 
 struct SoundOfSession {
     SoundOfSession() {
-        auto bank = audio::load_sounds(game::test::assets() / "sounds");
-        EXPECT_TRUE(bank) << (bank ? "" : bank.error().message);
-        auto mixer = audio::Mixer::create(*bank, {});
-        EXPECT_TRUE(mixer) << (mixer ? "" : mixer.error().message);
-        sound = std::make_unique<LiveSound>(std::move(*bank), std::move(*mixer),
+        auto bank = audio::load_sounds(game::test::assets() / "sounds").value();
+        auto mixer = audio::Mixer::create(bank, {}).value();
+        sound = std::make_unique<LiveSound>(std::move(bank), std::move(mixer),
                                             std::make_unique<HeardDevice>(heard));
     }
 
@@ -120,17 +115,15 @@ TEST(LiveSoundTest, AMatchIsHeardAndReadAndEndsWithIt) {
 
 TEST(LiveSoundTest, AFaultyRecipeIsToldInOneLineAndSilencesItsOwnSoundOnly) {
     namespace fs = std::filesystem;
-    const auto folder = fs::path(testing::TempDir()) / text("thaum_faulty_sound_", ::getpid());
-    fs::create_directories(folder);
-    fs::copy(game::test::assets() / "sounds", folder / "sounds", fs::copy_options::recursive);
-    ASSERT_TRUE(write_text_file(folder / "sounds" / "bolt_shot.toml", "version = 1\nlevel = 7\n"));
+    const TemporaryFolder folder;
+    fs::copy(game::test::assets() / "sounds", folder.path() / "sounds", fs::copy_options::recursive);
+    ASSERT_TRUE(write_text_file(folder.path() / "sounds" / "bolt_shot.toml", "version = 1\nlevel = 7\n"));
     testing::internal::CaptureStderr();
-    const auto sound = LiveSound::start(folder, Settings{});
+    const auto sound = LiveSound::start(folder.path(), Settings{});
     ASSERT_NE(sound, nullptr);
     const auto data = game::test::duel_data();
     const auto sounds = game::match_sounds(sound->bank(), *data->presentation);
     const auto said = testing::internal::GetCapturedStderr();
-    fs::remove_all(folder);
     EXPECT_EQ(said.find("the sound 'bolt_shot' is silent: "), 0U) << said;
     EXPECT_NE(said.find("sounds/bolt_shot.toml:"), std::string::npos) << said;
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;

@@ -38,8 +38,7 @@ TEST_F(LiveStartScreenTest, TwoPressesStartAMatchOfThatDevice) {
 }
 
 TEST_F(LiveStartScreenTest, TheRangeStartsWithADummy) {
-    choose("Range: practise on a dummy");
-    press("enter");
+    enter("Range: practise on a dummy");
     EXPECT_TRUE(step_start());
     session_->take_seats({});
     EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::dummy);

@@ -194,11 +194,8 @@ TEST_F(LiveTactileSession, TheRumbleSettingActsInTheMatch) {
     const auto& felt = motors.of("/dev/input/event1");
     EXPECT_EQ(played(shared_.tactile, 1, *felt, frame_of(1, 0, long_life)).first, 0.5F);
     pause(1);
-    step();
-    choose("Settings");
-    press("enter");
-    choose("Forces and body");
-    press("enter");
+    enter("Settings");
+    enter("Forces and body");
     choose("Who feels it");
     press("right");
     choose("Rumble");

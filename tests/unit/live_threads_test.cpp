@@ -16,9 +16,8 @@ namespace {
 class LiveThreadsTest : public testing::Test {
 protected:
     LiveThreadsTest() {
-        auto data = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
-        EXPECT_TRUE(data) << (data ? "" : data.error().message);
-        plan_.data = std::make_shared<const game::MatchData>(std::move(*data));
+        plan_.data = std::make_shared<const game::MatchData>(
+            game::load_match_data(THAUM_SOURCE_DIR "/assets", {}).value());
         plan_.assets = THAUM_SOURCE_DIR "/assets";
         plan_.seats = {rig::mouse_seat, rig::first_pad_seat};
         shared_.ready = true;
@@ -70,9 +69,9 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     const auto seats = take_seats(plan_.settings, planned_seats(plan_.seats, pads_));
     const game::MatchSetup setup{1, devices_of(seats, {})};
     auto recording =
-        record_match({.named = file.path}, 1, game::log_header(*plan_.data, setup, {"human", "human"}));
-    ASSERT_TRUE(recording) << recording.error().message;
-    start_match(std::move(*recording));
+        record_match({.named = file.path}, 1, game::log_header(*plan_.data, setup, {"human", "human"}))
+            .value();
+    start_match(std::move(recording));
     press("escape");
     ASSERT_TRUE(becomes(PlayState::paused));
     EXPECT_EQ(session_->menu().picture().line, "by Ember");
@@ -88,11 +87,10 @@ TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
     end_match();
     EXPECT_TRUE(shared_.progress.ended);
     EXPECT_FALSE(shared_.stop) << "the session may go on";
-    auto replay = game::Playback::open(file.path, plan_.assets);
-    ASSERT_TRUE(replay) << replay.error().message;
-    while (replay->step()) EXPECT_FALSE(replay->divergence());
-    EXPECT_GT(replay->match().now(), 0U);
-    EXPECT_EQ(replay->missing_hashes(), "");
+    auto replay = game::Playback::open(file.path, plan_.assets).value();
+    while (replay.step()) EXPECT_FALSE(replay.divergence());
+    EXPECT_GT(replay.match().now(), 0U);
+    EXPECT_EQ(replay.missing_hashes(), "");
 }
 
 TEST_F(LiveThreadsTest, WhileAForceIsSoughtTheWholeForceComesOut) {
@@ -135,11 +133,8 @@ TEST_F(LiveThreadsTest, AFaultOfTheSettingsFileIsShownAtTheStartOfAMatch) {
 
 /// A round of one second ends in a draw. Its result is shown for eight seconds.
 TEST_F(LiveThreadsTest, ADemoEndsAMatchByItselfForTheNextOne) {
-    game::DataChoice choice;
-    choice.overrides = {"quick.seconds=1"};
-    auto data = game::load_match_data(THAUM_SOURCE_DIR "/assets", choice);
-    ASSERT_TRUE(data) << data.error().message;
-    plan_.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan_.data = std::make_shared<const game::MatchData>(
+        game::load_match_data(THAUM_SOURCE_DIR "/assets", {.overrides = {"quick.seconds=1"}}).value());
     plan_.seats = {rig::bot_seat, rig::bot_seat};
     plan_.demo = true;
     session_.emplace(shared_, plan_);

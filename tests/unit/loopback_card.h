@@ -11,9 +11,7 @@ namespace thaum::audio::rig {
 class Card {
 public:
     explicit Card(int rate, std::size_t channels = 2) : channels_(channels) {
-        const auto found = detail::find_openal();
-        EXPECT_TRUE(found);
-        al_ = *found;
+        al_ = detail::find_openal().value();
         device_ = al_.open_loopback(nullptr);
         const ALCint speakers = channels == 2 ? ALC_STEREO_SOFT : ALC_7POINT1_SOFT;
         const ALCint attributes[] = {

@@ -131,10 +131,9 @@ TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     const auto folder = std::filesystem::path(testing::TempDir()) / "thaum_menu_assets";
     std::filesystem::remove_all(folder);
     std::filesystem::copy(source, folder, std::filesystem::copy_options::recursive);
-    auto data = game::load_match_data(folder, {});
-    ASSERT_TRUE(data) << data.error().message;
+    auto data = game::load_match_data(folder, {}).value();
     LivePlan plan;
-    plan.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan.data = std::make_shared<const game::MatchData>(std::move(data));
     plan.assets = folder;
     const auto before = find_menu_context(plan);
     ASSERT_FALSE(before.rules.empty());

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "core/file.h"
 #include "game/match/playback.h"
 #include "unit/game_duel.h"
 
@@ -10,38 +11,33 @@ namespace thaum::app {
 namespace {
 
 TEST(OffscreenDuelTest, TheLogGoesOnForHalfASecondAfterTheEndAsThatOfALiveMatch) {
-    const auto out = std::filesystem::path(testing::TempDir()) / text("thaum_offscreen_", ::getpid());
+    const TemporaryFolder out;
     testing::internal::CaptureStdout();
     const int code = play_offscreen_duel({.assets = game::test::assets(),
-                                          .out = out,
+                                          .out = out.path(),
                                           .data = {.overrides = {"quick.kills=1", "bolt.shot.damage=100"}},
                                           .seed = 5,
                                           .levels = {3, 3}});
     const auto said = testing::internal::GetCapturedStdout();
     EXPECT_EQ(code, 0) << said;
-    auto playback = game::Playback::open(out / "duel.thaumlog", game::test::assets());
-    ASSERT_TRUE(playback) << playback.error().message;
+    auto playback = game::Playback::open(out.path() / "duel.thaumlog", game::test::assets()).value();
     std::optional<Tick> over_at;
-    while (playback->step()) {
-        if (!over_at && playback->match().match().phase == game::Phase::over)
-            over_at = playback->match().now();
+    while (playback.step()) {
+        if (!over_at && playback.match().match().phase == game::Phase::over) over_at = playback.match().now();
     }
-    std::filesystem::remove_all(out);
     ASSERT_TRUE(over_at) << said;
-    EXPECT_EQ(playback->match().now(), *over_at + 500);
-    EXPECT_FALSE(playback->divergence());
+    EXPECT_EQ(playback.match().now(), *over_at + 500);
+    EXPECT_FALSE(playback.divergence());
 }
 
 TEST(OffscreenDuelTest, ADuelThatIsNotOverEndsAtItsTime) {
-    const auto out = std::filesystem::path(testing::TempDir()) / text("thaum_offscreen_", ::getpid());
+    const TemporaryFolder out;
     testing::internal::CaptureStdout();
-    const int code = play_offscreen_duel({.assets = game::test::assets(), .out = out, .seconds = 0.5});
+    const int code = play_offscreen_duel({.assets = game::test::assets(), .out = out.path(), .seconds = 0.5});
     const auto said = testing::internal::GetCapturedStdout();
     EXPECT_EQ(code, 0) << said;
-    const auto playback = game::Playback::open(out / "duel.thaumlog", game::test::assets());
-    ASSERT_TRUE(playback) << playback.error().message;
-    EXPECT_EQ(playback->log().ticks(), 500U);
-    std::filesystem::remove_all(out);
+    const auto playback = game::Playback::open(out.path() / "duel.thaumlog", game::test::assets()).value();
+    EXPECT_EQ(playback.log().ticks(), 500U);
 }
 
 }  // namespace

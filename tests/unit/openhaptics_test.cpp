@@ -4,16 +4,16 @@
 
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <numeric>
 #include <thread>
 
+#include "core/file.h"
 #include "drivers/fake_hd/fake_hd.h"
 #include "input/open_arm.h"
+#include "unit/message_of.h"
 
 namespace thaum::input {
 namespace {
@@ -62,10 +62,7 @@ Expected<std::unique_ptr<OpenArm>> open_fake(const std::string& words = "") {
     return open_by(FAKE_HD);
 }
 
-std::string refusal(const std::string& words) {
-    const auto arm = open_fake(words);
-    return arm ? "opened" : arm.error().message;
-}
+std::string refusal(const std::string& words) { return message_of(open_fake(words), "opened"); }
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
@@ -91,16 +88,9 @@ struct Hand {
 
 /// A file with the way of a hand.
 struct Way {
-    std::string file;
-    explicit Way(std::string_view lines) {
-        auto name = (std::filesystem::temp_directory_path() / "thaum-way-XXXXXX").string();
-        ::close(::mkstemp(name.data()));
-        file = name;
-        std::ofstream(file) << lines;
-    }
-    ~Way() { std::filesystem::remove(file); }
-    Way(const Way&) = delete;
-    Way& operator=(const Way&) = delete;
+    explicit Way(std::string_view lines) { std::ofstream(file) << lines; }
+    const TemporaryFolder folder{};
+    const std::string file = (folder.path() / "way").string();
 };
 
 // ---- opening ----------------------------------------------------------------------------------------------
@@ -116,9 +106,8 @@ TEST(OpenHaptics, NoLibrary) {
 
 TEST(OpenHaptics, AFileThatIsNoLibrary) {
     const Way text("this is no library\n");
-    const auto arm = open_by(text.file);
-    ASSERT_FALSE(arm);
-    EXPECT_TRUE(has(arm.error().message, "no OpenHaptics: ")) << arm.error().message;
+    const auto message = message_of(open_by(text.file));
+    EXPECT_TRUE(has(message, "no OpenHaptics: ")) << message;
 }
 
 TEST(OpenHaptics, TooOldALibrary) {
@@ -147,17 +136,15 @@ TEST(OpenHaptics, ARefusalLeavesItFreeToBeOpened) {
 }
 
 TEST(OpenHaptics, OnlyOneIsOpen) {
-    const auto arm = open_fake();
-    ASSERT_TRUE(arm);
+    const auto arm = open_fake().value();
     EXPECT_TRUE(has(refusal(""), "open already"));
     EXPECT_TRUE(has(refusal(""), "open already"));
-    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
+    EXPECT_EQ(arm->status().state, ArmPresence::present);
 }
 
 TEST(OpenHaptics, ReportsSerialDriverAndSpecOfTheArm) {
-    const auto arm = open_fake();
-    ASSERT_TRUE(arm) << arm.error().message;
-    const auto& facts = (*arm)->facts();
+    const auto arm = open_fake().value();
+    const auto& facts = arm->facts();
     EXPECT_EQ(facts.spec.name, "Touch");
     EXPECT_EQ(facts.serial, "F0000001");
     EXPECT_EQ(facts.driver, "3.50.0");
@@ -175,16 +162,15 @@ TEST(OpenHaptics, ReportsSerialDriverAndSpecOfTheArm) {
 
 TEST(OpenHaptics, TicksByTheRules) {
     Hand hand;
-    auto arm = open_fake();
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
-    EXPECT_FALSE((*arm)->start(hand.tick()));
+    auto arm = open_fake().value();
+    ASSERT_TRUE(arm->start(hand.tick()));
+    EXPECT_FALSE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
-    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
-    const auto times = (*arm)->times();
+    EXPECT_EQ(arm->status().state, ArmPresence::present);
+    const auto times = arm->times();
     EXPECT_GE(times.ticks, 200U);
     EXPECT_GE(times.answer_worst, times.answer_median);
-    arm->reset();
+    arm.reset();
     expect_no_rule_broken();
 }
 
@@ -194,9 +180,8 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     const Way right("0 10 0 0 0\n");
     Hand hand;
     hand.stiffness = 200;
-    auto arm = open_fake("path=" + right.file);
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    auto arm = open_fake("path=" + right.file).value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
     const auto now = report();
     // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of friction holds up to 0.43 mm away.
@@ -205,16 +190,15 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     EXPECT_NEAR(hand.x_um, now.position[0] * 1e6, 56);
     // The make-believe stylus turns by 10 rad/m.
     EXPECT_NEAR(hand.y_urad, hand.x_um * 10, 560);
-    arm->reset();
+    arm.reset();
     expect_no_rule_broken();
 }
 
 TEST(OpenHaptics, ButtonsComeThrough) {
     const Way pressing("0 0 0 0 0\n20 0 0 0 2\n400 0 0 0 3\n800 0 0 0 0\n");
     Hand hand;
-    const auto arm = open_fake("path=" + pressing.file);
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    const auto arm = open_fake("path=" + pressing.file).value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     EXPECT_TRUE(soon([&] { return hand.buttons == 2; }));
     EXPECT_TRUE(soon([&] { return hand.buttons == 3; }));
     EXPECT_TRUE(soon([&] { return hand.buttons == 0; }));
@@ -223,28 +207,26 @@ TEST(OpenHaptics, ButtonsComeThrough) {
 TEST(OpenHaptics, NeverMoreThanTheArmGives) {
     Hand hand;
     hand.push = 1e6;
-    auto arm = open_fake();
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    auto arm = open_fake().value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 50; }));
     EXPECT_NEAR(report().force[2], 3.3, 1e-9);
     hand.push = std::nan("");
     const auto then = hand.ticks.load();
     ASSERT_TRUE(soon([&] { return hand.ticks > then + 3; }));
     EXPECT_EQ(report().force[2], 0);
-    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
-    arm->reset();
+    EXPECT_EQ(arm->status().state, ArmPresence::present);
+    arm.reset();
     expect_no_rule_broken();
 }
 
 TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     Hand hand;
     hand.push = 2;
-    auto arm = open_fake();
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    auto arm = open_fake().value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
-    arm->reset();
+    arm.reset();
     // The last frame's force acts from the tick after it.
     const auto left = report();
     EXPECT_EQ(left.greatest_force, 2);
@@ -259,11 +241,10 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
 TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
     Hand hand;
     hand.push = 2;
-    auto arm = open_fake("task=zero");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    auto arm = open_fake("task=zero").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
-    arm->reset();
+    arm.reset();
     EXPECT_EQ(report().left[2], 0);
     expect_no_rule_broken();
 }
@@ -273,65 +254,60 @@ TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
 TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     Hand hand;
     hand.push = 1;
-    auto arm = open_fake("vanish=100");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state != ArmPresence::present; }));
-    EXPECT_EQ((*arm)->status().state, ArmPresence::lost);
-    EXPECT_TRUE(has((*arm)->status().text, "plug it in")) << (*arm)->status().text;
+    auto arm = open_fake("vanish=100").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return arm->status().state != ArmPresence::present; }));
+    EXPECT_EQ(arm->status().state, ArmPresence::lost);
+    EXPECT_TRUE(has(arm->status().text, "plug it in")) << arm->status().text;
     EXPECT_TRUE(soon([&] { return report().force[2] == 0; }));
     const auto ticks = hand.ticks.load();
     EXPECT_LT(ticks, 110U);
     std::this_thread::sleep_for(milliseconds(20));
     EXPECT_EQ(hand.ticks, ticks);
-    arm->reset();
+    arm.reset();
     expect_no_rule_broken();
     EXPECT_EQ(refusal(""), "opened");
 }
 
 TEST(OpenHaptics, WarmMotorsAreAFault) {
     Hand hand;
-    auto arm = open_fake("warm=50");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::fault; }));
-    EXPECT_TRUE(has((*arm)->status().text, "too warm"));
-    EXPECT_EQ(caption_of((*arm)->status()), "The arm's motors are too warm: let them rest");
-    arm->reset();
+    auto arm = open_fake("warm=50").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return arm->status().state == ArmPresence::fault; }));
+    EXPECT_TRUE(has(arm->status().text, "too warm"));
+    EXPECT_EQ(caption_of(arm->status()), "The arm's motors are too warm: let them rest");
+    arm.reset();
     expect_no_rule_broken();
 }
 
 TEST(OpenHaptics, TicksThatStopAreALostArm) {
     Hand hand;
-    auto arm = open_fake("stop=60");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    auto arm = open_fake("stop=60").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     // Before its first tick, a library that gets no processor for 0.5 s counts as lost for another reason.
-    ASSERT_TRUE(soon([&] { return has((*arm)->status().text, "ticks have stopped"); }));
-    EXPECT_EQ((*arm)->status().state, ArmPresence::lost);
-    EXPECT_EQ(caption_of((*arm)->status()), "The arm's ticks have stopped: plug it in again");
-    arm->reset();
+    ASSERT_TRUE(soon([&] { return has(arm->status().text, "ticks have stopped"); }));
+    EXPECT_EQ(arm->status().state, ArmPresence::lost);
+    EXPECT_EQ(caption_of(arm->status()), "The arm's ticks have stopped: plug it in again");
+    arm.reset();
     expect_no_rule_broken();
 }
 
 TEST(OpenHaptics, WhatIsNoNumberIsSaidToBeNone) {
     Hand hand;
-    const auto arm = open_fake("nan=50");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    const auto arm = open_fake("nan=50").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 150; }));
     EXPECT_GT(hand.unusable, 0U);
     EXPECT_LE(hand.unusable, 10U);
-    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
+    EXPECT_EQ(arm->status().state, ArmPresence::present);
 }
 
 TEST(OpenHaptics, LateTicksAreCounted) {
     Hand hand;
-    const auto arm = open_fake("late=20");
-    ASSERT_TRUE(arm);
-    ASSERT_TRUE((*arm)->start(hand.tick()));
+    const auto arm = open_fake("late=20").value();
+    ASSERT_TRUE(arm->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
-    const auto times = (*arm)->times();
+    const auto times = arm->times();
     EXPECT_GE(times.missed, 4U * 9U);  // nine of ten late ticks have other ticks around them
     EXPECT_GE(times.jitter_worst, 4000);
 }
@@ -365,11 +341,7 @@ struct TwoArms {
             if (place.kind->name == "openhaptics" && number-- == 0) return open_arm(place);
         return fail("no such arm");
     }
-    static std::unique_ptr<OpenArm> opened(std::size_t number) {
-        auto arm = try_to_open(number);
-        EXPECT_TRUE(arm) << arm.error().message;
-        return arm ? std::move(*arm) : nullptr;
-    }
+    static std::unique_ptr<OpenArm> opened(std::size_t number) { return try_to_open(number).value(); }
     bool start() { return first && second && first->start(left.tick()) && second->start(right.tick()); }
     bool pushes(double left_n, double right_n) const {
         return report_of(0).force[2] == left_n && report_of(1).force[2] == right_n;

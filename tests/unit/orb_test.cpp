@@ -3,6 +3,7 @@
 #include "game/stations/orb/scrying.h"
 
 #include "core/file.h"
+#include "unit/message_of.h"
 #include "unit/orb_rig.h"
 
 namespace thaum::game::test {
@@ -19,8 +20,7 @@ std::string fault_after(std::string_view from, std::string_view to) {
     const auto config = Config::parse(words, "orb.toml", 1);
     if (!config) return config.error().message;
     (void)read_orb_rules(*config);
-    const auto checked = config->check();
-    return checked ? std::string() : checked.error().message;
+    return message_of(config->check());
 }
 
 TEST(OrbRules, TheFileHasTheSixModesOfTheDesign) {
@@ -53,13 +53,11 @@ TEST(OrbRules, AFaultNamesItsLine) {
 }
 
 TEST(OrbRules, OnlyAnArenaWithAnOrbHasThem) {
-    const auto well = load_match_data(assets(), {.arena = "the_well"});
-    ASSERT_TRUE(well.has_value()) << well.error().message;
-    EXPECT_FALSE(well->orb.has_value());
-    const auto classic = load_match_data(assets(), {.rules = "classic"});
-    ASSERT_TRUE(classic.has_value()) << classic.error().message;
-    EXPECT_FALSE(classic->orb.has_value());
-    const Simulation match(std::make_shared<const MatchData>(*classic), two_hands());
+    const auto well = load_match_data(assets(), {.arena = "the_well"}).value();
+    EXPECT_FALSE(well.orb.has_value());
+    const auto classic = load_match_data(assets(), {.rules = "classic"}).value();
+    EXPECT_FALSE(classic.orb.has_value());
+    const Simulation match(std::make_shared<const MatchData>(classic), two_hands());
     EXPECT_EQ(match.world().count<Orb>(), 0U);
     EXPECT_EQ(match.world().count<WornModes>(), 0U);
 }

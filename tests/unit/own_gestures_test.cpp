@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "game/casting/casting.h"
 #include "game/data/reading.h"
@@ -16,6 +17,7 @@
 #include "gesture/gesture_file.h"
 #include "gesture/variations.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::app {
 namespace {
@@ -26,21 +28,6 @@ std::shared_ptr<const game::MatchData> own_data() {
     static const auto loaded = game::test::duel_data();
     return loaded;
 }
-
-/// A folder that is gone after the test.
-struct OwnFolder {
-    OwnFolder()
-        : path(std::filesystem::path(testing::TempDir()) /
-               text("thaum_own_", ::getpid(), "_",
-                    testing::UnitTest::GetInstance()->current_test_info()->name())) {
-        std::filesystem::remove_all(path);
-        std::filesystem::create_directories(path);
-    }
-    ~OwnFolder() { std::filesystem::remove_all(path); }
-    OwnFolder(const OwnFolder&) = delete;
-    OwnFolder& operator=(const OwnFolder&) = delete;
-    std::filesystem::path path;
-};
 
 /// Counts of the mouse for one tick of a triangle of 800 ticks.
 vec2 triangle_counts(int tick) {
@@ -89,12 +76,12 @@ game::MatchSetup setup_with(std::vector<input::ProfileData> profile) {
 }
 
 TEST(OwnGestures, AreKeptForEachPlayerAndName) {
-    const OwnFolder folder;
+    const TemporaryFolder folder;
     Settings settings;
     settings.players[1].name = "Zoë";
-    const auto first = own_gestures_folder(folder.path / "settings.toml", settings, 0),
-               second = own_gestures_folder(folder.path / "settings.toml", settings, 1);
-    EXPECT_EQ(first, folder.path / "gestures/player-1");
+    const auto first = own_gestures_folder(folder.path() / "settings.toml", settings, 0),
+               second = own_gestures_folder(folder.path() / "settings.toml", settings, 1);
+    EXPECT_EQ(first, folder.path() / "gestures/player-1");
     EXPECT_NE(first, second);
     ASSERT_TRUE(save_own_gesture(first, triangle()));
     std::vector<std::string> faults;
@@ -111,13 +98,13 @@ TEST(OwnGestures, AreKeptForEachPlayerAndName) {
 }
 
 TEST(OwnGestures, AFaultyFileIsNamedAndTheOthersCount) {
-    const OwnFolder folder;
-    ASSERT_TRUE(save_own_gesture(folder.path, triangle()));
-    std::ofstream(folder.path / "v.toml") << "version = 1\nname = \"v\"\n";
-    std::ofstream(folder.path / "star.toml") << gesture::to_file(triangle());
-    std::ofstream(folder.path / "else.toml") << "no gesture of the game, so nobody reads it";
+    const TemporaryFolder folder;
+    ASSERT_TRUE(save_own_gesture(folder.path(), triangle()));
+    std::ofstream(folder.path() / "v.toml") << "version = 1\nname = \"v\"\n";
+    std::ofstream(folder.path() / "star.toml") << gesture::to_file(triangle());
+    std::ofstream(folder.path() / "else.toml") << "no gesture of the game, so nobody reads it";
     std::vector<std::string> faults;
-    const auto own = load_own_gestures(folder.path, *own_data(), 0, faults);
+    const auto own = load_own_gestures(folder.path(), *own_data(), 0, faults);
     ASSERT_EQ(own.size(), 1U);
     EXPECT_EQ(own[0].name, "circle");
     ASSERT_EQ(faults.size(), 2U);
@@ -137,8 +124,7 @@ TEST(OwnGestures, ACopyOfAnotherGestureIsRefusedWithTheReason) {
     const auto v = std::find_if(shipped.begin(), shipped.end(), [](const auto& g) { return g.name == "v"; });
     const auto refusal = [&](const gesture::Gesture& gesture, const std::vector<input::ProfileData>& profile,
                              std::uint32_t player = 0) {
-        const auto fits = check_own_gesture(gesture, data, profile, player);
-        return fits ? std::string() : fits.error().message;
+        return message_of(check_own_gesture(gesture, data, profile, player));
     };
     EXPECT_EQ(refusal(triangle(), {}), "");
     const auto copied = refusal(renamed(*v, "star"), {});
@@ -193,9 +179,8 @@ TEST(OwnGestures, AreRefusedOnlyIfStrokesWouldBeMistaken) {
     const auto narrow = gesture_along(
         "circle", [](double u) { return u < 0.5 ? vec3(0.7 * u, -2 * u, 0) : vec3(0.7 * u, 2 * u - 2, 0); });
     for (const auto* name : {"circle", "s", "star"}) {
-        const auto fits = check_own_gesture(renamed(narrow, name), data, {}, 0);
-        ASSERT_FALSE(fits) << name;
-        EXPECT_EQ(fits.error().message.find("it is too like V: "), 0U) << fits.error().message;
+        const auto message = message_of(check_own_gesture(renamed(narrow, name), data, {}, 0));
+        EXPECT_EQ(message.find("it is too like V: "), 0U) << message;
     }
     // A match reads the turns of a spiral one by one, and takes them for circles.
     const auto spiral =
@@ -215,12 +200,12 @@ TEST(OwnGestures, ThatDoNotFitTogetherAreLeftOutInOneLine) {
         many.strokes.push_back(triangle().strokes.front());
         while (many.strokes.back().size() > 4) many.strokes.back().pop_back();
     }
-    const OwnFolder folder;
+    const TemporaryFolder folder;
     for (const auto* name : {"circle", "star", "v"})
         ASSERT_TRUE(
-            save_own_gesture(folder.path, renamed(name == std::string("v") ? triangle() : many, name)));
+            save_own_gesture(folder.path(), renamed(name == std::string("v") ? triangle() : many, name)));
     std::vector<std::string> faults;
-    const auto own = load_own_gestures(folder.path, *own_data(), 0, faults);
+    const auto own = load_own_gestures(folder.path(), *own_data(), 0, faults);
     ASSERT_EQ(own.size(), 2U);
     EXPECT_EQ(own[0].name, "circle");
     EXPECT_EQ(own[1].name, "v");
@@ -254,37 +239,35 @@ TEST(OwnGestures, StandForTheShippedOneOfThisPlayerOnly) {
 }
 
 TEST(OwnGestures, ALogReplaysWithoutTheProfile) {
-    const OwnFolder folder;
-    const auto profile = folder.path / "gestures", file = folder.path / "log.thaumlog";
+    const TemporaryFolder folder;
+    const auto profile = folder.path() / "gestures", file = folder.path() / "log.thaumlog";
     ASSERT_TRUE(save_own_gesture(profile, triangle()));
     std::vector<std::string> faults;
     std::uint64_t state = 0;
     {
         game::Simulation match(own_data(), setup_with(load_own_gestures(profile, *own_data(), 0, faults)));
         auto log = input::LogWriter::create(file, log_header(match.data(), match.setup(), {"human", "human"}),
-                                            input::WhenBehind::wait);
-        ASSERT_TRUE(log) << log.error().message;
-        for (int t = 0; t < 1200; ++t) game::tick_and_record(match, triangle_frame(t), &*log);
+                                            input::WhenBehind::wait)
+                       .value();
+        for (int t = 0; t < 1200; ++t) game::tick_and_record(match, triangle_frame(t), &log);
         ASSERT_EQ(read_gesture_of(match), "circle");
         state = match.state_hash();
-        ASSERT_TRUE(close_log(*log, match));
+        ASSERT_TRUE(close_log(log, match));
     }
     std::filesystem::remove_all(profile);
-    auto playback = game::Playback::open(file, game::test::assets());
-    ASSERT_TRUE(playback) << playback.error().message;
-    while (playback->step()) {}
-    EXPECT_FALSE(playback->divergence());
-    EXPECT_EQ(playback->match().state_hash(), state);
-    EXPECT_EQ(read_gesture_of(playback->match()), "circle");
-    EXPECT_EQ(playback->log().header().profile.size(), 1U);
+    auto playback = game::Playback::open(file, game::test::assets()).value();
+    while (playback.step()) {}
+    EXPECT_FALSE(playback.divergence());
+    EXPECT_EQ(playback.match().state_hash(), state);
+    EXPECT_EQ(read_gesture_of(playback.match()), "circle");
+    EXPECT_EQ(playback.log().header().profile.size(), 1U);
 }
 
 TEST(OwnGestures, WrongProfileDataOfALogIsNamed) {
     auto header = log_header(*own_data(), two_hands(), {"human", "human"});
     const auto fault = [&](input::ProfileData item) {
         header.profile = {std::move(item)};
-        const auto made = game::match_of_log(header, game::test::assets());
-        return made ? std::string("none") : made.error().message;
+        return message_of(game::match_of_log(header, game::test::assets()), "none");
     };
     const auto good = game::profile_of(triangle(), 1);
     EXPECT_EQ(fault(good), "none");
@@ -312,15 +295,14 @@ TEST(OwnGestures, WrongProfileDataOfALogIsNamed) {
 }
 
 TEST(OwnGestures, OnTheRangeChangeBetweenTwoTicks) {
-    const auto data = game::load_range(game::test::assets(), {});
-    ASSERT_TRUE(data);
-    auto range = game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 3);
+    const auto data = game::load_range(game::test::assets(), {}).value();
+    auto range = game::make_range(data, game::bot_device(game::practising, 1), game::DummyKind::still, 3);
     for (int t = 0; t < 100; ++t) range.tick({});
     const auto before = range.match->now();
     ASSERT_TRUE(range.use_gestures({game::profile_of(triangle(), game::practising)}));
     EXPECT_EQ(range.match->now(), before);
     EXPECT_NE(range.match->setup().gestures[game::practising], nullptr);
-    range.adopt(*data);
+    range.adopt(data);
     EXPECT_NE(range.match->setup().gestures[game::practising], nullptr) << "files that are read again";
     auto wrong = game::profile_of(triangle(), game::practising);
     wrong.bytes.clear();

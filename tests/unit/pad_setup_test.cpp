@@ -58,10 +58,8 @@ protected:
     bool question_is_needed() const { return session_->menu().context().pad_needs_control; }
     void open_setup() {
         look({.unknown = {stick_with()}});
-        choose("Controls");
-        press("enter");
-        choose("Set up Stick of wood");
-        press("enter");
+        enter("Controls");
+        enter("Set up Stick of wood");
         look({.unknown = {stick_with()}});
     }
 
@@ -117,10 +115,8 @@ TEST_F(PadSetupTest, APadThatWasSetUpCanBeSetUpAgainAndForgotten) {
     ASSERT_TRUE(save_own_pad(file, text(stick_with().guid, ",Stick of wood,a:b3,platform:Linux,")));
     look({.own = {stick_with()}});
     EXPECT_EQ(screen().menu.note, "") << "it plays";
-    choose("Controls");
-    press("enter");
-    choose("Set up Stick of wood again");
-    press("enter");
+    enter("Controls");
+    enter("Set up Stick of wood again");
     look({.own = {stick_with()}});
     EXPECT_EQ(screen().menu.title, "Set up Stick of wood");
     std::optional<PadChange> change;
@@ -129,8 +125,7 @@ TEST_F(PadSetupTest, APadThatWasSetUpCanBeSetUpAgainAndForgotten) {
     session_->end_pad_setup(*change, {});
     EXPECT_EQ(load_own_pads(file).mappings, std::vector{change->mapping}) << "instead of the old one";
     look({.own = {stick_with()}});
-    choose("Forget the set-up of Stick of wood");
-    press("enter");
+    enter("Forget the set-up of Stick of wood");
     change = look({.own = {stick_with()}});
     ASSERT_TRUE(change);
     EXPECT_EQ(change->model, stick_with().guid);
@@ -153,11 +148,9 @@ TEST_F(PadSetupTest, OldButtonsOfAPadMeanNothingWhileItIsSetUpAgain) {
         session_->look_at_sticks({.own = {stick}});
     };
     step_with(pad({}));
-    choose("Controls");
-    press("enter");
+    enter("Controls");
     step_with(pad({}));
-    choose("Set up Stick of wood again");
-    press("enter");
+    enter("Set up Stick of wood again");
     step_with(pad({}));
     step_with(pad({input::PadButton::b}));
     EXPECT_TRUE(session_->menu().sets_up_pad()) << "B leaves other pages";
@@ -209,8 +202,7 @@ TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     for (int i = 0; i < 40; ++i) EXPECT_FALSE(look({.unknown = {stick_with()}}));
     EXPECT_TRUE(load_own_pads(own_pads_file(plan_.settings_file)).mappings.empty());
     // The next set-up begins with the first control.
-    choose("Set up Stick of wood");
-    press("enter");
+    enter("Set up Stick of wood");
     look({.unknown = {stick_with()}});
     EXPECT_TRUE(screen().menu.line.starts_with("1 of 20: ")) << screen().menu.line;
     // Its joystick is pulled out.
@@ -222,13 +214,10 @@ TEST_F(PadSetupTest, ThePauseOffersItToo) {
     plan_.start_screen = false;
     begin();
     pause(0);
-    step();
     look({.unknown = {stick_with()}});
     EXPECT_NE(screen().menu.note, "");
-    choose("Controls");
-    press("enter");
-    choose("Set up Stick of wood");
-    press("enter");
+    enter("Controls");
+    enter("Set up Stick of wood");
     step();
     session_->look_at_sticks({.unknown = {stick_with()}});
     EXPECT_EQ(requests().go_on, game::no_player) << "the match stays paused";

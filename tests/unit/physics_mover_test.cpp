@@ -37,6 +37,10 @@ struct Walker {
     double pace() const { return std::hypot(velocity().x, velocity().z); }
 };
 
+struct FloorWalker : Walker {
+    FloorWalker() { add_floor(physics); }
+};
+
 /// A slope through the origin that rises towards +x.
 void add_slope(Physics& physics, double degrees, vec3 foot = {}) {
     const quat tilt = rotation({0, 0, 1}, degrees * radians_per_degree);
@@ -44,8 +48,7 @@ void add_slope(Physics& physics, double degrees, vec3 foot = {}) {
 }
 
 TEST(Mover, ReachesWalkingPace) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, standing, 0});
     w.run(300, {0, 0, -9});  // more than walk_speed
     EXPECT_NEAR(w.velocity().z, -4.5, 1e-6);
@@ -58,8 +61,7 @@ TEST(Mover, ReachesWalkingPace) {
 TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
     const double weight = 75 * 9.81;
     const auto speed_after = [&](double hung) {
-        Walker w;
-        add_floor(w.physics);
+        FloorWalker w;
         w.enter({0, standing, 0});
         w.run(100, {});
         for (int i = 0; i < 50; ++i) {
@@ -77,8 +79,7 @@ TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
 }
 
 TEST(Mover, JumpsToItsApex) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, standing, 0});
     w.run(200, {});
     const double ground = w.position().y;
@@ -94,8 +95,7 @@ TEST(Mover, JumpsToItsApex) {
 }
 
 TEST(Mover, JumpsAsFarAsTheLawSays) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, standing, 0});
     w.run(500, {4.5, 0, 0});
     const double start = w.position().x;
@@ -105,8 +105,7 @@ TEST(Mover, JumpsAsFarAsTheLawSays) {
 }
 
 TEST(Mover, FallsFromFiveMetres) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, 5 + standing, 0});
     int ticks = 0;
     while (w.landing == 0 && ticks < 3000) {
@@ -183,8 +182,7 @@ TEST(Mover, WalksUpAndDownASlopeAtItsPace) {
 }
 
 TEST(Mover, WalksFromFloorToSlopeAndOverTheCrest) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     add_slope(w.physics, 30);                                  // rises from x = 0
     w.physics.add(8, box({4, 4, 5}, 0), at({4 + 4, 0.0, 0}));  // a plateau of 4 m height, from x = 4
     w.enter({-2, standing, 0});
@@ -198,8 +196,7 @@ TEST(Mover, WalksFromFloorToSlopeAndOverTheCrest) {
 }
 
 TEST(Mover, DoesNotClimbWalls) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.5, 5, 5}, 0), at({1.5, 5, 0}));
     w.enter({0, standing, 0});
     double highest = 0;
@@ -219,8 +216,7 @@ TEST(Mover, DoesNotClimbWalls) {
 }
 
 TEST(Mover, SlidesAlongAWall) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.5, 5, 50}, 0), at({1.5, 5, 0}));
     w.enter({0.6, standing, 0});
     w.run(1500, {3, 0, 3});
@@ -228,8 +224,7 @@ TEST(Mover, SlidesAlongAWall) {
 }
 
 double pushed_distance(double mass, double friction) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.5, 0.5, 0.5}, mass, friction), at({1, 0.5, 0}));
     w.enter({0, standing, 0});
     w.run(1000, {4.5, 0, 0});  // the first bump is over
@@ -246,8 +241,7 @@ TEST(Mover, PushesWithAPersonsForce) {
 }
 
 TEST(Mover, IsPushedByHeavyProps) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.5, 0.5, 0.5}, 400, 0), at({-2, 0.5, 0}, {3, 0, 0}));
     w.enter({0, standing, 0});
     w.run(1500, {});
@@ -255,8 +249,7 @@ TEST(Mover, IsPushedByHeavyProps) {
 }
 
 TEST(Mover, AnIdleMoverFallsAsleepAndAWishWakesIt) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, standing, 0});
     w.run(4000, {});
     EXPECT_TRUE(w.physics.state(me).asleep);
@@ -267,16 +260,14 @@ TEST(Mover, AnIdleMoverFallsAsleepAndAWishWakesIt) {
 }
 
 TEST(Mover, SlowWalkIsNotSleep) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.enter({0, standing, 0});
     w.run(5000, {0.05, 0, 0});
     EXPECT_NEAR(w.position().x, 0.25, 0.02);
 }
 
 TEST(Mover, RidesAMovingProp) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({2, 0.5, 2}, 2000, 0), at({0, 0.5, 0}, {1, 0, 0}));
     w.enter({0, 1 + standing, 0});
     w.run(2000, {});
@@ -286,8 +277,7 @@ TEST(Mover, RidesAMovingProp) {
 
 /// Largest pace of a walker who crosses a plank that lies on the floor, and the plank's fastest slide (m/s).
 std::pair<double, double> fastest_over_plank(double thickness, double mass) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.3, thickness / 2, 1.5}, mass), at({4, thickness / 2, 0}));
     w.enter({0, standing, 0});
     double pace = 0, slide = 0;
@@ -311,8 +301,7 @@ TEST(Mover, APlankUnderfootMakesNobodyFasterThanWalking) {
 
 TEST(Mover, WalksAheadOnASlowRideAndStaysOnAFastOne) {
     const auto pace_on = [](double speed) {
-        Walker w;
-        add_floor(w.physics);
+        FloorWalker w;
         w.physics.add(2, box({20, 0.5, 2}, 20'000, 0), at({0, 0.5, 0}, {speed, 0, 0}));
         w.physics.add(me, mover_body, at({0, 1 + standing, 0}, {speed, 0, 0}));
         w.run(100, {});
@@ -324,8 +313,7 @@ TEST(Mover, WalksAheadOnASlowRideAndStaysOnAFastOne) {
 }
 
 TEST(Mover, WeighsOnWhatItStandsOn) {
-    Walker w;
-    add_floor(w.physics);
+    FloorWalker w;
     w.physics.add(2, box({0.5, 0.25, 0.5}, 20), at({0, 0.25, 0}));
     w.enter({0, 0.5 + standing, 0});
     w.run(1000, {});

@@ -159,9 +159,9 @@ TEST(TakePicture, SaysWhatTheWandWouldDoWithWhatIsUnderTheCrosshair) {
     lift.bring(thing, 100);
     EXPECT_EQ(lift.target().kind, TargetKind::nothing);
 
-    auto weak = load_match_data(assets, {.overrides = {"lift.hold.mass_max_kg=1"}});
-    ASSERT_TRUE(weak) << weak.error().message;
-    const Looking heavy(std::make_shared<const MatchData>(std::move(*weak)), "lift");
+    const Looking heavy(std::make_shared<const MatchData>(
+                            load_match_data(assets, {.overrides = {"lift.hold.mass_max_kg=1"}}).value()),
+                        "lift");
     heavy.bring(heavy.loose(), 3);
     EXPECT_EQ(heavy.target().kind, TargetKind::too_heavy);
 

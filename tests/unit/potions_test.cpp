@@ -6,7 +6,9 @@
 
 #include "game/match/kind_tables.h"
 #include "game/stations/cauldron/brewing.h"
+#include "unit/copied_assets.h"
 #include "unit/kitchen_rig.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -79,9 +81,8 @@ TEST(Potions, OrdersFollowFromTheSeedAndDiffer) {
 }
 
 TEST(Potions, WithoutAnOrbBothPlayersAreToldTheirOrder) {
-    auto data = load_match_data(assets(), {.arena = "the_well"});
-    ASSERT_TRUE(data.has_value()) << data.error().message;
-    Simulation match(std::make_shared<const MatchData>(std::move(*data)), two_hands());
+    auto data = load_match_data(assets(), {.arena = "the_well"}).value();
+    Simulation match(std::make_shared<const MatchData>(std::move(data)), two_hands());
     for (Tick t = 0; t < ticks(1.2); ++t) match.tick({});
     std::vector<std::uint32_t> told;
     const auto& events = match.events();
@@ -342,10 +343,8 @@ TEST(Potions, SpoilingForgetsHowLongTheBrewWasMixed) {
 
 TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
     namespace fs = std::filesystem;
-    auto folder = (fs::temp_directory_path() / "thaum-potions-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-    const auto copy = fs::path(folder) / "assets";
-    fs::copy(assets(), copy, fs::copy_options::recursive);
+    const CopiedAssets copied;
+    const auto& copy = copied.path;
     const auto refused = [&](const std::string& more, const std::string& effect = "x") {
         std::ofstream(copy / "potions" / "brine.toml")
             << "version = 1\n[[ingredient]]\nname = \"salt\"\nleast = 0.1\nmost = 1\n[[stroke]]\ngesture = "
@@ -353,8 +352,7 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
                "[fluid]\nlasts_s = 1\n[wizard]\nlasts_s = 1\n[look]\ncolour = [1, 1, 1]\neffect = \""
             << effect << "\"\n"
             << more;
-        const auto data = load_match_data(copy, {});
-        return data ? std::string("accepted") : data.error().message;
+        return message_of(load_match_data(copy, {}), "accepted");
     };
     EXPECT_EQ(refused(""), "accepted");
     EXPECT_NE(refused("", "").find("effect must say"), std::string::npos)
@@ -369,10 +367,8 @@ TEST(Potions, AWrongRecipeFileIsRefusedWithItsLine) {
               std::string::npos);
     fs::copy_file(copy / "potions" / "haste.toml", copy / "potions" / "brine.toml",
                   fs::copy_options::overwrite_existing);
-    const auto twin = load_match_data(copy, {});
-    ASSERT_FALSE(twin);
-    EXPECT_NE(twin.error().message.find("those of brine"), std::string::npos) << twin.error().message;
-    fs::remove_all(folder);
+    const auto message = message_of(load_match_data(copy, {}));
+    EXPECT_NE(message.find("those of brine"), std::string::npos) << message;
 }
 
 TEST(Potions, ALogNamesThem) {

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "game/range/range_files.h"
 #include "unit/game_duel.h"
+#include "unit/message_of.h"
 
 namespace thaum::game::test {
 namespace {
@@ -17,11 +18,7 @@ namespace fs = std::filesystem;
 namespace hand = input::hand;
 
 RangeData range_data(std::vector<std::string> overrides = {}) {
-    DataChoice choice;
-    choice.overrides = std::move(overrides);
-    const auto data = load_range(assets(), choice);
-    EXPECT_TRUE(data) << (data ? "" : data.error().message);
-    return data.value();
+    return load_range(assets(), {.overrides = std::move(overrides)}).value();
 }
 
 RangeMatch range_with(DummyKind kind, std::vector<std::string> overrides = {}) {
@@ -339,21 +336,15 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
 class RangeFilesTest : public testing::Test {
 protected:
     RangeFilesTest() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots", "devices", "gestures",
                                  "potions", "spells", "carving"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
         for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml", "casting.toml",
                                  "crystal.toml", "events.toml", "materials.toml", "orb.toml"})
             fs::copy(assets() / file, folder_);
-        auto files = RangeFiles::open(folder_, {});
-        EXPECT_TRUE(files) << (files ? "" : files.error().message);
-        files_.emplace(std::move(*files));
+        files_.emplace(RangeFiles::open(folder_, {}).value());
         range_.emplace(make_range(files_->data(), bot_device(practising, 1), DummyKind::still, 3));
     }
-    ~RangeFilesTest() override { fs::remove_all(folder_); }
-
     std::string text_of(const std::string& file) const {
         return read_text_file(folder_ / file, 1U << 20U).value();
     }
@@ -388,7 +379,8 @@ protected:
         return before - of<Health>(*range_, dummys).points;
     }
 
-    fs::path folder_ = fs::temp_directory_path() / text("thaum_range_", ::getpid());
+    const TemporaryFolder own_;
+    const fs::path folder_ = own_.path();
     std::optional<RangeFiles> files_;
     std::optional<RangeMatch> range_;
 };
@@ -493,19 +485,17 @@ TEST_F(RangeFilesTest, EveryNumberOfTheRangeIsChecked) {
           {arena, "yaw_deg = 0", "yaw_deg = 900", "'yaw_deg' is 900"}}) {
         const auto whole = text_of(file);
         replace(file, from, to);
-        const auto data = load_range(folder_, {});
-        ASSERT_FALSE(data) << to;
-        EXPECT_NE(data.error().message.find(said), std::string::npos) << data.error().message;
+        const auto message = message_of(load_range(folder_, {}));
+        EXPECT_NE(message.find(said), std::string::npos) << message;
         write(file, whole);
     }
 }
 
 TEST_F(RangeFilesTest, EveryArenaHasItsPlaces) {
     for (const std::string arena : {"boiling_court", "the_well"}) {
-        const auto data = load_range(folder_, {.arena = arena});
-        ASSERT_TRUE(data) << data.error().message;
-        const auto range = make_range(*data, bot_device(practising, 1), DummyKind::still, 3);
-        const auto& places = data->match->arena.practice;
+        const auto data = load_range(folder_, {.arena = arena}).value();
+        const auto range = make_range(data, bot_device(practising, 1), DummyKind::still, 3);
+        const auto& places = data.match->arena.practice;
         for (std::uint32_t player = 0; player < players; ++player)
             EXPECT_LT(glm::distance(place(range, player), places[player].feet + vec3(0, 0.9, 0)), 1e-9);
         const vec3 way = places[dummys].feet - places[practising].feet;

@@ -1,5 +1,4 @@
 // Tests of pictures drawn without a display, by their pixels.
-#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -9,8 +8,10 @@
 #include <fstream>
 #include <limits>
 
+#include "core/file.h"
 #include "render/context.h"
 #include "render/renderer.h"
+#include "unit/message_of.h"
 #include "unit/read_png.h"
 
 namespace thaum::render {
@@ -60,9 +61,7 @@ protected:
         if (!made) GTEST_SKIP() << made.error().message;
         context.emplace(std::move(*made));
         context->make_current();
-        auto created = Renderer::create(assets);
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        renderer.emplace(Renderer::create(assets).value());
         cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
     }
 
@@ -85,8 +84,7 @@ protected:
     }
 
     Image drawn(const std::vector<Instance>& instances) {
-        return drawn(
-            Frame{.width = width, .height = height, .views = {view(whole, instances)}, .overlay = {}});
+        return drawn(Frame{.width = width, .height = height, .views = {view(whole, instances)}});
     }
 
     static constexpr Rect whole{0, 0, width, height};
@@ -103,11 +101,7 @@ TEST_F(Picture, LowIsPlainFromHalfAsFarAsMedium) {
         Patchwork{{.full = box(fvec3(size), grey, 0.1F), .plain = box(fvec3(size), grey), .detail = 0.1F}});
     const auto triangles = [&](Quality quality, float distance) {
         const std::vector<Instance> one{{.mesh = stone, .model = translated({0, 0, -distance})}};
-        drawn({.width = width,
-               .height = height,
-               .views = {view(whole, one)},
-               .overlay = {},
-               .quality = quality});
+        drawn({.width = width, .height = height, .views = {view(whole, one)}, .quality = quality});
         return renderer->statistics().triangles;
     };
     // Angle of a pixel (rad).
@@ -126,7 +120,6 @@ TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
             const Frame frame{.width = width,
                               .height = height,
                               .views = {view(rects[0], reds), view(rects[1], greens)},
-                              .overlay = {},
                               .internal_scale = scale};
             const auto image = drawn(frame);
             EXPECT_GT(count(image, rects[0], reddish), 500);
@@ -140,8 +133,7 @@ TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
 TEST_F(Picture, TheFirstViewIsOnTopAndRightIsRight) {
     const auto rects = split_window(width, height, Split::top_bottom);
     const std::vector<Instance> one{cube_at({2, 0, -3}, red)};
-    const auto image =
-        drawn({.width = width, .height = height, .views = {view(rects[0], one)}, .overlay = {}});
+    const auto image = drawn({.width = width, .height = height, .views = {view(rects[0], one)}});
     EXPECT_GT(count(image, {width / 2, 0, width / 2, height / 2}, reddish), 20);
     EXPECT_EQ(count(image, {0, 0, width / 2, height}, reddish), 0);
     const auto below = at(image, 50, height - 5);
@@ -162,10 +154,10 @@ TEST_F(Picture, FogHidesDistantThings) {
     auto v = view(whole, one);
     v.camera.fov_y = 0.1F;
     v.environment.fog = {.colour = fvec3(0.2F), .density = 0.001F};
-    const auto clear = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    const auto clear = drawn({.width = width, .height = height, .views = {v}});
     EXPECT_TRUE(reddish(middle(clear)));
     v.environment.fog.density = 0.3F;
-    const auto foggy = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    const auto foggy = drawn({.width = width, .height = height, .views = {v}});
     const auto fog = middle(foggy), sky = at(foggy, 2, 2);
     EXPECT_NEAR(fog.r, sky.r, 2);
     EXPECT_NEAR(fog.g, sky.g, 2);
@@ -179,9 +171,7 @@ TEST_F(Picture, LightsReachTheirRadiusAndGlowNeedsNone) {
     PointLight light{.position = {0, 0, 0}, .colour = fvec3(3), .radius = 1.4F};
     v.lights = {&light, 1};
     const auto brightness = [&] {
-        return at(drawn({.width = width, .height = height, .views = {v}, .overlay = {}}), width / 2,
-                  height / 2)
-            .g;
+        return at(drawn({.width = width, .height = height, .views = {v}}), width / 2, height / 2).g;
     };
     EXPECT_EQ(brightness(), 0) << "the cube's face is 1.5 m off";
     light.radius = 4;
@@ -214,12 +204,8 @@ protected:
         v.environment.ambient = {fvec3(0.05F), fvec3(0.05F)};
         // The sun shines a little from the left, so the cube's shadow appears on its right.
         v.environment.sun = {glm::normalize(fvec3(-1, 1, 0)), fvec3(1.5F)};
-        return {.width = width,
-                .height = height,
-                .views = {v},
-                .overlay = {},
-                .quality = quality,
-                .casters = {fixed, moving}};
+        return {
+            .width = width, .height = height, .views = {v}, .quality = quality, .casters = {fixed, moving}};
     }
 
     /// Brightness of the floor at x (m) to the right of the middle, 6.1 m below the camera.
@@ -312,7 +298,7 @@ TEST_F(Picture, ShadesMultiplyTheColourBelowThem) {
     MeshData sheet = transformed(box({0.4F, 0.4F, 0.01F}, fvec3(0.5F)), fmat4(1));
     const auto id = renderer->upload(sheet);
     Instance shade{.mesh = id, .model = translated({0, 0, -1.45F})};
-    Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .overlay = {}};
+    Frame frame{.width = width, .height = height, .views = {view(whole, one)}};
     const int before = middle(drawn(frame)).g;
     frame.views[0].shades = {&shade, 1};
     EXPECT_NEAR(middle(drawn(frame)).g, 0.5 * before, 2);
@@ -324,8 +310,7 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
     const auto ball = renderer->upload(sphere(1, 32, fvec3(1)));
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         const std::vector<Instance> one{cube_at({0, 0, -6}, fvec3(1))};
-        Frame frame{
-            .width = width, .height = height, .views = {view(whole, one)}, .overlay = {}, .quality = quality};
+        Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .quality = quality};
         const int before = middle(drawn(frame)).r;
         Instance mist{.mesh = ball, .model = translated({0, 0, -3}), .tint = fvec3(0), .glow = 1};
         frame.views[0].mists = {&mist, 1};
@@ -350,11 +335,7 @@ TEST_F(Picture, BloomShinesBeyondBrightEdgesAndCanBeTurnedOff) {
     auto bright = cube_at({0, 0, -6}, fvec3(3));
     bright.glow = 1;
     const std::vector<Instance> one{bright};
-    Frame frame{.width = width,
-                .height = height,
-                .views = {view(whole, one)},
-                .overlay = {},
-                .quality = Quality::high};
+    Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .quality = Quality::high};
     const auto beside = [&] { return at(drawn(frame), width / 2 + 13, height / 2).g; };
     const int with = beside();
     frame.bloom = false;
@@ -377,7 +358,7 @@ TEST_F(Picture, LowUsesFourLightsAndTheOthersEight) {
                                    PointLight{.position = {0, 0, 0}, .colour = fvec3(0), .radius = 6});
     lights[5].colour = fvec3(3);
     v.lights = lights;
-    Frame frame{.width = width, .height = height, .views = {v}, .overlay = {}};
+    Frame frame{.width = width, .height = height, .views = {v}};
     EXPECT_EQ(middle(drawn(frame)).g, 0);
     for (const auto quality : {Quality::medium, Quality::high}) {
         frame.quality = quality;
@@ -423,14 +404,14 @@ TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {
     auto v = view(whole, one);
     v.camera.position.x = nan;
     v.camera.fov_y = nan;
-    drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    drawn({.width = width, .height = height, .views = {v}});
     EXPECT_GT(count(drawn(one), whole, reddish), 50) << "the next picture is whole again";
 }
 
 TEST_F(Picture, FrameWithoutSizeOrViewsIsHarmless) {
     renderer->draw(Frame{});
     EXPECT_TRUE(renderer->read_pixels().rgb.empty());
-    const auto image = drawn({.width = width, .height = height, .views = {}, .overlay = {}});
+    const auto image = drawn({.width = width, .height = height});
     EXPECT_EQ(count(image, whole, [](Pixel p) { return p.r + p.g + p.b > 0; }), 0);
 }
 
@@ -447,7 +428,7 @@ TEST_F(Picture, TextStaysInItsMeasuredBox) {
     for (const auto align : {Align::left, Align::centre, Align::right}) {
         const std::string text = "jfÅ gy\nA|";
         const fvec2 size = renderer->measure(text, 18);
-        Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+        Frame frame{.width = width, .height = height};
         frame.overlay.items.push_back(TextItem{text, {100, 30}, 18, fvec4(1), align});
         const auto image = drawn(frame);
         const float part = align == Align::left ? 0.0F : align == Align::centre ? 0.5F : 1.0F;
@@ -461,7 +442,7 @@ TEST_F(Picture, TextStaysInItsMeasuredBox) {
 }
 
 TEST_F(Picture, TextIsSharp) {
-    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    Frame frame{.width = width, .height = height};
     frame.overlay.items.push_back(TextItem{"HHH", {20.4F, 20.3F}, 24, fvec4(1)});
     const auto image = drawn(frame);
     const int full = count(image, whole, [](Pixel p) { return p.r > 250; });
@@ -470,7 +451,7 @@ TEST_F(Picture, TextIsSharp) {
 }
 
 TEST_F(Picture, OverlayShapesCoverTheirArea) {
-    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    Frame frame{.width = width, .height = height};
     auto& items = frame.overlay.items;
     const auto covered = [&] {
         const auto image = drawn(frame);
@@ -494,7 +475,7 @@ TEST_F(Picture, OverlayShapesCoverTheirArea) {
 }
 
 TEST_F(Picture, OverlayBlendsInOrder) {
-    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    Frame frame{.width = width, .height = height};
     frame.overlay.items = {RectItem{{0, 0}, {50, 50}, fvec4(1, 0, 0, 1)},
                            RectItem{{0, 0}, {50, 50}, fvec4(0, 1, 0, 0.5F)}};
     const auto p = at(drawn(frame), 25, 25);
@@ -503,8 +484,7 @@ TEST_F(Picture, OverlayBlendsInOrder) {
 }
 
 TEST_F(Picture, OverlayIsSharpAtAnyInternalScale) {
-    Frame frame{
-        .width = width, .height = height, .views = {view(whole, {})}, .overlay = {}, .internal_scale = 0.25F};
+    Frame frame{.width = width, .height = height, .views = {view(whole, {})}, .internal_scale = 0.25F};
     frame.overlay.items = {RectItem{{51, 51}, {52, 52}, fvec4(1, 0, 0, 1)}};
     const auto image = drawn(frame);
     EXPECT_EQ(count(image, whole, reddish), 1);
@@ -513,21 +493,19 @@ TEST_F(Picture, OverlayIsSharpAtAnyInternalScale) {
 
 TEST_F(Picture, PngComesBackAsItWas) {
     const auto image = drawn({cube_at({0, 0.3F, -2}, red)});
-    const auto path = std::filesystem::path(testing::TempDir()) / "thaum_render_test.png";
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "test.png";
     const auto written = write_png(path, image);
     ASSERT_TRUE(written) << written.error().message;
-    const auto read = read_png(path);
-    ASSERT_TRUE(read);
-    EXPECT_EQ(read->width, width);
-    EXPECT_EQ(read->height, height);
-    EXPECT_EQ(read->rgb, image.rgb);
-    std::filesystem::remove(path);
+    const auto read = read_png(path).value();
+    EXPECT_EQ(read.width, width);
+    EXPECT_EQ(read.height, height);
+    EXPECT_EQ(read.rgb, image.rgb);
 }
 
 TEST(ImageFile, UnwritablePlaceIsNamed) {
-    const auto written = write_png("/nowhere/at/all.png", {1, 1, {1, 2, 3}});
-    ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("/nowhere/at/all.png"), std::string::npos);
+    EXPECT_NE(message_of(write_png("/nowhere/at/all.png", {1, 1, {1, 2, 3}})).find("/nowhere/at/all.png"),
+              std::string::npos);
 }
 
 class BrokenShader : public Picture {
@@ -535,20 +513,17 @@ protected:
     void SetUp() override {
         Picture::SetUp();
         if (IsSkipped()) return;
-        std::filesystem::remove_all(folder);
-        std::filesystem::create_directories(folder);
         std::filesystem::copy(assets / "shaders", folder / "shaders",
                               std::filesystem::copy_options::recursive);
     }
-    void TearDown() override { std::filesystem::remove_all(folder); }
 
     std::string error() {
         const auto made = Renderer::create(folder);
         EXPECT_FALSE(made);
         return made ? "" : made.error().message;
     }
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / ("thaum_broken_assets_" + std::to_string(::getpid()));
+    const TemporaryFolder own;
+    const std::filesystem::path folder = own.path();
 };
 
 TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {

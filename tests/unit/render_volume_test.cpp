@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <optional>
 
 #include "render/context.h"
 #include "render/detail/shaders.h"
@@ -74,12 +72,7 @@ protected:
         view.instances = instances;
         view.environment = darkness();
         view.volume = shown;
-        return {.width = size,
-                .height = size,
-                .views = {view},
-                .overlay = {},
-                .quality = quality,
-                .bloom = false};
+        return {.width = size, .height = size, .views = {view}, .quality = quality, .bloom = false};
     }
 
     Image drawn(const Volume* shown, Quality quality = Quality::low) {

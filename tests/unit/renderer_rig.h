@@ -19,9 +19,7 @@ protected:
         if (!made) return;
         context.emplace(std::move(*made));
         context->make_current();
-        auto created = Renderer::create(THAUM_SOURCE_DIR "/assets");
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        renderer.emplace(Renderer::create(THAUM_SOURCE_DIR "/assets").value());
         cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
     }
     static void TearDownTestSuite() {

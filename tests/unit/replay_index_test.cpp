@@ -2,6 +2,7 @@
 #include "game/match/replay_index.h"
 
 #include "core/random.h"
+#include "unit/message_of.h"
 #include "unit/replay_rig.h"
 
 namespace thaum::game::test {
@@ -156,9 +157,7 @@ TEST(ReplayIndex, AnotherMatchInTheSameFileIsNotTheSameLog) {
     EXPECT_TRUE(playback.open_again());
     std::filesystem::copy_file(shared_duel().path, duel.path,
                                std::filesystem::copy_options::overwrite_existing);
-    const auto other = playback.open_again();
-    ASSERT_FALSE(other);
-    EXPECT_NE(other.error().message.find("changed while it was shown"), std::string::npos);
+    EXPECT_NE(message_of(playback.open_again()).find("changed while it was shown"), std::string::npos);
 }
 
 TEST(ReplayIndex, WhatIsOnlyShownBeginsAnewAfterAJump) {

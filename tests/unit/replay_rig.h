@@ -2,7 +2,7 @@
 #pragma once
 #include <unistd.h>
 
-#include "core/text.h"
+#include "core/file.h"
 #include "game/match/replay_index.h"
 #include "unit/game_duel.h"
 
@@ -15,9 +15,7 @@ constexpr Tick paused_at = 2040, resumed_at = 2300;
 struct RecordedDuel {
     /// `twisted`: from this tick on the recorded hashes are wrong, as if the program had computed another match.
     explicit RecordedDuel(std::string_view name, Tick ticks, std::optional<Tick> twisted = {})
-        : path(std::filesystem::path(testing::TempDir()) / text("thaum_", ::getpid(), "_", name)),
-          length(ticks) {
-        std::filesystem::remove(path);
+        : path(folder.path() / name), length(ticks) {
         auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=100"}), {3, 3}, 5).value();
         auto& match = *duel.match;
         auto log = input::LogWriter::create(path, log_header(match.data(), match.setup(), {"bot 3", "bot 3"}),
@@ -37,12 +35,9 @@ struct RecordedDuel {
         result = result_line(match);
         EXPECT_TRUE(log.close(result));
     }
-    ~RecordedDuel() { std::filesystem::remove(path); }
-    RecordedDuel(const RecordedDuel&) = delete;
-    RecordedDuel& operator=(const RecordedDuel&) = delete;
-
     Playback opened() const { return Playback::open(path, assets()).value(); }
 
+    const TemporaryFolder folder{};
     const std::filesystem::path path;
     Tick length;
     std::vector<std::uint64_t> hashes{};  ///< [t]: hash of the state after t ticks

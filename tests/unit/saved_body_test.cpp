@@ -12,6 +12,7 @@
 #include "field/volume_file.h"
 #include "game/lab/hand_path.h"
 #include "game/lab/volume_lab.h"
+#include "unit/message_of.h"
 
 namespace thaum::game {
 namespace {
@@ -19,11 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 VolumeLab opened(field::Volume volume) {
-    auto data = load_volume_lab_data(fs::path(THAUM_SOURCE_DIR) / "assets", "premium");
-    EXPECT_TRUE(data) << data.error().message;
-    auto lab = make_volume_lab(std::move(volume), std::move(*data));
-    EXPECT_TRUE(lab) << lab.error().message;
-    return std::move(*lab);
+    return make_volume_lab(std::move(volume),
+                           load_volume_lab_data(fs::path(THAUM_SOURCE_DIR) / "assets", "premium").value())
+        .value();
 }
 
 VolumeLab made_body(int count) { return opened(*field::make_volume("sphere", count, 3)); }
@@ -65,17 +64,14 @@ TEST(SavedBody, PartsOfTwoBodiesAreNotTakenForOne) {
     auto lab = made_body(24);
     hold_tool(lab, "paint");
     ASSERT_TRUE(save_volume(lab, file));
-    const auto older = read_file(colours, 1'000'000);
-    ASSERT_TRUE(older);
+    const auto older = read_file(colours, 1'000'000).value();
     hold_tool(lab, "melt");
     hold_tool(lab, "paint");
     ASSERT_TRUE(save_volume(lab, file));
-    ASSERT_TRUE(write_file(colours, *older));  // as if the power had failed before the colours were put there
+    ASSERT_TRUE(write_file(colours, older));  // as if the power had failed before the colours were put there
     auto again = opened(*field::read_volume(file));
-    const auto taken = take_saved_properties(again, file);
-    ASSERT_FALSE(taken) << "colours of another body";
-    EXPECT_NE(taken.error().message.find("body.colour.nrrd: belongs to another body"), std::string::npos)
-        << taken.error().message;
+    const auto message = message_of(take_saved_properties(again, file));
+    EXPECT_NE(message.find("body.colour.nrrd: belongs to another body"), std::string::npos) << message;
 }
 
 TEST(SavedBody, NothingIsReplacedIfOnePartCannotBeWritten) {
@@ -83,12 +79,11 @@ TEST(SavedBody, NothingIsReplacedIfOnePartCannotBeWritten) {
     const auto file = folder.path() / "body.nrrd";
     auto lab = made_body(24);
     ASSERT_TRUE(save_volume(lab, file));
-    const auto before = read_file(file, 1'000'000);
-    ASSERT_TRUE(before);
+    const auto before = read_file(file, 1'000'000).value();
     hold_tool(lab, "paint");
     fs::create_directory(folder.path() / "body.colour.nrrd");
     EXPECT_FALSE(save_volume(lab, file));
-    EXPECT_EQ(read_file(file, 1'000'000).value_or(Bytes{}), *before);
+    EXPECT_EQ(read_file(file, 1'000'000).value_or(Bytes{}), before);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 2)
         << "no half-written file is left";
 }
@@ -104,10 +99,9 @@ TEST(SavedBody, AMedicalScanKeepsThePatientsFrame) {
     hold_tool(lab, "paint");
     ASSERT_TRUE(save_volume(lab, folder.path() / "again.nrrd"));
     for (const char* name : {"again.nrrd", "again.colour.nrrd"}) {
-        const auto again = field::read_volume(folder.path() / name);
-        ASSERT_TRUE(again) << again.error().message;
-        EXPECT_TRUE(again->is_of_patient) << name;
-        EXPECT_EQ(again->placement.origin, lab.source.placement.origin) << name;
+        const auto again = field::read_volume(folder.path() / name).value();
+        EXPECT_TRUE(again.is_of_patient) << name;
+        EXPECT_EQ(again.placement.origin, lab.source.placement.origin) << name;
     }
     EXPECT_EQ(opened(*field::read_volume(folder.path() / "again.nrrd")).placement.turn, lab.placement.turn);
 }
@@ -141,8 +135,7 @@ TEST(RegisteredVolumes, ACropIsFeltWhereTheWholeIs) {
 TEST(RegisteredVolumes, FilesWithoutAPlaceOrOfAnotherFrameAreRefused) {
     auto lab = opened(ball_in_box({0, 0, 0}, 0.08));
     const auto refusal = [&](const field::Volume& volume) {
-        const auto added = add_volume_beside(lab, volume, true);
-        return added ? std::string() : added.error().message;
+        return message_of(add_volume_beside(lab, volume, true));
     };
     EXPECT_NE(refusal(*field::make_volume("sphere", 16, 1)).find("space, space directions"),
               std::string::npos);
@@ -153,17 +146,15 @@ TEST(RegisteredVolumes, FilesWithoutAPlaceOrOfAnotherFrameAreRefused) {
 
 TEST(VolumeLabData, AWrongDeviceListsTheDevices) {
     for (const char* name : {"nix", "../wands/bolt"}) {
-        const auto data = load_volume_lab_data(fs::path(THAUM_SOURCE_DIR) / "assets", name);
-        ASSERT_FALSE(data) << name;
-        EXPECT_NE(data.error().message.find("there are "), std::string::npos) << data.error().message;
-        EXPECT_NE(data.error().message.find("premium"), std::string::npos) << data.error().message;
+        const auto message = message_of(load_volume_lab_data(fs::path(THAUM_SOURCE_DIR) / "assets", name));
+        EXPECT_NE(message.find("there are "), std::string::npos) << message;
+        EXPECT_NE(message.find("premium"), std::string::npos) << message;
     }
 }
 
 TEST(HandPath, AMissingFileIsNamedWithoutWordsOfTheBrew) {
-    const auto path = hand_path("/nowhere/nix.csv");
-    ASSERT_FALSE(path);
-    EXPECT_EQ(path.error().message, "/nowhere/nix.csv: cannot open: No such file or directory");
+    EXPECT_EQ(message_of(hand_path("/nowhere/nix.csv")),
+              "/nowhere/nix.csv: cannot open: No such file or directory");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "render/context.h"
@@ -98,7 +97,6 @@ protected:
         return {.width = picture_side,
                 .height = picture_side,
                 .views = {view},
-                .overlay = {},
                 .quality = quality,
                 .bloom = false};
     }

@@ -1,6 +1,5 @@
 // Tests of the scenario runner: what it accepts and what it reports.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -12,26 +11,15 @@
 namespace thaum::game {
 namespace {
 
-struct Folder {
-    std::filesystem::path path;
-    Folder() {
-        std::string name = (std::filesystem::temp_directory_path() / "thaum-scenario-XXXXXX").string();
-        path = ::mkdtemp(name.data());
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { std::filesystem::remove_all(path); }
-};
-
-ScenarioOptions options_for(const Folder& folder) {
+ScenarioOptions options_for(const TemporaryFolder& folder) {
     ScenarioOptions options;
     options.assets = std::filesystem::path(THAUM_SOURCE_DIR) / "assets";
     options.scripts = scenarios_beside(options.assets);
-    options.out = folder.path;
+    options.out = folder.path();
     return options;
 }
 
-ScenarioResult run(std::string_view source, const Folder& folder) {
+ScenarioResult run(std::string_view source, const TemporaryFolder& folder) {
     return run_scenario_source(source, "test", options_for(folder));
 }
 
@@ -44,8 +32,13 @@ wait(1)
 expect(distance(wizard(1):position(), {-15, 0, 15}) > 3, "walked")
 )";
 
-TEST(ScenarioRunner, AScenarioThatDoesSomethingPasses) {
-    const Folder folder;
+class ScenarioRunner : public testing::Test {
+protected:
+    const TemporaryFolder folder;
+    ScenarioOptions options = options_for(folder);
+};
+
+TEST_F(ScenarioRunner, AScenarioThatDoesSomethingPasses) {
     const auto result = run(walk, folder);
     EXPECT_TRUE(result.passed) << result.message;
     EXPECT_EQ(result.ticks, 1000U);
@@ -53,21 +46,19 @@ TEST(ScenarioRunner, AScenarioThatDoesSomethingPasses) {
     EXPECT_EQ(result.files, (std::vector<std::string>{"test.thaumlog", "test.json"}));
 }
 
-TEST(ScenarioRunner, LogReplaysToTheSameState) {
-    const Folder folder;
+TEST_F(ScenarioRunner, LogReplaysToTheSameState) {
     const auto result = run(walk, folder);
-    auto log = input::LogReader::open(folder.path / "test.thaumlog").value();
+    auto log = input::LogReader::open(folder.path() / "test.thaumlog").value();
     EXPECT_TRUE(log.ended_cleanly());
     EXPECT_EQ(log.ticks(), 1000U);
-    const auto match = match_of_log(log.header(), options_for(folder).assets).value();
+    const auto match = match_of_log(log.header(), options.assets).value();
     for (input::InputFrame frame; log.next(frame);) match->tick(frame);
     EXPECT_EQ(match->state_hash(), result.hash);
 }
 
-TEST(ScenarioRunner, TheReportIsTheDocumentedOne) {
-    const Folder folder;
+TEST_F(ScenarioRunner, TheReportIsTheDocumentedOne) {
     const auto result = run(walk, folder);
-    const auto report = nlohmann::json::parse(read_text_file(folder.path / "test.json", 10000).value());
+    const auto report = nlohmann::json::parse(read_text_file(folder.path() / "test.json", 10000).value());
     const auto& one = report.at("scenarios").at(0);
     EXPECT_EQ(one.at("name"), "test");
     EXPECT_EQ(one.at("passed"), true);
@@ -79,8 +70,7 @@ TEST(ScenarioRunner, TheReportIsTheDocumentedOne) {
     EXPECT_EQ(one.size(), 6U);
 }
 
-TEST(ScenarioRunner, NothingChangedIsAFailure) {
-    const Folder folder;
+TEST_F(ScenarioRunner, NothingChangedIsAFailure) {
     for (const auto* source : {"match {} wait(5)", "match {} wizard(1):hold('stir') wait(1)"}) {
         const auto result = run(source, folder);
         EXPECT_FALSE(result.passed);
@@ -90,9 +80,7 @@ TEST(ScenarioRunner, NothingChangedIsAFailure) {
     EXPECT_EQ(run("match {}", folder).message, "it has played no match");
 }
 
-TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
-    const Folder folder;
-    auto options = options_for(folder);
+TEST_F(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     options.same_again = SameAgain::by_second_run;
     options.spoil = [](Simulation& match, int number) {
         if (number != 2 || match.now() != 700) return;
@@ -107,9 +95,7 @@ TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
 }
 
 /// The log does not hold a change from outside, so its replay cannot make it.
-TEST(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
-    const Folder folder;
-    auto options = options_for(folder);
+TEST_F(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
     options.spoil = [](Simulation& match, int) {
         if (match.now() == 700)
             match.world_to_change().get<Health>(wizard_of(match.world(), 1)).points -= 1e-9;
@@ -122,9 +108,7 @@ TEST(ScenarioRunner, ADifferenceBetweenTheRunAndItsReplayIsFound) {
 }
 
 /// A change that is not in the input must be seen by the checks that replay the input.
-TEST(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
-    const Folder folder;
-    auto options = options_for(folder);
+TEST_F(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
     options.same_again = SameAgain::by_second_run;
     options.spoil = [](Simulation& match, int) {
         if (match.now() == 700) match.world_to_change().single<Dice>().spread.next();
@@ -139,8 +123,7 @@ TEST(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
     EXPECT_TRUE(has(late, "tick 768: the late match has another state")) << late;
 }
 
-TEST(ScenarioRunner, FailuresNameLineAndTick) {
-    const Folder folder;
+TEST_F(ScenarioRunner, FailuresNameLineAndTick) {
     const auto message = [&](std::string_view source) {
         const auto result = run(source, folder);
         EXPECT_FALSE(result.passed) << source;
@@ -197,8 +180,7 @@ constexpr Misuse misused_verbs[] = {
     {"raw_wait(1)", "a nil value (global 'raw_wait')"},
 };
 
-TEST(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
-    const Folder folder;
+TEST_F(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
     for (const auto& [source, wanted] : misused_verbs) {
         const auto result = run(std::string("match {players = {'script', 'bot 1'}}\n") + source, folder);
         EXPECT_FALSE(result.passed) << source;
@@ -207,8 +189,7 @@ TEST(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
     }
 }
 
-TEST(ScenarioRunner, MisuseOfMatchIsSaid) {
-    const Folder folder;
+TEST_F(ScenarioRunner, MisuseOfMatchIsSaid) {
     for (const auto& [source, wanted] :
          {Misuse{"match {arena = 'nowhere'}", "nowhere"}, Misuse{"match {set = {'quick.kils=1'}}", "kils"},
           Misuse{"match {players = {'script', 'bot 9'}}", "no bot of level 9"},
@@ -221,8 +202,7 @@ TEST(ScenarioRunner, MisuseOfMatchIsSaid) {
     }
 }
 
-TEST(ScenarioRunner, MisuseOfSensesIsSaid) {
-    const Folder folder;
+TEST_F(ScenarioRunner, MisuseOfSensesIsSaid) {
     for (const auto& [source, wanted] :
          {Misuse{"match {} body(1)", "senses{...} comes first"},
           Misuse{"match {} senses {layouts = {'coat'}}", "coat.toml"},
@@ -239,21 +219,19 @@ TEST(ScenarioRunner, MisuseOfSensesIsSaid) {
     }
 }
 
-TEST(ScenarioRunner, AScenarioThatSetsTheSceneLeavesNoLog) {
-    const Folder folder;
+TEST_F(ScenarioRunner, AScenarioThatSetsTheSceneLeavesNoLog) {
     const auto result =
         run("match {} trace('way', {'1.x', '2.health'}) wizard(1):place {0, 0, 16} wait(0.2)", folder);
     EXPECT_TRUE(result.passed) << result.message;
     EXPECT_EQ(result.message, "no log: the scenario has set the scene itself");
     EXPECT_EQ(result.files, (std::vector<std::string>{"test.way.csv", "test.json"}));
-    EXPECT_FALSE(std::filesystem::exists(folder.path / "test.thaumlog"));
-    const auto csv = read_text_file(folder.path / "test.way.csv", 1U << 20U).value();
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "test.thaumlog"));
+    const auto csv = read_text_file(folder.path() / "test.way.csv", 1U << 20U).value();
     EXPECT_TRUE(csv.starts_with("time_s,wizard_1_x_m,wizard_2_health_hp\n0.001,")) << csv.substr(0, 100);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 201);
 }
 
-TEST(ScenarioRunner, ThingsCanBeSetAndRead) {
-    const Folder folder;
+TEST_F(ScenarioRunner, ThingsCanBeSetAndRead) {
     const auto result = run(R"(
         match {}
         clear_props()
@@ -276,9 +254,7 @@ TEST(ScenarioRunner, ThingsCanBeSetAndRead) {
     EXPECT_TRUE(result.passed) << result.message;
 }
 
-TEST(ScenarioRunner, TooLongAScenarioIsStopped) {
-    const Folder folder;
-    auto options = options_for(folder);
+TEST_F(ScenarioRunner, TooLongAScenarioIsStopped) {
     options.most_ticks = 100;
     const auto result = run_scenario_source("match {} while true do tick() end", "test", options);
     EXPECT_TRUE(has(result.message, "it takes more than 0.1 s")) << result.message;
@@ -287,9 +263,7 @@ TEST(ScenarioRunner, TooLongAScenarioIsStopped) {
     EXPECT_TRUE(has(endless.message, "endless loop")) << endless.message;
 }
 
-TEST(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
-    const Folder folder;
-    auto options = options_for(folder);
+TEST_F(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
     constexpr std::string_view source = R"(
         match {}
         wizard(1):move(0, 1)
@@ -322,10 +296,10 @@ TEST(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
 
 /// A folder laid out like the repository: scripts, and force traces beside them.
 struct Kept {
-    Folder folder;
+    TemporaryFolder folder;
     ScenarioOptions options = options_for(folder);
-    std::filesystem::path script = folder.path / "scenarios/shots.lua";
-    std::filesystem::path trace = folder.path / "replays/forces/shots.csv";
+    std::filesystem::path script = folder.path() / "scenarios/shots.lua";
+    std::filesystem::path trace = folder.path() / "replays/forces/shots.csv";
 
     explicit Kept(std::string_view source) {
         std::filesystem::create_directories(script.parent_path());
@@ -342,7 +316,7 @@ wizard(1):hold("fire")
 wait(1)
 )";
 
-TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
+TEST_F(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     Kept kept(shots);
     EXPECT_TRUE(has(kept.play(), "no force trace is kept")) << kept.play();
     kept.options.keep_forces = kept.trace.parent_path();
@@ -372,9 +346,7 @@ TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     EXPECT_TRUE(has(kept.play(), "empty"));
 }
 
-TEST(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
-    const Folder folder;
-    const auto options = options_for(folder);
+TEST_F(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
     const auto traces = options.scripts / "../replays/forces";
     std::size_t bytes = 0, scripts = 0, kept = 0;
     for (const auto& file : std::filesystem::directory_iterator(traces)) {
@@ -394,8 +366,7 @@ TEST(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
     EXPECT_LT(bytes, 300'000U);
 }
 
-TEST(ScenarioRunner, AnArmFeelsTheForcesThatTheMatchComputes) {
-    const Folder folder;
+TEST_F(ScenarioRunner, AnArmFeelsTheForcesThatTheMatchComputes) {
     constexpr std::string_view source = R"(
         match {arms = {true, false}}
         local me = wizard(1)
@@ -416,9 +387,7 @@ TEST(ScenarioRunner, AnArmFeelsTheForcesThatTheMatchComputes) {
     EXPECT_TRUE(result.passed) << result.message;
 }
 
-TEST(ScenarioRunner, ScenariosAreFoundByName) {
-    const Folder folder;
-    const auto options = options_for(folder);
+TEST_F(ScenarioRunner, ScenariosAreFoundByName) {
     EXPECT_GE(find_scenarios({}, options).value().size(), 12U);
     EXPECT_EQ(find_scenarios({"bolt_kill"}, options).value().front().filename(), "bolt_kill.lua");
     EXPECT_TRUE(has(find_scenarios({"no_such"}, options).error().message, "there is no scenario 'no_such'"));

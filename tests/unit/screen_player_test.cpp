@@ -128,9 +128,8 @@ Play ScreenPlayer::begin_match() {
         for (const auto& seat : shared_.seats) devices.push_back(seat.spec);
         play.own = std::make_unique<game::Simulation>(session_->next().data(),
                                                       game::MatchSetup{plan_.seed, std::move(devices)});
-        const auto skill = game::load_bot_skill(plan_.assets, shared_.seats[1].seat.level);
-        EXPECT_TRUE(skill);
-        play.bots.add(*play.own, 1, 1, *skill, plan_.seed);
+        const auto skill = game::load_bot_skill(plan_.assets, shared_.seats[1].seat.level).value();
+        play.bots.add(*play.own, 1, 1, skill, plan_.seed);
     }
     shared_.progress.state = PlayState::playing;
     shared_.requests.end = false;

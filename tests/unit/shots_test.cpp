@@ -1,6 +1,8 @@
 // Tests of pictures of a replay: they show what players hear and feel, as the live view does.
 #include "game/app/shots.h"
 
+#include "core/file.h"
+#include "core/text.h"
 #include "game/settings/recorded_names.h"
 #include "unit/read_png.h"
 #include "unit/replay_rig.h"
@@ -31,8 +33,8 @@ std::size_t differing(const render::Image& a, const render::Image& b, fvec2 low,
 TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
     const game::test::RecordedDuel recorded("shots.thaumlog", 12000);
     auto playback = recorded.opened();
-    const auto folder = std::filesystem::path(testing::TempDir()) / text("thaum_shots_", ::getpid());
-    ShotPlan plan{.folder = folder, .size = {640, 360}};
+    const TemporaryFolder folder;
+    ShotPlan plan{.folder = folder.path(), .size = {640, 360}};
     plan.on.at(static_cast<std::size_t>(game::hit_kind("bolt_hit"))) = true;
     const auto assets = game::test::assets();
     auto shots = Shots::create(plan, playback.match().data(), assets);
@@ -42,18 +44,16 @@ TEST(ShotsTest, APictureShowsTheWordsAndTheFigureOfTheLiveView) {
     const auto hit = playback.match().now();
     for (Tick t = 0; t < 16; ++t) playback.step();
     // The picture of the hit itself has the words of the shots before; one 16 ms later has the hit's.
-    shots = Shots::create({.folder = folder, .at = {hit + 16}, .size = {640, 360}}, playback.match().data(),
-                          assets);
+    shots = Shots::create({.folder = folder.path(), .at = {hit + 16}, .size = {640, 360}},
+                          playback.match().data(), assets);
     ASSERT_TRUE(shots) << shots.error().message;
     playback = recorded.opened();
     while (shots->taken() == 0 && playback.step()) ASSERT_TRUE(shots->follow(playback));
-    const auto file = folder / text("shot_0000", hit + 16, ".png");
+    const auto file = folder.path() / text("shot_0000", hit + 16, ".png");
     const auto shown = render::read_png(file);
     ASSERT_TRUE(shown) << file;
-    auto still = Still::create(playback.match().data(), assets, {640, 360});
-    ASSERT_TRUE(still) << still.error().message;
-    const auto plain = still->draw(playback.match(), {.names = recorded_names(playback.log().header())});
-    std::filesystem::remove_all(folder);
+    auto still = Still::create(playback.match().data(), assets, {640, 360}).value();
+    const auto plain = still.draw(playback.match(), {.names = recorded_names(playback.log().header())});
     const auto words = differing(*shown, plain, {0, 0}, {0.35F, 1});
     const auto figure = differing(*shown, plain, {0.65F, 0}, {1, 1});
     EXPECT_GT(words, 100U) << "words at the left of a view";

@@ -45,10 +45,9 @@ int wave_height(const render::Image& image, int x) {
 }
 
 TEST(SoundPicture, ToneIsALineAtItsFrequency) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font.has_value());
+    auto font = render::Font::load().value();
     for (const double hz : {200.0, 1500.0, 7000.0}) {
-        const auto image = draw_sound(tone(hz, 0.5), *font);
+        const auto image = draw_sound(tone(hz, 0.5), font);
         const double share =
             std::log(hz / audio::lowest_row_hz) / std::log(audio::highest_row_hz / audio::lowest_row_hz);
         const int wanted = 184 + static_cast<int>((1 - share) * 244);
@@ -59,18 +58,16 @@ TEST(SoundPicture, ToneIsALineAtItsFrequency) {
 }
 
 TEST(SoundPicture, WaveIsAsHighAsItsSamples) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font.has_value());
-    EXPECT_NEAR(wave_height(draw_sound(tone(3000, 0.9), *font), 320), 108, 3);
-    EXPECT_NEAR(wave_height(draw_sound(tone(3000, 0.3), *font), 320), 36, 3);
+    auto font = render::Font::load().value();
+    EXPECT_NEAR(wave_height(draw_sound(tone(3000, 0.9), font), 320), 108, 3);
+    EXPECT_NEAR(wave_height(draw_sound(tone(3000, 0.3), font), 320), 36, 3);
 }
 
 TEST(SoundPicture, SheetHasAPlaceForEachSound) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font.has_value());
+    auto font = render::Font::load().value();
     const auto one = tone(1000, 0.5);
     const std::vector<const audio::Sound*> three(3, &one), twelve(12, &one);
-    const auto low = draw_sounds(three, *font), high = draw_sounds(twelve, *font);
+    const auto low = draw_sounds(three, font), high = draw_sounds(twelve, font);
     EXPECT_EQ(low.width, high.width);
     EXPECT_EQ(high.height - 8, 2 * (low.height - 8));
     EXPECT_EQ(high.rgb.size(),
@@ -83,12 +80,11 @@ TEST(SoundPicture, SheetHasAPlaceForEachSound) {
 }
 
 TEST(SoundPicture, EmptyAndSilentSoundsAreDrawn) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font.has_value());
+    auto font = render::Font::load().value();
     auto silent = tone(100, 0);
-    EXPECT_LT(light_at(draw_sound(silent, *font), 320, 300), 100);
+    EXPECT_LT(light_at(draw_sound(silent, font), 320, 300), 100);
     silent.samples.clear();
-    EXPECT_LT(light_at(draw_sound(silent, *font), 320, 300), 100);
+    EXPECT_LT(light_at(draw_sound(silent, font), 320, 300), 100);
 }
 
 }  // namespace

@@ -21,11 +21,7 @@ using audio::AudioFrame;
 using audio::Voice;
 
 const audio::SoundBank& bank() {
-    static const audio::SoundBank loaded = [] {
-        auto sounds = audio::load_sounds(assets() / "sounds");
-        EXPECT_TRUE(sounds) << (sounds ? "" : sounds.error().message);
-        return std::move(*sounds);
-    }();
+    static const audio::SoundBank loaded = [] { return audio::load_sounds(assets() / "sounds").value(); }();
     return loaded;
 }
 
@@ -104,20 +100,19 @@ struct Played {
 };
 
 Played play_bots(Tick count, bool listen) {
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
-    EXPECT_TRUE(duel);
-    Listening heard(*duel->match);
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
+    Listening heard(*duel.match);
     heard.take();
     Played out;
-    std::uint64_t seen = duel->match->events().count();
+    std::uint64_t seen = duel.match->events().count();
     for (Tick t = 0; t < count; ++t) {
-        duel->run(1);
-        duel->match->events().each_new(seen, [&](const Event& event) { ++out.events[event.kind]; });
-        if (!listen || duel->match->now() % audio::frame_ticks != 0) continue;
+        duel.run(1);
+        duel.match->events().each_new(seen, [&](const Event& event) { ++out.events[event.kind]; });
+        if (!listen || duel.match->now() % audio::frame_ticks != 0) continue;
         out.frames = hash_of(heard.take(), out.frames);
         out.left_out += heard.frame.begins.left_out + heard.frame.lasts.left_out;
     }
-    out.state = duel->match->state_hash();
+    out.state = duel.match->state_hash();
     out.begun = heard.begun;
     out.lasted = heard.lasted;
     return out;
@@ -457,13 +452,12 @@ std::vector<float> played_by(audio::Mixer& mixer, std::uint32_t sound) {
 }
 
 TEST(SoundLoopback, EachSoundComesOutOfTheMixerAsItself) {
-    auto mixer = audio::Mixer::create(bank(), {});
-    ASSERT_TRUE(mixer) << mixer.error().message;
+    auto mixer = audio::Mixer::create(bank(), {}).value();
     std::vector<audio::Signature> known;
     for (const auto& sound : bank().sounds) known.push_back(audio::signature_of(sound.samples));
     std::size_t wrong = 0;
     for (std::uint32_t i = 0; i < known.size(); ++i) {
-        const auto heard = played_by(*mixer, i);
+        const auto heard = played_by(mixer, i);
         EXPECT_LT(audio::loudest_db(heard), 0) << bank().sounds[i].name;
         EXPECT_GT(audio::loudest_db(heard), -45) << bank().sounds[i].name << " is silent";
         const auto signature = audio::signature_of(heard);

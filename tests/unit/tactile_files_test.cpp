@@ -1,9 +1,10 @@
 // Files of layouts and effects: the shipped ones are read, and each fault is named.
-#include <unistd.h>
 
 #include <set>
 
+#include "core/file.h"
 #include "core/text.h"
+#include "unit/message_of.h"
 #include "unit/tactile_rig.h"
 
 namespace thaum::tactile {
@@ -24,11 +25,9 @@ std::string fault_of(const std::string& path, const std::string& key, const std:
     const auto config = Config::parse(toml, "file.toml", 1);
     if (!config) return config.error().message;
     if (path.starts_with("layouts")) {
-        const auto layout = read_layout(*config);
-        return layout ? "" : layout.error().message;
+        return message_of(read_layout(*config));
     }
-    const auto effect = read_effect(*config, "effect");
-    return effect ? "" : effect.error().message;
+    return message_of(read_effect(*config, "effect"));
 }
 
 struct Case {
@@ -164,14 +163,13 @@ TEST(TactileEffects, FaultsNameFileAndKey) {
          "one entry"},
     });
     EXPECT_FALSE(load_effects(tactile_assets / "nowhere").has_value());
-    const auto folder = std::filesystem::path(testing::TempDir()) / text("thaum_effects_", ::getpid());
-    std::filesystem::create_directories(folder);
-    ASSERT_TRUE(write_text_file(folder / "rain.toml", "version = 1\ncolour = 3\n"));
-    const auto faulty = load_effects(folder);
-    std::filesystem::remove_all(folder);
+    const TemporaryFolder folder;
+    const auto rain = folder.path() / "rain.toml";
+    ASSERT_TRUE(write_text_file(rain, "version = 1\ncolour = 3\n"));
+    const auto faulty = load_effects(folder.path());
     ASSERT_TRUE(faulty);
     ASSERT_EQ(faulty->faulty.size(), 1U);
-    EXPECT_EQ(faulty->faulty[0].fault.message.find((folder / "rain.toml:").string()), 0U);
+    EXPECT_EQ(faulty->faulty[0].fault.message.find(rain.string() + ":"), 0U);
 }
 
 /// Message on the only faulty effect of a folder.

@@ -19,9 +19,7 @@ inline constexpr const char* layout_names[] = {"abstract_4x5", "x40",      "x16"
                                                "speakers",     "shakers8", "sleeves"};
 
 inline Layout shipped_layout(const std::string& name) {
-    auto layout = load_layout(tactile_assets / "layouts" / (name + ".toml"));
-    EXPECT_TRUE(layout.has_value()) << (layout ? "" : layout.error().message);
-    return layout ? *layout : Layout{};
+    return load_layout(tactile_assets / "layouts" / (name + ".toml")).value();
 }
 
 inline EffectBank shipped_effects() {

@@ -150,14 +150,13 @@ TEST(TactileScene, ABlastSpreadsOverTheBody) {
 /// Largest amplitude at each actuator of a suit with sleeves after a blast from the right, with the gaze at a pitch
 /// (rad).
 std::vector<float> blast_on_sleeves(double pitch) {
-    const auto sleeves = tactile::load_layout(assets() / "tactile/layouts/sleeves.toml");
-    EXPECT_TRUE(sleeves);
+    const auto sleeves = tactile::load_layout(assets() / "tactile/layouts/sleeves.toml").value();
     BodyRig rig;
     rig.turn(0);
     rig.match.world_to_change().get<Gaze>(wizard_of(rig.match.world(), 0)).pitch = pitch;
-    const auto number = rig.scene.add(*sleeves);
+    const auto number = rig.scene.add(sleeves);
     rig.strike("blast_hit", rig.middle() + vec3(5, 0, 0), 60);
-    std::vector<float> peaks(sleeves->actuators.size());
+    std::vector<float> peaks(sleeves.actuators.size());
     for (int frame = 0; frame < 60; ++frame) {
         rig.play(tactile::frame_ticks);
         for (std::size_t i = 0; i < peaks.size(); ++i)
@@ -257,19 +256,18 @@ TEST(TactileScene, TheHeartBeatsWhileTheFoeHoldsTheGreatWork) {
 }
 
 std::uint64_t frames_of_bots(std::uint64_t* state) {
-    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5);
-    EXPECT_TRUE(duel);
-    const auto effects = effects_of(duel->match->data());
+    auto duel = make_bot_duel(assets(), duel_data(), {3, 3}, 5).value();
+    const auto effects = effects_of(duel.match->data());
     TactileScene scene(effects, loaded().effects, 1);
     scene.add(loaded().figure);
     std::uint64_t hash = 0;
     for (Tick t = 0; t < ticks(30); ++t) {
-        duel->run(1);
-        if (duel->match->now() % tactile::frame_ticks != 0) continue;
-        scene.take(*duel->match);
+        duel.run(1);
+        if (duel.match->now() % tactile::frame_ticks != 0) continue;
+        scene.take(*duel.match);
         hash = hash_value(scene.frame(0), hash);
     }
-    *state = duel->match->state_hash();
+    *state = duel.match->state_hash();
     return hash;
 }
 

@@ -46,11 +46,9 @@ protected:
 
     /// Reads 2 x 3 x 4 samples 0 to 23 of int16 with more fields.
     Volume read_short(std::string_view more) const {
-        const auto volume =
-            read(text("type: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: raw\n", more),
-                 shorts(24));
-        EXPECT_TRUE(volume) << (volume ? "" : volume.error().message);
-        return volume.value_or(Volume{});
+        return read(text("type: short\ndimension: 3\nsizes: 2 3 4\nendian: little\nencoding: raw\n", more),
+                    shorts(24))
+            .value();
     }
 
     /// Expects a refusal of one line that begins with the path and contains `what`.

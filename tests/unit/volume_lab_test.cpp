@@ -12,6 +12,7 @@
 #include "game/lab/volume_lab.h"
 #include "game/lab/volume_session.h"
 #include "game/lab/volume_trace.h"
+#include "unit/message_of.h"
 
 namespace thaum::game {
 namespace {
@@ -20,11 +21,7 @@ namespace fs = std::filesystem;
 const fs::path assets = fs::path(THAUM_SOURCE_DIR) / "assets";
 
 VolumeLab lab_of(field::Volume volume, const std::string& device = "premium") {
-    auto data = load_volume_lab_data(assets, device);
-    EXPECT_TRUE(data) << data.error().message;
-    auto lab = make_volume_lab(std::move(volume), std::move(*data));
-    EXPECT_TRUE(lab) << lab.error().message;
-    return std::move(*lab);
+    return make_volume_lab(std::move(volume), load_volume_lab_data(assets, device).value()).value();
 }
 
 VolumeLab made(const std::string& name, int count = 48) {
@@ -32,13 +29,12 @@ VolumeLab made(const std::string& name, int count = 48) {
 }
 
 void choose(VolumeLab& lab, const std::string& name, double strength, double level) {
-    auto mode = lab_mode(lab, name);
-    ASSERT_TRUE(mode) << mode.error().message;
-    mode->settings.strength = field::constant(strength);
-    mode->settings.friction = field::constant(0);
-    mode->settings.level = level;
+    auto mode = lab_mode(lab, name).value();
+    mode.settings.strength = field::constant(strength);
+    mode.settings.friction = field::constant(0);
+    mode.settings.level = level;
     auto settings = lab.settings;
-    settings.modes.push_back(*mode);
+    settings.modes.push_back(mode);
     const auto changed = change_volume_lab(lab, settings);
     ASSERT_TRUE(changed) << changed.error().message;
 }
@@ -73,9 +69,8 @@ TEST(VolumeLab, AnotherDeviceKeepsTheCarvedBody) {
     const auto carved = lab.body.density;
     const auto tick = lab.tick;
     const double reach = lab.settings.modes[0].settings.reach, scale = lab.placement.scale;
-    auto falcon = load_lab_device(assets, "falcon");
-    ASSERT_TRUE(falcon) << falcon.error().message;
-    change_device(lab, *falcon);
+    auto falcon = load_lab_device(assets, "falcon").value();
+    change_device(lab, falcon);
     EXPECT_EQ(lab.body.density, carved);
     EXPECT_EQ(lab.tick, tick);
     EXPECT_NEAR(lab.placement.scale, scale * 0.08 / 0.24, 1e-9);
@@ -249,22 +244,19 @@ TEST(VolumeLab, FiltersStandBetweenDataAndAMode) {
 
 TEST(VolumeLab, AModeThatReadsScalarsGetsTheSpeedOfAFlow) {
     auto lab = made("vortices", 16);
-    const auto mode = lab_mode(lab, "isosurface");
-    ASSERT_TRUE(mode);
-    ASSERT_EQ(mode->filters.size(), 1U);
-    EXPECT_EQ(mode->filters[0].kind, field::FilterKind::magnitude);
-    const auto none = lab_mode(lab, "nothing");
-    ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message.find("follow"), std::string::npos) << none.error().message;
+    const auto mode = lab_mode(lab, "isosurface").value();
+    ASSERT_EQ(mode.filters.size(), 1U);
+    EXPECT_EQ(mode.filters[0].kind, field::FilterKind::magnitude);
+    const auto message = message_of(lab_mode(lab, "nothing"));
+    EXPECT_NE(message.find("follow"), std::string::npos) << message;
 }
 
 TEST(VolumeLab, MoreModesThanThereIsRoomForAreRefused) {
     auto lab = made("sphere", 16);
     VolumeLabSettings settings;
     for (int i = 0; i < 6; ++i) settings.modes.push_back(*lab_mode(lab, "isosurface"));
-    const auto changed = change_volume_lab(lab, settings);
-    ASSERT_FALSE(changed);
-    EXPECT_NE(changed.error().message.find("room for 16"), std::string::npos) << changed.error().message;
+    const auto message = message_of(change_volume_lab(lab, settings));
+    EXPECT_NE(message.find("room for 16"), std::string::npos) << message;
 }
 
 TEST(VolumeLab, HostileVolumesAndHandsDoNoHarm) {
@@ -371,11 +363,10 @@ TEST(VolumeLab, AVolumeIsFeltAndSoIsOneBesideItWhereverTheyLie) {
     ASSERT_TRUE(add_volume_beside(lab, *field::make_volume("sphere", 48, 1)));
     VolumeLabSettings settings;
     for (const std::size_t volume : {0U, 1U}) {
-        auto mode = lab_mode(lab, "isosurface", {}, volume);
-        ASSERT_TRUE(mode) << mode.error().message;
-        mode->settings.strength = field::constant(2.5);
-        mode->settings.friction = field::constant(0);
-        settings.modes.push_back(*mode);
+        auto mode = lab_mode(lab, "isosurface", {}, volume).value();
+        mode.settings.strength = field::constant(2.5);
+        mode.settings.friction = field::constant(0);
+        settings.modes.push_back(mode);
     }
     const double r = ball_radius(lab);
     // Two balls of half the size that overlap: each is felt on its own side, and both hold in the groove between them.
@@ -406,9 +397,8 @@ TEST(VolumeLab, APlaceMovesFeelAndValueTogether) {
     ASSERT_TRUE(change_volume_lab(lab, {{}, {}, {}, {place}}));
     EXPECT_NEAR(value_at(lab, field::to_parent(lab.placement, own)), value, 1e-9);
     EXPECT_NEAR(lab.placement.scale, 0.6 * lab.fitted.scale, 1e-15);
-    const auto refused = change_volume_lab(lab, {{}, {}, {}, {place, place}});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message, "there are more places than volumes");
+    EXPECT_EQ(message_of(change_volume_lab(lab, {{}, {}, {}, {place, place}})),
+              "there are more places than volumes");
     EXPECT_FALSE(change_volume_lab(lab, {{}, {}, {}, {{.scale = 0}}}));
     EXPECT_FALSE(change_volume_lab(lab, {{}, {}, {}, {{.origin = {0, std::nan(""), 0}}}}));
 }
@@ -420,11 +410,7 @@ void feel_as(VolumeLab& lab, std::vector<FeelPart> parts, const field::TransferF
     ASSERT_TRUE(changed) << changed.error().message;
 }
 
-FeelPart part(std::string_view name, std::vector<double> numbers) {
-    const auto made = feel_part(name, numbers);
-    EXPECT_TRUE(made) << made.error().message;
-    return *made;
-}
+FeelPart part(std::string_view name, std::vector<double> numbers) { return feel_part(name, numbers).value(); }
 
 TEST(BodyFeel, AWallHoldsUpToItsForceTimesTheMaterials) {
     for (const char* material : {"crystal", "wax"}) {
@@ -537,11 +523,10 @@ TEST(HandPath, ATraceIsPlayedAgainToTheSameState) {
         input.history = lab.tick == 600 ? -1 : 0;
         return input;
     });
-    const auto path = parse_hand_trace(first.second, "trace");
-    ASSERT_TRUE(path) << path.error().message;
+    const auto path = parse_hand_trace(first.second, "trace").value();
     const auto again = play([&](const VolumeLab& lab) {
-        const auto use = use_at(*path, lab.seconds());
-        VolumeLabInput input{.target = wanted_place(*path, lab.data.device.workspace, lab.seconds())};
+        const auto use = use_at(path, lab.seconds());
+        VolumeLabInput input{.target = wanted_place(path, lab.data.device.workspace, lab.seconds())};
         input.carve = use.tool > 0;
         input.tool = use.tool - (input.carve ? 1U : 0U);
         input.history = use.history;
@@ -570,27 +555,24 @@ TEST(VolumeSession, SavedSettingsComeBack) {
     TemporaryFolder folder;
     const auto file = folder.path() / "session.toml";
     ASSERT_TRUE(save_session(session, file));
-    const auto read = load_session(file);
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(session_text(*read), session_text(session));
-    EXPECT_EQ(read->first.volume, session.first.volume);
-    ASSERT_EQ(read->beside.size(), 1U);
-    EXPECT_EQ(read->beside[0].place, session.beside[0].place);
-    EXPECT_EQ(read->opacity, session.opacity);
-    ASSERT_TRUE(read->view);
-    EXPECT_NEAR(read->view->yaw, 0.25, 1e-12);
-    EXPECT_EQ(read->view->aim, session.view->aim);
-    EXPECT_EQ(read->feel, session.feel);
-    EXPECT_EQ(read->modes[1].settings.strength, session.modes[1].settings.strength);
+    const auto read = load_session(file).value();
+    EXPECT_EQ(session_text(read), session_text(session));
+    EXPECT_EQ(read.first.volume, session.first.volume);
+    ASSERT_EQ(read.beside.size(), 1U);
+    EXPECT_EQ(read.beside[0].place, session.beside[0].place);
+    EXPECT_EQ(read.opacity, session.opacity);
+    ASSERT_TRUE(read.view);
+    EXPECT_NEAR(read.view->yaw, 0.25, 1e-12);
+    EXPECT_EQ(read.view->aim, session.view->aim);
+    EXPECT_EQ(read.feel, session.feel);
+    EXPECT_EQ(read.modes[1].settings.strength, session.modes[1].settings.strength);
 }
 
 TEST(VolumeSession, AFaultNamesItsLine) {
     const auto config =
-        Config::parse("version = 1\nvolume = \"x\"\nlook = \"odd\"\nopacity = [0, 1]\n", "s.toml", 1);
-    ASSERT_TRUE(config);
-    const auto session = read_session(*config);
-    ASSERT_FALSE(session);
-    EXPECT_NE(session.error().message.find("s.toml:3"), std::string::npos) << session.error().message;
+        Config::parse("version = 1\nvolume = \"x\"\nlook = \"odd\"\nopacity = [0, 1]\n", "s.toml", 1).value();
+    const auto message = message_of(read_session(config));
+    EXPECT_NE(message.find("s.toml:3"), std::string::npos) << message;
 }
 
 }  // namespace

@@ -25,18 +25,17 @@ Volume scan(std::vector<float> samples) {
 }
 
 TEST(VoxelVolume, AScanGivesItsDensitiesAndItsFrame) {
-    const auto body = voxels_of(scan({-1024, nan_sample, 40, 3071}));
-    ASSERT_TRUE(body.has_value()) << body.error().message;
-    EXPECT_EQ(body->count, (std::array{2, 1, 2}));
-    EXPECT_EQ(body->spacing, vec3(0.001, 0.002, 0.003));
-    EXPECT_EQ(body->placement.origin, vec3(1, 2, 3));
-    EXPECT_EQ(body->placement.scale, 4);
-    EXPECT_EQ(body->empty, -1024);
-    EXPECT_EQ(body->full, 3071);
-    EXPECT_EQ(body->surface, 1023.5F);
-    EXPECT_TRUE(std::isnan(body->density[1]));
-    EXPECT_EQ(body->density[3], 3071);
-    EXPECT_EQ(body->colour[0], (Rgb8{255, 255, 255}));
+    const auto body = voxels_of(scan({-1024, nan_sample, 40, 3071})).value();
+    EXPECT_EQ(body.count, (std::array{2, 1, 2}));
+    EXPECT_EQ(body.spacing, vec3(0.001, 0.002, 0.003));
+    EXPECT_EQ(body.placement.origin, vec3(1, 2, 3));
+    EXPECT_EQ(body.placement.scale, 4);
+    EXPECT_EQ(body.empty, -1024);
+    EXPECT_EQ(body.full, 3071);
+    EXPECT_EQ(body.surface, 1023.5F);
+    EXPECT_TRUE(std::isnan(body.density[1]));
+    EXPECT_EQ(body.density[3], 3071);
+    EXPECT_EQ(body.colour[0], (Rgb8{255, 255, 255}));
 }
 
 TEST(VoxelVolume, ValuesAreTheSameAtAnyPlace) {
@@ -54,32 +53,29 @@ TEST(VoxelVolume, ThreeVolumesGiveTheBodyBack) {
     body.density[5] = nan_sample;
     body.density[6] = std::nextafter(1.0F, 2.0F);
     body.placement.turn = glm::mat3_cast(rotation({0, 0, 1}, 0.5));
-    auto again = voxels_of(density_volume(body), DensityRange{body.empty, body.full});
-    ASSERT_TRUE(again.has_value()) << again.error().message;
-    ASSERT_TRUE(set_colours(*again, colour_volume(body)).has_value());
-    ASSERT_TRUE(set_materials(*again, material_volume(body)).has_value());
-    EXPECT_EQ(hash_of(*again), hash_of(body));
-    EXPECT_EQ(again->placement.turn, body.placement.turn);
-    EXPECT_EQ(again->bricks.newest, 3U);  // readers see both changes
+    auto again = voxels_of(density_volume(body), DensityRange{body.empty, body.full}).value();
+    ASSERT_TRUE(set_colours(again, colour_volume(body)).has_value());
+    ASSERT_TRUE(set_materials(again, material_volume(body)).has_value());
+    EXPECT_EQ(hash_of(again), hash_of(body));
+    EXPECT_EQ(again.placement.turn, body.placement.turn);
+    EXPECT_EQ(again.bricks.newest, 3U);  // readers see both changes
 }
 
 TEST(VoxelVolume, ACarvedBodyIsTheSameAfterSavingAndReading) {
-    const auto scanned = voxels_of(scan({-1024, 40, 300, 3071}));
-    ASSERT_TRUE(scanned.has_value());
+    const auto scanned = voxels_of(scan({-1024, 40, 300, 3071})).value();
     Voxels body = random_block({17, 9, 12}, 8);
-    body.spacing = scanned->spacing;
-    body.placement = scanned->placement;
+    body.spacing = scanned.spacing;
+    body.placement = scanned.placement;
     edit(body.view(), density_filter(4, 0), {.seconds = 0.1});
     const TemporaryFolder folder;
     const auto path = [&](const char* name) { return folder.path() / name; };
     ASSERT_TRUE(write_nrrd(path("d.nrrd"), density_volume(body)).has_value());
     ASSERT_TRUE(write_nrrd(path("c.nrrd"), colour_volume(body)).has_value());
     ASSERT_TRUE(write_nrrd(path("m.nrrd"), material_volume(body)).has_value());
-    auto again = voxels_of(*read_nrrd(path("d.nrrd")), DensityRange{body.empty, body.full});
-    ASSERT_TRUE(again.has_value()) << again.error().message;
-    ASSERT_TRUE(set_colours(*again, *read_nrrd(path("c.nrrd"), {.colours_as_vectors = true})).has_value());
-    ASSERT_TRUE(set_materials(*again, *read_nrrd(path("m.nrrd"))).has_value());
-    EXPECT_EQ(hash_of(*again), hash_of(body));
+    auto again = voxels_of(*read_nrrd(path("d.nrrd")), DensityRange{body.empty, body.full}).value();
+    ASSERT_TRUE(set_colours(again, *read_nrrd(path("c.nrrd"), {.colours_as_vectors = true})).has_value());
+    ASSERT_TRUE(set_materials(again, *read_nrrd(path("m.nrrd"))).has_value());
+    EXPECT_EQ(hash_of(again), hash_of(body));
 }
 
 TEST(VoxelVolume, EachVolumeIsStoredInItsType) {
@@ -92,10 +88,9 @@ TEST(VoxelVolume, EachVolumeIsStoredInItsType) {
 }
 
 TEST(VoxelVolume, AUniformScanHasARange) {
-    const auto body = voxels_of(scan({7, 7, 7, 7}));
-    ASSERT_TRUE(body.has_value());
-    EXPECT_EQ(body->empty, 7);
-    EXPECT_EQ(body->full, 8);
+    const auto body = voxels_of(scan({7, 7, 7, 7})).value();
+    EXPECT_EQ(body.empty, 7);
+    EXPECT_EQ(body.full, 8);
 }
 
 TEST(VoxelVolume, WrongVolumesAreRefused) {

@@ -185,21 +185,18 @@ constexpr std::string_view skin =
     "colour = [224, 172, 140]\n";
 
 TEST(MaterialFiles, TheShippedTableHasAnInvisibleMaterialThatIsFelt) {
-    const auto file = read_text_file(THAUM_SOURCE_DIR "/assets/materials.toml", 1U << 20U);
-    ASSERT_TRUE(file.has_value());
-    const auto materials = materials_from(*file);
-    ASSERT_TRUE(materials.has_value()) << materials.error().message;
-    const auto index = material_index(*materials, "invisible");
+    const auto file = read_text_file(THAUM_SOURCE_DIR "/assets/materials.toml", 1U << 20U).value();
+    const auto materials = materials_from(file).value();
+    const auto index = material_index(materials, "invisible");
     ASSERT_TRUE(index.has_value());
-    EXPECT_EQ((*materials)[*index].opacity, 0);
-    EXPECT_GT((*materials)[*index].stiffness, 0);
-    EXPECT_FALSE(material_index(*materials, "nothing").has_value());
+    EXPECT_EQ(materials[*index].opacity, 0);
+    EXPECT_GT(materials[*index].stiffness, 0);
+    EXPECT_FALSE(material_index(materials, "nothing").has_value());
 }
 
 TEST(MaterialFiles, ReadsEachValue) {
-    const auto materials = materials_from(skin);
-    ASSERT_TRUE(materials.has_value()) << materials.error().message;
-    const Material& m = materials->at(0);
+    const auto materials = materials_from(skin).value();
+    const Material& m = materials.at(0);
     EXPECT_EQ(m.name, "skin");
     EXPECT_EQ(m.stiffness, 200);
     EXPECT_EQ(m.viscosity, 2);
@@ -214,9 +211,8 @@ TEST(MaterialFiles, AnIndexOfAByteReachesEachMaterial) {
                  "\"\nstiffness = 1\nviscosity = 1\nopacity = 1\ncolour = [0, 0, 0]\n";
     };
     for (int i = 0; i < 256; ++i) add(i);
-    const auto materials = materials_from(table);
-    ASSERT_TRUE(materials.has_value()) << materials.error().message;
-    EXPECT_EQ(material_index(*materials, "m255"), 255);
+    const auto materials = materials_from(table).value();
+    EXPECT_EQ(material_index(materials, "m255"), 255);
     add(256);
     EXPECT_EQ(materials_from(table).error().message, "m.toml:1539: there are more than 256 materials");
 }

@@ -1,0 +1,17 @@
+// unit/copied_assets.h: a copy of the shipped data files, which a test may change.
+#pragma once
+#include "core/file.h"
+
+namespace thaum {
+
+/// The copy is removed at the end.
+struct CopiedAssets {
+    CopiedAssets() {
+        std::filesystem::copy(THAUM_SOURCE_DIR "/assets", path, std::filesystem::copy_options::recursive);
+    }
+
+    const TemporaryFolder folder{};
+    const std::filesystem::path path = folder.path() / "assets";
+};
+
+}  // namespace thaum

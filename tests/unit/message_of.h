@@ -1,0 +1,16 @@
+// unit/message_of.h: what a result says of its error.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "core/error.h"
+
+namespace thaum {
+
+/// Message of the result's error. `none` stands for a result without an error.
+template <class T>
+std::string message_of(const Expected<T>& result, std::string_view none = "") {
+    return result ? std::string(none) : result.error().message;
+}
+
+}  // namespace thaum
