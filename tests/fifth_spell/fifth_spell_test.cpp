@@ -2,14 +2,13 @@
 // draw it, the feed names it, and it is heard and felt.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "game/bots/duel.h"
 #include "game/components/casting.h"
-#include "game/hud/hud.h"
 #include "game/match/record.h"
 #include "tests/fifth_spell/assets.h"
+#include "unit/overlay_items.h"
 
 namespace thaum::game::test {
 namespace {
@@ -24,9 +23,8 @@ const std::filesystem::path& assets() {
 }
 
 Data data_of(std::vector<std::string> overrides = {}) {
-    auto data = load_match_data(assets(), {.overrides = std::move(overrides)});
-    EXPECT_TRUE(data) << data.error().message;
-    return std::make_shared<const MatchData>(std::move(*data));
+    return std::make_shared<const MatchData>(
+        load_match_data(assets(), {.overrides = std::move(overrides)}).value());
 }
 
 std::uint32_t number_of_mend() {
@@ -109,13 +107,12 @@ TEST(FifthSpell, ItRefusesByItself) {
 }
 
 TEST(FifthSpell, BotsCastItByStrokes) {
-    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2);
-    ASSERT_TRUE(duel) << duel.error().message;
+    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2).value();
     std::uint64_t seen = 0;
     std::uint32_t casts = 0;
     for (int second = 0; second < 90 && casts == 0; ++second) {
-        duel->run(1000);
-        duel->match->events().each_new(seen, [&](const Event& e) {
+        duel.run(1000);
+        duel.match->events().each_new(seen, [&](const Event& e) {
             casts += e.kind == EventKind::cast && e.detail == number_of_mend() ? 1U : 0U;
         });
     }
@@ -127,13 +124,8 @@ TEST(FifthSpell, IsNamedInTheFeedAndHasASoundOfItsOwn) {
     patient.draw();
     auto picture = make_picture();
     take_picture(patient.match, picture);
-    render::Overlay overlay;
-    make_overlay(picture, {.split = render::Split::side_by_side}, {1280, 720}, overlay);
-    const bool named = std::any_of(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        return words != nullptr && words->text.find("Mend") != std::string::npos;
-    });
-    EXPECT_TRUE(named);
+    const auto overlay = hud_tests::overlay_of(picture, {.split = render::Split::side_by_side});
+    EXPECT_TRUE(hud_tests::has_text(overlay, "Mend"));
     const auto& shown = patient.match.data().presentation->spells;
     ASSERT_EQ(shown.size(), spell_kinds().size());
     EXPECT_EQ(shown[number_of_mend()].sound, "boon");

@@ -5,17 +5,19 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "game/bots/duel.h"
 #include "game/bots/league.h"
 #include "game/data/teams.h"
-#include "game/hud/hud.h"
 #include "game/live/menu_choices.h"
 #include "game/match/record.h"
 #include "game/match/result.h"
 #include "game/match/tables.h"
 #include "game/scene/figures.h"
 #include "tests/sixth_wand/assets.h"
+#include "unit/message_of.h"
+#include "unit/overlay_items.h"
 
 namespace thaum::game::test {
 namespace {
@@ -28,9 +30,8 @@ const std::filesystem::path& assets() {
 }
 
 Data data_of(std::vector<std::string> overrides = {}) {
-    auto data = load_match_data(assets(), {.overrides = std::move(overrides)});
-    EXPECT_TRUE(data) << data.error().message;
-    return std::make_shared<const MatchData>(std::move(*data));
+    return std::make_shared<const MatchData>(
+        load_match_data(assets(), {.overrides = std::move(overrides)}).value());
 }
 
 /// Overrides that leave bots no other wand to shoot with.
@@ -112,11 +113,9 @@ TEST(EventRows, EveryEventHasItsRowAndUnknownNamesAreErrorsWithTheirLine) {
             complete += text("[", info.name, "]\n");
     }
     const auto fault = [](const std::string& rows) {
-        const auto file = Config::parse("version = 1\n" + rows, "events.toml", 1);
-        EXPECT_TRUE(file);
-        read_event_rows(*file);
-        const auto checked = file->check();
-        return checked ? std::string() : checked.error().message;
+        const auto file = Config::parse("version = 1\n" + rows, "events.toml", 1).value();
+        read_event_rows(file);
+        return message_of(file.check());
     };
     EXPECT_EQ(fault(complete), "");
     EXPECT_NE(fault(complete + "[bolt_hit]\n").find("'bolt_hit' is no event of the rules"),
@@ -136,12 +135,11 @@ TEST(EventRows, EveryEventHasItsRowAndUnknownNamesAreErrorsWithTheirLine) {
 TEST(SixthWand, BotsShootWithItAndTheLeagueCountsItsKills) {
     auto overrides = only_hail();
     overrides.push_back("quick.kills=2");
-    const auto match = play_league_match(assets(), data_of(overrides), {3, 3}, 5);
-    ASSERT_TRUE(match) << match.error().message;
-    const auto summary = summarise(std::array{*match});
+    const auto match = play_league_match(assets(), data_of(overrides), {3, 3}, 5).value();
+    const auto summary = summarise(std::array{match});
     EXPECT_GT(summary.kills[cause_of(hit_kind("hail_hit"))], 0U);
     EXPECT_EQ(summary.kills[cause_of(hit_kind("bolt_hit"))], 0U);
-    const auto rows = result_rows(match->match_stats);
+    const auto rows = result_rows(match.match_stats);
     const auto hail =
         std::find_if(rows.begin(), rows.end(), [](const ResultRow& row) { return row.cause == "hail"; });
     ASSERT_NE(hail, rows.end());
@@ -149,21 +147,13 @@ TEST(SixthWand, BotsShootWithItAndTheLeagueCountsItsKills) {
 }
 
 TEST(SixthWand, BotsTakeItAmongOthersThatShootAlike) {
-    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2);
-    ASSERT_TRUE(duel) << duel.error().message;
-    duel->run(60'000);
-    const auto& match_stats = duel->match->world().single<EventLog>().match_stats;
+    auto duel = make_bot_duel(assets(), data_of({"quick.kills=1000"}), {3, 3}, 2).value();
+    duel.run(60'000);
+    const auto& match_stats = duel.match->world().single<EventLog>().match_stats;
     for (const auto* hit : {"hail_hit", "bolt_hit"}) {
         const auto cause = cause_of(hit_kind(hit));
         EXPECT_GT(match_stats[0][cause].shots + match_stats[1][cause].shots, 0U) << hit;
     }
-}
-
-bool has_text(const render::Overlay& overlay, std::string_view part) {
-    return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const render::OverlayItem& item) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        return words != nullptr && words->text.find(part) != std::string::npos;
-    });
 }
 
 TEST(SixthWand, IsNamedInFeedAndStripAndHasALookOfItsOwn) {
@@ -177,8 +167,8 @@ TEST(SixthWand, IsNamedInFeedAndStripAndHasALookOfItsOwn) {
     for (int i = 0; i < 16; ++i) match.tick({});
     auto picture = make_picture();
     take_picture(match, picture);
-    render::Overlay overlay;
-    make_overlay(picture, {.split = render::Split::side_by_side}, {1280, 720}, overlay);
+    using hud_tests::has_text;
+    const auto overlay = hud_tests::overlay_of(picture, {.split = render::Split::side_by_side});
     EXPECT_TRUE(has_text(overlay, "\u25B8 hail \u25B8")) << "the death in the feed";
     EXPECT_TRUE(has_text(overlay, "Tide feels the frost of Ember")) << "a line of the wand's own";
     EXPECT_TRUE(has_text(overlay, "Hail")) << "the wand in hand";
@@ -221,17 +211,6 @@ TEST(SixthWand, ItsKeyComesThroughARecordedLog) {
     }
 }
 
-/// A log that is removed at the end.
-struct LogFile {
-    LogFile() { std::filesystem::remove(path); }
-    ~LogFile() { std::filesystem::remove(path); }
-    LogFile(const LogFile&) = delete;
-    LogFile& operator=(const LogFile&) = delete;
-
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / text("sixth_wand_attack_", ::getpid(), ".thaumlog");
-};
-
 std::uint32_t hail_hits(const Simulation& match) {
     const auto& match_stats = match.world().single<EventLog>().match_stats;
     const auto cause = cause_of(hit_kind("hail_hit"));
@@ -245,30 +224,29 @@ std::uint64_t record_attack(const std::filesystem::path& file, std::uint32_t& hi
     for (const auto* more : {"hail.shot.lumps=100", "hail.shot.per_s=1", "hail.energy.cap=100000",
                              "wizard.health.start=1000000", "wizard.health.cap=1000000"})
         overrides.emplace_back(more);
-    auto duel = make_bot_duel(assets(), data_of(overrides), {3, 3}, 5);
-    EXPECT_TRUE(duel) << duel.error().message;
-    auto& match = *duel->match;
-    auto log = input::LogWriter::create(file, log_header(match.data(), match.setup(), {"bot 3", "bot 3"}));
-    EXPECT_TRUE(log) << log.error().message;
+    auto duel = make_bot_duel(assets(), data_of(overrides), {3, 3}, 5).value();
+    auto& match = *duel.match;
+    auto log =
+        input::LogWriter::create(file, log_header(match.data(), match.setup(), {"bot 3", "bot 3"})).value();
     std::uint64_t most = 0, before = 0;
     for (Tick t = 0; t < 60'000 && hail_hits(match) < 300; ++t) {
-        tick_and_record(match, duel->next_frame(), &*log);
+        tick_and_record(match, duel.next_frame(), &log);
         most = std::max(most, match.events().count() - before);
         before = match.events().count();
     }
     hits = hail_hits(match);
-    EXPECT_TRUE(log->close("", {}));
+    EXPECT_TRUE(log.close("", {}));
     return most;
 }
 
 TEST(SixthWand, NoEventIsLostWhenAHundredHitInOneTick) {
-    const LogFile file;
+    const TemporaryFolder folder;
+    const auto file = folder.path() / "attack.thaumlog";
     std::uint32_t recorded = 0;
-    EXPECT_GE(record_attack(file.path, recorded), 100U) << "more than the 64 events that the World keeps";
+    EXPECT_GE(record_attack(file, recorded), 100U) << "more than the 64 events that the World keeps";
     ASSERT_GE(recorded, 300U);
-    auto playback = Playback::open(file.path, assets());
-    ASSERT_TRUE(playback) << playback.error().message;
-    const auto& kinds = playback->log().header().kinds;
+    auto playback = Playback::open(file, assets()).value();
+    const auto& kinds = playback.log().header().kinds;
     ASSERT_EQ(kinds.size(), 7U);
     EXPECT_EQ(kinds[0].kinds.back(), (input::Kind{8, "hail"})) << "the last cause";
     EXPECT_EQ(kinds[1].kinds.back(),
@@ -277,8 +255,8 @@ TEST(SixthWand, NoEventIsLostWhenAHundredHitInOneTick) {
     EXPECT_EQ(kinds[6].kinds.back(), (input::Kind{6, "hail"})) << "the last wand";
     EventTable table;
     std::string csv;
-    while (playback->step()) table.follow(*playback, csv);
-    EXPECT_FALSE(playback->divergence());
+    while (playback.step()) table.follow(playback, csv);
+    EXPECT_FALSE(playback.divergence());
     std::uint32_t hits = 0;
     std::istringstream lines(csv);
     for (std::string line; std::getline(lines, line);) {

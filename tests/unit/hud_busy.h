@@ -28,13 +28,6 @@ void each_view(F f) {
     }
 }
 
-inline render::Overlay busy_overlay_of(const Picture& picture, const HudSettings& settings,
-                                       render::Size window = {1280, 720}) {
-    render::Overlay overlay;
-    make_overlay(picture, settings, window, overlay);
-    return overlay;
-}
-
 /// Em of the smallest text that has a part, and how many views have it.
 struct Found {
     float least{1e6F};
@@ -42,9 +35,7 @@ struct Found {
 };
 inline Found find_words(const render::Overlay& overlay, std::string_view part) {
     Found found;
-    for (const auto& item : overlay.items) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        if (words == nullptr || words->text.find(part) == std::string::npos) continue;
+    for (const auto* words : texts_with(overlay, part)) {
         found.least = std::min(found.least, words->size);
         ++found.number;
     }

@@ -197,35 +197,26 @@ void draw_arc(StrokePicture& stroke, float force) {
     stroke.force_now = stroke.force_mean = static_cast<double>(force);
 }
 
-render::Overlay casting_overlay_of(const Picture& picture, const HudSettings& settings = {}) {
-    render::Overlay overlay;
-    make_overlay(picture, settings, {1280, 720}, overlay);
-    return overlay;
-}
-
 TEST(SpellStrip, TakesThePlaceOfTheWandsWhileTraceIsHeld) {
     auto picture = new_casting_picture();
     HudSettings settings;
     for (auto& controls : settings.controls) controls.wands = {"7", "8", "9"};
-    EXPECT_FALSE(has_text(casting_overlay_of(picture, settings), "Shield 25"));
+    EXPECT_FALSE(has_text(overlay_of(picture, settings), "Shield 25"));
     draw_arc(picture.wizards[0].casting.stroke, 0.5F);
-    const auto overlay = casting_overlay_of(picture, settings);
+    const auto overlay = overlay_of(picture, settings);
     EXPECT_TRUE(has_text(overlay, "Shield"));
     EXPECT_TRUE(has_text(overlay, "25")) << "cost";
     EXPECT_TRUE(has_text(overlay, "Focus 100"));
     EXPECT_TRUE(has_text(overlay, "7")) << "key of the chord";
     EXPECT_TRUE(has_text(overlay, "gentle")) << "force band";
     draw_arc(picture.wizards[0].casting.stroke, 2);
-    EXPECT_TRUE(has_text(casting_overlay_of(picture, settings), "harsh"));
+    EXPECT_TRUE(has_text(overlay_of(picture, settings), "harsh"));
 }
 
 /// Colours of the words of an overlay that contain `part`.
 std::vector<fvec4> paints_of(const render::Overlay& overlay, std::string_view part) {
     std::vector<fvec4> found;
-    for (const auto& item : overlay.items) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        if (words != nullptr && words->text.find(part) != std::string::npos) found.push_back(words->colour);
-    }
+    for (const auto* words : texts_with(overlay, part)) found.push_back(words->colour);
     return found;
 }
 
@@ -233,22 +224,19 @@ TEST(SpellStrip, ASpellThatTheFocusDoesNotAffordIsGreyAndStruckThrough) {
     auto picture = new_casting_picture();
     auto& casting = picture.wizards[0].casting;
     draw_arc(casting.stroke, 0.5F);
-    const auto rich = casting_overlay_of(picture);
+    const auto rich = overlay_of(picture);
     casting.focus = 24;
-    const auto poor = casting_overlay_of(picture);
+    const auto poor = overlay_of(picture);
     EXPECT_NE(paints_of(rich, "Shield"), paints_of(poor, "Shield"));
     EXPECT_GT(poor.items.size(), 0U);
-    const auto lines = [](const render::Overlay& overlay) {
-        return std::count_if(overlay.items.begin(), overlay.items.end(),
-                             [](const auto& item) { return std::holds_alternative<render::LineItem>(item); });
-    };
-    EXPECT_GT(lines(poor), lines(rich)) << "the line through it needs no colours";
+    EXPECT_GT(items_of<render::LineItem>(poor).size(), items_of<render::LineItem>(rich).size())
+        << "the line through it needs no colours";
 }
 
 TEST(Focus, ItsNumberStandsBesideTheHealth) {
     auto picture = new_casting_picture();
     picture.wizards[0].casting.focus = 37.9;
-    EXPECT_TRUE(has_text(casting_overlay_of(picture), "37"));
+    EXPECT_TRUE(has_text(overlay_of(picture), "37"));
 }
 
 TEST(FreeCaption, SaysWhatWasAlmostCastAndWhyNot) {
@@ -313,8 +301,8 @@ TEST(ForceBand, OfAChordHasTheForceOfTheChord) {
     casting.there = true;
     auto picture = new_casting_picture();
     picture.wizards[0].casting = casting;
-    EXPECT_TRUE(has_text(casting_overlay_of(picture), "harsh"));
-    EXPECT_FALSE(has_text(casting_overlay_of(picture), "gentle"));
+    EXPECT_TRUE(has_text(overlay_of(picture), "harsh"));
+    EXPECT_FALSE(has_text(overlay_of(picture), "gentle"));
 }
 
 /// Lines of an overlay between two heights of the first view, which the HUD without strokes does not have.
@@ -339,9 +327,7 @@ TEST(StrokeTrail, IsWiderWithForceAndStaysInItsView) {
     const auto& thin = std::get<render::LineItem>(gentle.items[0]);
     const auto& thick = std::get<render::LineItem>(harsh.items[0]);
     EXPECT_GT(thick.width, thin.width);
-    for (const auto& item : harsh.items) {
-        const auto* line = std::get_if<render::LineItem>(&item);
-        if (line == nullptr) continue;
+    for (const auto* line : items_of<render::LineItem>(harsh)) {
         EXPECT_GE(line->to.x, static_cast<float>(layout.view.x));
         EXPECT_LE(line->to.x, static_cast<float>(layout.view.x + layout.view.width));
         EXPECT_GE(line->to.y, static_cast<float>(layout.view.y));
@@ -365,10 +351,8 @@ float longest_line(std::uint32_t rest) {
     render::Overlay out;
     lines_of_stroke(casting, *lay_out({}, {1280, 720}, 5).views[0], out);
     float longest = 0;
-    for (const auto& item : out.items) {
-        if (const auto* line = std::get_if<render::LineItem>(&item))
-            longest = std::max(longest, glm::distance(line->from, line->to));
-    }
+    for (const auto* line : items_of<render::LineItem>(out))
+        longest = std::max(longest, glm::distance(line->from, line->to));
     return longest;
 }
 

@@ -161,8 +161,7 @@ TEST(HudLayout, WindowsOfAnyShapeHaveALayout) {
             for (const auto& [what, box] : boxes_of(layout)) {
                 EXPECT_TRUE(std::isfinite(box.low.x) && std::isfinite(box.high.y)) << what;
             }
-            render::Overlay overlay;
-            make_overlay(picture_of(*new_match()), settings_of(how, 1), window, overlay);
+            overlay_of(picture_of(*new_match()), settings_of(how, 1), window);
         }
     }
 }
@@ -192,11 +191,8 @@ TEST(HudLayout, TheKeysOfAReplayAreAsReadableAsTheRestOfItsBar) {
         for (const double scale : {1.0, 1.5, 2.0, 2.5}) {
             const HudSettings settings{.text_scale = scale, .replay = busy_bar()};
             const float unit = lay_out_replay_bar(scale, window).unit;
-            render::Overlay overlay;
-            make_overlay(picture, settings, window, overlay);
-            for (const auto& item : overlay.items) {
-                const auto* words = std::get_if<render::TextItem>(&item);
-                if (words == nullptr || words->text.find("Page Up") == std::string::npos) continue;
+            const auto overlay = overlay_of(picture, settings, window);
+            for (const auto* words : texts_with(overlay, "Page Up")) {
                 EXPECT_GE(words->size, std::floor(0.8F * 10.5F * unit))
                     << window.width << " x " << window.height << " at " << scale;
             }
@@ -217,8 +213,7 @@ TEST(HudLayout, APlaceOnTheTrackIsATick) {
 TEST(HudLayout, TheBarOfAReplayTellsTimeSpeedAndEyes) {
     auto picture = picture_of(*new_match());
     picture.tick = 65'432;
-    render::Overlay overlay;
-    make_overlay(picture, {.replay = busy_bar()}, size, overlay);
+    auto overlay = overlay_of(picture, {.replay = busy_bar()}, size);
     EXPECT_TRUE(has_text(overlay, "1:05.4 / 10:00"));
     EXPECT_TRUE(has_text(overlay, "0.25 x"));
     EXPECT_TRUE(has_text(overlay, "on the way to 9:50"));
@@ -227,7 +222,7 @@ TEST(HudLayout, TheBarOfAReplayTellsTimeSpeedAndEyes) {
     at_end.speed = 2;
     at_end.eyes = "both views";
     at_end.target = {};
-    make_overlay(picture, {.replay = at_end}, {1280, 720}, overlay);
+    overlay = overlay_of(picture, {.replay = at_end});
     EXPECT_TRUE(has_text(overlay, "end, 2 x, both views"));
 }
 
@@ -311,17 +306,12 @@ TEST(HudLayout, NoTwoTextsOverlapWhenAllIsSaidAtOnce) {
         settings.prompts = {PromptWish::always, PromptWish::always};
         for (auto& one : settings.controls) one = {.fire = "Left mouse", .stir = "E", .throw_ = "F"};
         for (auto& one : settings.device_messages) one = "The arm's motors are too warm: let them rest";
-        render::Overlay overlay;
-        make_overlay(picture, settings, window, overlay);
-        const auto words = words_of(overlay, *font);
+        const auto words = words_of(overlay_of(picture, settings, window), *font);
         said += words.size();
-        for (std::size_t a = 0; a < words.size(); ++a) {
-            EXPECT_GE(words[a].box.low.x, -1) << name << ": " << words[a].words;
-            EXPECT_LE(words[a].box.high.x, static_cast<float>(window.width) + 1)
-                << name << ": " << words[a].words;
-            for (std::size_t b = a + 1; b < words.size(); ++b)
-                EXPECT_FALSE(overlap(words[a].box, words[b].box))
-                    << name << ": '" << words[a].words << "' and '" << words[b].words << "'";
+        expect_apart(words, name);
+        for (const auto& [line, box] : words) {
+            EXPECT_GE(box.low.x, -1) << name << ": " << line;
+            EXPECT_LE(box.high.x, static_cast<float>(window.width) + 1) << name << ": " << line;
         }
     });
     EXPECT_GT(said, 20U * arrangements.size() * windows.size() * 7);
@@ -348,23 +338,18 @@ TEST(ResultPanel, HidesWhatIsBelowItAndItsWordsKeepApart) {
     each_case([&](HudSettings settings, render::Size window, const std::string& name) {
         if (settings.replay) return;
         settings.names = {"WWWWWWWWWWWWWWWW", "Bot 3"};
-        render::Overlay overlay;
-        make_overlay(picture, settings, window, overlay);
-        const auto panel = std::find_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
-            const auto* box = std::get_if<render::RectItem>(&item);
-            return box != nullptr && box->colour.a >= 1;
-        });
-        ASSERT_NE(panel, overlay.items.end()) << name;
-        const auto& box = std::get<render::RectItem>(*panel);
+        const auto overlay = overlay_of(picture, settings, window);
+        const auto plates = items_of<render::RectItem>(overlay);
+        const auto panel = std::ranges::find_if(plates, [](const auto* box) { return box->colour.a >= 1; });
+        ASSERT_NE(panel, plates.end()) << name;
+        const auto& outer = **panel;
         const auto words = words_of(overlay, *font);
         EXPECT_GE(words.size(), 15U) << name;
-        for (std::size_t a = 0; a < words.size(); ++a) {
-            EXPECT_TRUE(words[a].box.low.x >= box.low.x && words[a].box.high.x <= box.high.x &&
-                        words[a].box.low.y >= box.low.y && words[a].box.high.y <= box.high.y)
-                << name << ": " << words[a].words << " leaves the panel";
-            for (std::size_t b = a + 1; b < words.size(); ++b)
-                EXPECT_FALSE(overlap(words[a].box, words[b].box))
-                    << name << ": '" << words[a].words << "' and '" << words[b].words << "'";
+        expect_apart(words, name);
+        for (const auto& [line, box] : words) {
+            EXPECT_TRUE(box.low.x >= outer.low.x && box.high.x <= outer.high.x && box.low.y >= outer.low.y &&
+                        box.high.y <= outer.high.y)
+                << name << ": " << line << " leaves the panel";
         }
     });
 }
@@ -372,14 +357,8 @@ TEST(ResultPanel, HidesWhatIsBelowItAndItsWordsKeepApart) {
 TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
     auto picture = finished();
     const auto size_at = [&](double scale, render::Size window) {
-        render::Overlay overlay;
-        make_overlay(picture, {.text_scale = scale}, window, overlay);
-        float size = 0;
-        for (const auto& item : overlay.items) {
-            const auto* words = std::get_if<render::TextItem>(&item);
-            if (words != nullptr && words->text.find("hit") != std::string::npos) size = words->size;
-        }
-        return size;
+        const auto overlay = overlay_of(picture, {.text_scale = scale}, window);
+        return texts_with(overlay, "hit").back()->size;
     };
     EXPECT_GE(size_at(1, {640, 480}), 10);
     EXPECT_GE(size_at(2.5, {640, 480}), 1.25F * size_at(1, {640, 480})) << "the table is full";
@@ -394,13 +373,10 @@ TEST(ResultPanel, GrowsWithTheTextAsFarAsTheWindowHolds) {
 std::vector<std::tuple<std::string, float, float, float>> places_of_words(const Picture& picture,
                                                                           const HudSettings& settings,
                                                                           render::Size window) {
-    render::Overlay overlay;
-    make_overlay(picture, settings, window, overlay);
+    const auto overlay = overlay_of(picture, settings, window);
     std::vector<std::tuple<std::string, float, float, float>> words;
-    for (const auto& item : overlay.items) {
-        if (const auto* one = std::get_if<render::TextItem>(&item))
-            words.emplace_back(one->text, one->position.x, one->position.y, one->size);
-    }
+    for (const auto* one : items_of<render::TextItem>(overlay))
+        words.emplace_back(one->text, one->position.x, one->position.y, one->size);
     return words;
 }
 
@@ -435,14 +411,8 @@ TEST(HudLayout, ANameOfFifteenLettersIsAsLargeAsAShortOne) {
     const auto picture = picture_of(*new_match());
     const auto size_of = [&](HudSettings settings, render::Size window, const std::string& words) {
         settings.names = {words, words};
-        render::Overlay overlay;
-        make_overlay(picture, settings, window, overlay);
-        float size = 0;
-        for (const auto& item : overlay.items) {
-            const auto* line = std::get_if<render::TextItem>(&item);
-            if (line != nullptr && line->text == words) size = line->size;
-        }
-        return size;
+        const auto overlay = overlay_of(picture, settings, window);
+        return text_item(overlay, words)->size;
     };
     for (const auto& how : arrangements) {
         for (const auto& window : windows) {
@@ -468,11 +438,8 @@ Picture in_lesson() {
 
 /// Size of the first text that has a part; 0 if there is none.
 float size_of_text(const render::Overlay& overlay, std::string_view part) {
-    for (const auto& item : overlay.items) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        if (words != nullptr && words->text.find(part) != std::string::npos) return words->size;
-    }
-    return 0;
+    const auto found = texts_with(overlay, part);
+    return found.empty() ? 0 : found[0]->size;
 }
 
 TEST(Lesson, IsLargerThanItsTitleHasItsHintAndGrowsWithTheText) {
@@ -483,8 +450,7 @@ TEST(Lesson, IsLargerThanItsTitleHasItsHintAndGrowsWithTheText) {
             HudSettings settings{.watch = Watch::first, .text_scale = scale};
             settings.controls[0] = {
                 .fire = "Left mouse", .move = "Keypad 8 4 5 6", .look = "Up Left Down Right"};
-            render::Overlay overlay;
-            make_overlay(picture, settings, window, overlay);
+            const auto overlay = overlay_of(picture, settings, window);
             const auto where = text(window.width, " x ", window.height, " at ", scale);
             const float words = size_of_text(overlay, "Walk");
             if (scale == 1) usual = words;

@@ -17,22 +17,6 @@ namespace {
 
 constexpr Tick draw_time = 1500;
 
-render::Overlay overlay_of(const Picture& picture, const HudSettings& settings = {}) {
-    render::Overlay overlay;
-    make_overlay(picture, settings, {1280, 720}, overlay);
-    return overlay;
-}
-
-/// Item of a text; null if no text equals the words.
-const render::TextItem* text_item(const render::Overlay& overlay, std::string_view words) {
-    const render::TextItem* found = nullptr;
-    for (const auto& item : overlay.items) {
-        const auto* shown = std::get_if<render::TextItem>(&item);
-        if (shown != nullptr && shown->text == words) found = shown;
-    }
-    return found;
-}
-
 TEST(Countdown, StandsWhereTheCrosshairIsAndHidesWhatIsNotYetInPlay) {
     auto picture = picture_of(*new_match());
     picture.wizards[0].stations.at_rim = true;
@@ -55,14 +39,10 @@ TEST(Countdown, IsEquallyLargeInBothViews) {
     for (const auto split : {render::Split::top_bottom, render::Split::side_by_side}) {
         for (const double scale : {1.0, 2.5}) {
             std::set<float> sizes;
-            std::size_t shown = 0;
-            for (const auto& item : overlay_of(picture, {.split = split, .text_scale = scale}).items) {
-                const auto* words = std::get_if<render::TextItem>(&item);
-                if (words == nullptr || words->text != "8") continue;
-                sizes.insert(words->size);
-                ++shown;
-            }
-            EXPECT_EQ(shown, 4U) << "each with its shadow";
+            const auto overlay = overlay_of(picture, {.split = split, .text_scale = scale});
+            const auto shown = texts_of(overlay, "8");
+            for (const auto* words : shown) sizes.insert(words->size);
+            EXPECT_EQ(shown.size(), 4U) << "each with its shadow";
             EXPECT_EQ(sizes.size(), 1U) << scale;
         }
     }
@@ -76,10 +56,9 @@ TEST(Crosshair, SaysTheMassOfAThingOnAPlate) {
         const auto overlay = overlay_of(picture);
         const auto* label = text_item(overlay, words);
         ASSERT_NE(label, nullptr);
-        EXPECT_TRUE(std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
-            const auto* plate = std::get_if<render::RectItem>(&item);
+        EXPECT_TRUE(std::ranges::any_of(items_of<render::RectItem>(overlay), [&](const auto* plate) {
             const float half = width_of(label->text, label->size) / 2;
-            return plate != nullptr && plate->colour.a > 0.7F && plate->low.x < label->position.x - half &&
+            return plate->colour.a > 0.7F && plate->low.x < label->position.x - half &&
                    plate->high.x > label->position.x + half && plate->low.y <= label->position.y &&
                    plate->high.y >= label->position.y + label->size;
         })) << words;
@@ -176,11 +155,8 @@ TEST(Feed, AViewWithRoomForOneLineShowsItsOwnRecipe) {
     for (const auto* own : {"Azoth of Ember", "Azoth of Tide"}) EXPECT_TRUE(has_text(overlay, own)) << own;
     const float middle = 0.5F * static_cast<float>(size.height);
     const auto shown_above = [&](std::string_view part) {
-        return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
-            const auto* words = std::get_if<render::TextItem>(&item);
-            return words != nullptr && words->position.y < middle &&
-                   words->text.find(part) != std::string::npos;
-        });
+        return std::ranges::any_of(texts_with(overlay, part),
+                                   [&](const auto* words) { return words->position.y < middle; });
     };
     EXPECT_TRUE(shown_above("Azoth of Ember"));
 }
@@ -317,26 +293,21 @@ TEST(HudWords, NamesAndFeedStandOnAPlateSoThatNoGroundHidesThem) {
     picture.feed[0] = {.event = {.kind = EventKind::death, .subject = 1, .by = 0}};
     for (const auto& [size, scale] :
          {std::pair{render::Size{1280, 720}, 1.0}, {render::Size{640, 480}, 2.5}}) {
-        render::Overlay overlay;
-        make_overlay(picture, {.text_scale = scale}, size, overlay);
-        int named = 0;
-        for (const auto& item : overlay.items) {
-            const auto* line = std::get_if<render::TextItem>(&item);
-            if (line == nullptr || line->text.find("Ember") == std::string::npos) continue;
+        const auto overlay = overlay_of(picture, {.text_scale = scale}, size);
+        const auto named = texts_with(overlay, "Ember");
+        for (const auto* line : named) {
             const float wide = width_of(line->text, line->size);
             const float left =
                 line->align == render::Align::right ? line->position.x - wide : line->position.x;
-            const auto covers = [&](const auto& other) {
-                const auto* plate = std::get_if<render::RectItem>(&other);
-                return plate != nullptr && plate->colour.a >= 0.75F && plate->low.x <= left + 1 &&
+            const auto covers = [&](const auto* plate) {
+                return plate->colour.a >= 0.75F && plate->low.x <= left + 1 &&
                        plate->high.x >= left + wide - 4 && plate->low.y <= line->position.y + 1 &&
                        plate->high.y >= line->position.y + line->size - 1;
             };
-            ++named;
-            EXPECT_TRUE(std::any_of(overlay.items.begin(), overlay.items.end(), covers))
+            EXPECT_TRUE(std::ranges::any_of(items_of<render::RectItem>(overlay), covers))
                 << line->text << " at " << line->position.x << ", " << line->position.y;
         }
-        EXPECT_GE(named, 4) << "the name, a line of the feed, and their shadows";
+        EXPECT_GE(named.size(), 4U) << "the name, a line of the feed, and their shadows";
     }
 }
 

@@ -75,9 +75,8 @@ protected:
 
     /// Makes the scene of an arena.
     void show(const std::string& arena) {
-        auto loaded = load_match_data(source / "assets", {.arena = arena});
-        ASSERT_TRUE(loaded) << loaded.error().message;
-        data = std::make_shared<const MatchData>(std::move(*loaded));
+        data =
+            std::make_shared<const MatchData>(load_match_data(source / "assets", {.arena = arena}).value());
         arena_scene = make_arena_scene(*renderer, *data);
         Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
         start = make_picture();
@@ -231,7 +230,6 @@ TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
     render::Frame frame{.width = window.width,
                         .height = window.height,
                         .views = {view},
-                        .overlay = {},
                         .quality = Quality::high,
                         .casters = {fixed, moving}};
     renderer->draw(frame);
@@ -244,16 +242,12 @@ protected:
     void SetUp() override {
         StoredPictures::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        const auto file = read_text_file(source / "assets/cauldron.toml", 1U << 16U);
-        ASSERT_TRUE(file) << file.error().message;
-        const auto config = Config::parse(*file, "cauldron.toml", 1);
-        ASSERT_TRUE(config) << config.error().message;
-        rules = read_cauldron_rules(*config);
+        const auto file = read_text_file(source / "assets/cauldron.toml", 1U << 16U).value();
+        const auto config = Config::parse(file, "cauldron.toml", 1).value();
+        rules = read_cauldron_rules(config);
         ASSERT_TRUE(data->arena.bowl);
         place = brew_place(*data->arena.bowl, rules);
-        auto made = make_brew(rules, place.basin);
-        ASSERT_TRUE(made) << made.error().message;
-        brew = std::move(*made);
+        brew = make_brew(rules, place.basin).value();
         look = make_brew_look(*renderer, place);
         ASSERT_TRUE(drop(brew, rules, 0, {-0.5, -0.15, 0.3}, 0.45, 0.15));
         ASSERT_TRUE(drop(brew, rules, 5, {0.45, -0.15, -0.2}, 0.45, 0.15));
@@ -304,7 +298,6 @@ protected:
         renderer->draw({.width = window.width,
                         .height = window.height,
                         .views = {view},
-                        .overlay = {},
                         .quality = quality,
                         .casters = {fixed, moving}});
         return reduced(renderer->read_pixels());

@@ -1,15 +1,14 @@
-// unit/hud_rig.h: a new match of two bots, its picture, and a search for text in an overlay.
+// unit/hud_rig.h: a new match of two bots, and its picture.
 #pragma once
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "game/bots/bot.h"
-#include "game/hud/hud.h"
 #include "render/context.h"
+#include "unit/overlay_items.h"
 
 namespace thaum::game::hud_tests {
 
@@ -18,9 +17,7 @@ inline constexpr render::Size size{480, 320};
 
 inline std::shared_ptr<const MatchData> match_data() {
     static const auto data = [] {
-        auto loaded = load_match_data(assets, {});
-        EXPECT_TRUE(loaded) << loaded.error().message;
-        return std::make_shared<const MatchData>(std::move(*loaded));
+        return std::make_shared<const MatchData>(load_match_data(assets, {}).value());
     }();
     return data;
 }
@@ -35,13 +32,6 @@ inline Picture picture_of(const Simulation& match) {
     return picture;
 }
 
-inline bool has_text(const render::Overlay& overlay, std::string_view part) {
-    return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const render::OverlayItem& item) {
-        const auto* words = std::get_if<render::TextItem>(&item);
-        return words != nullptr && words->text.find(part) != std::string::npos;
-    });
-}
-
 /// Draws in memory with the shipped shaders. Skips the test where there is no OpenGL.
 class DrawingTest : public testing::Test {
 protected:
@@ -51,9 +41,7 @@ protected:
         if (!made) GTEST_SKIP() << made.error().message;
         context.emplace(std::move(*made));
         context->make_current();
-        auto created = render::Renderer::create(assets);
-        ASSERT_TRUE(created) << created.error().message;
-        renderer.emplace(std::move(*created));
+        renderer.emplace(render::Renderer::create(assets).value());
     }
 
     const render::Size window_;

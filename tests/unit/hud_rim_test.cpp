@@ -97,7 +97,7 @@ TEST(RimCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
         const auto& parts = words;  // clang lets no lambda capture a structured binding
         const auto picture = busy_at(step);
         each_view([&](const HudSettings& settings, const std::string& name) {
-            const auto overlay = busy_overlay_of(picture, settings);
+            const auto overlay = overlay_of(picture, settings);
             const std::size_t views = settings.watch == Watch::both ? 2 : 1;
             for (const auto part : parts) {
                 const auto found = find_words(overlay, part);
@@ -144,7 +144,7 @@ TEST(RimCard, SaysWhichControlsDropAnIngredient) {
 TEST(RimCard, AStrokeInWordsHidesNeitherTheStepNorTheClock) {
     const auto picture = busy_at(RecipeStep::stroke);
     each_view([&](const HudSettings& settings, const std::string& name) {
-        const auto overlay = busy_overlay_of(picture, settings);
+        const auto overlay = overlay_of(picture, settings);
         for (const std::string_view part : {"Circle 97 %", "12 s", "Ironhide"})
             EXPECT_GE(find_words(overlay, part).least, readable) << name << ": " << part;
         for (const std::string_view part : {"Circle 97 %", "12 s", "Ironhide"})
@@ -167,7 +167,7 @@ TEST(RimCard, NoTwoTextsOverlapAtTheBusiestMoment) {
             }
             each_view([&](const HudSettings& settings, const std::string& name) {
                 for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
-                    const auto words = words_of(busy_overlay_of(picture, settings, window), *font);
+                    const auto words = words_of(overlay_of(picture, settings, window), *font);
                     EXPECT_GT(words.size(), 8U);
                     expect_apart(words, text(name, ", ", window.width, ", step ", static_cast<int>(step)));
                 }
@@ -228,7 +228,7 @@ TEST(GestureWall, CoversNoWordsAndNamesTheSpells) {
     for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
         for (double scale = 1; scale <= 2; scale += 0.5) {
             auto settings = busy_settings(render::Split::top_bottom, Watch::first, scale);
-            const auto words = words_of(busy_overlay_of(picture, settings, window), *font);
+            const auto words = words_of(overlay_of(picture, settings, window), *font);
             const auto where = text(window.width, " at ", scale);
             expect_apart(words, where);
             // All words of the wall are in its box: below the first title, beside nothing else.
@@ -254,7 +254,7 @@ TEST(GestureWall, WordsAreReadableAndScoresStandOnOneLine) {
     const auto picture = at_wall();
     const auto settings = busy_settings(render::Split::top_bottom, Watch::first, 1);
     for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}}) {
-        const auto overlay = busy_overlay_of(picture, settings, window);
+        const auto overlay = overlay_of(picture, settings, window);
         const float least = readable * static_cast<float>(window.height) / 720;
         for (const std::string_view part : {"Shield, yours", "Recall, yours", "97 %", "42 %", "Your stroke",
                                             "Shield, 97 % sure, gentle (0.6 N)", "the upper left is"}) {
@@ -268,9 +268,8 @@ TEST(GestureWall, WordsAreReadableAndScoresStandOnOneLine) {
 /// Places of the lines of a stroke in an overlay: of a width of their own (px).
 Panel box_of_lines(const render::Overlay& overlay, float width) {
     Panel box{fvec2(1e6F), fvec2(-1e6F)};
-    for (const auto& item : overlay.items) {
-        const auto* line = std::get_if<render::LineItem>(&item);
-        if (line == nullptr || std::abs(line->width - width) > 0.01F) continue;
+    for (const auto* line : items_of<render::LineItem>(overlay)) {
+        if (std::abs(line->width - width) > 0.01F) continue;
         box.low = glm::min(box.low, glm::min(line->from, line->to));
         box.high = glm::max(box.high, glm::max(line->from, line->to));
     }
@@ -301,14 +300,7 @@ TEST(GestureWall, ScoresOfOlderStrokesArePale) {
     const auto wall = at_wall().practice.wall;
     render::Overlay overlay;
     add_gesture_wall(overlay, wall, wall.lines, {{0, 0}, {390, 340}}, 1);
-    const auto paint_of = [&](std::string_view words) {
-        fvec4 paint(0);
-        for (const auto& item : overlay.items)
-            if (const auto* said = std::get_if<render::TextItem>(&item);
-                said != nullptr && said->text == words)
-                paint = said->colour;
-        return paint;
-    };
+    const auto paint_of = [&](std::string_view words) { return text_item(overlay, words)->colour; };
     EXPECT_GT(paint_of("97 %").a, 0.9F);
     EXPECT_GT(paint_of("42 %").a, 0.1F);
     EXPECT_LT(paint_of("42 %").a, 0.5F);

@@ -96,7 +96,7 @@ TEST(StationCard, EveryLineThatAPlayerNeedsIsReadableInEveryView) {
     for (std::size_t i = 0; i < needed.size(); ++i) {
         const auto picture = busy_at(all_places.at(i));
         each_view([&](const HudSettings& settings, const std::string& name) {
-            const auto overlay = busy_overlay_of(picture, with_keys(settings));
+            const auto overlay = overlay_of(picture, with_keys(settings));
             const std::size_t views = settings.watch == Watch::both ? 2 : 1;
             for (const auto part : needed.at(i)) {
                 const auto found = find_words(overlay, part);
@@ -149,7 +149,7 @@ TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
         }
         each_view([&](const HudSettings& settings, const std::string& name) {
             for (const render::Size window : {render::Size{1280, 720}, {1920, 1080}, {800, 600}}) {
-                const auto words = words_of(busy_overlay_of(picture, with_keys(settings), window), *font);
+                const auto words = words_of(overlay_of(picture, with_keys(settings), window), *font);
                 EXPECT_GT(words.size(), 8U);
                 expect_apart(words, text(name, ", ", window.width, ", place ", static_cast<int>(place)));
             }
@@ -160,7 +160,7 @@ TEST(StationCard, NoTwoTextsOverlapAtTheBusiestMoment) {
 TEST(StationCard, BothPlayersReadTheSecondsOfTheGreatWork) {
     auto picture = busy();
     each_view([&](const HudSettings& settings, const std::string& name) {
-        const auto overlay = busy_overlay_of(picture, settings);
+        const auto overlay = overlay_of(picture, settings);
         for (const std::string_view part : {"23 s"}) {
             const auto found = find_words(overlay, part);
             EXPECT_EQ(found.number, 2U) << name << ": " << part << " (with its shadow)";
@@ -168,7 +168,7 @@ TEST(StationCard, BothPlayersReadTheSecondsOfTheGreatWork) {
         }
     });
     picture.wizards[0].stations.work.left_s = 0;
-    EXPECT_FALSE(has_text(busy_overlay_of(picture, {}), "Great Work of")) << "nobody holds it";
+    EXPECT_FALSE(has_text(overlay_of(picture, {}), "Great Work of")) << "nobody holds it";
 }
 
 TEST(StationCard, TellsAPadHowItGoesOn) {
@@ -191,16 +191,14 @@ TEST(StationCard, OffersToScryAndToCarve) {
 
 TEST(StationStrip, MarksWhatIsWornAndWhatIsInHandInPlaceOfTheWands) {
     const auto plates = [](const render::Overlay& overlay) {
-        return std::count_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
-            const auto* plate = std::get_if<render::RectItem>(&item);
-            return plate != nullptr && plate->colour == render::colour(0x6A4A9A, 0.7F);
-        });
+        return std::ranges::count(items_of<render::RectItem>(overlay), render::colour(0x6A4A9A, 0.7F),
+                                  &render::RectItem::colour);
     };
     HudSettings one_view;
     one_view.watch = Watch::first;
-    EXPECT_EQ(plates(busy_overlay_of(busy_at(At::orb), one_view)), 2) << "two modes are worn";
-    EXPECT_EQ(plates(busy_overlay_of(busy_at(At::crystal), one_view)), 1);
-    const auto wands = busy_overlay_of(busy_at(At::crystal_near), one_view);
+    EXPECT_EQ(plates(overlay_of(busy_at(At::orb), one_view)), 2) << "two modes are worn";
+    EXPECT_EQ(plates(overlay_of(busy_at(At::crystal), one_view)), 1);
+    const auto wands = overlay_of(busy_at(At::crystal_near), one_view);
     EXPECT_EQ(plates(wands), 1);
     EXPECT_FALSE(has_text(wands, "construct")) << "nobody works there yet";
 }
@@ -237,9 +235,8 @@ TEST(NearView, ShowsACrystalLargeWhileItIsCarvedAndGoesBackAfterwards) {
 /// Number of gold arcs in a box.
 std::size_t gold_in(const render::Overlay& overlay, const Panel& box) {
     return static_cast<std::size_t>(
-        std::count_if(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
-            const auto* arc = std::get_if<render::ArcItem>(&item);
-            return arc != nullptr && arc->colour == render::colour(0xFFD060, 1.0F) &&
+        std::ranges::count_if(items_of<render::ArcItem>(overlay), [&](const auto* arc) {
+            return arc->colour == render::colour(0xFFD060, 1.0F) &&
                    glm::all(glm::greaterThanEqual(arc->centre - arc->outer, box.low)) &&
                    glm::all(glm::lessThanEqual(arc->centre + arc->outer, box.high));
         }));
@@ -249,7 +246,7 @@ TEST(StationCard, HalvesOfTheGreatWorkAreInTheBoxOfTheHealth) {
     auto picture = picture_of(*new_match());
     const HudSettings settings;
     const auto box = lay_out(settings, {1280, 720}, picture.shown->wands.size()).views[0]->health;
-    const auto gold = [&] { return gold_in(busy_overlay_of(picture, settings), box); };
+    const auto gold = [&] { return gold_in(overlay_of(picture, settings), box); };
     EXPECT_EQ(gold(), 0U);
     picture.wizards[0].stations.work_half = true;
     EXPECT_EQ(gold(), 2U) << "half a disc and its rim";

@@ -172,9 +172,8 @@ TEST_F(Stations, UnseenStationsSendAndDrawNothing) {
 }
 
 TEST_F(Stations, ClassicRulesKeepThePaintedOnes) {
-    auto loaded = load_match_data(assets, {.rules = "classic"});
-    ASSERT_TRUE(loaded) << loaded.error().message;
-    const auto classic = make_arena_scene(*renderer, *loaded);
+    auto loaded = load_match_data(assets, {.rules = "classic"}).value();
+    const auto classic = make_arena_scene(*renderer, loaded);
     EXPECT_EQ(classic.orb, nullptr);
     EXPECT_TRUE(classic.crystals.empty());
 }

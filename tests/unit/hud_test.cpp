@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "core/random.h"
 #include "core/text.h"
@@ -104,10 +103,9 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
 TEST_F(Drawn, TheForceDisplayShowsTheFlowOfANearBrew) {
     ASSERT_TRUE(arena_scene.brew);
     const auto& rules = *match_data()->cauldron;
-    auto brew = make_brew(rules, arena_scene.brew->place.basin);
-    ASSERT_TRUE(brew) << brew.error().message;
-    fluid::set_velocity(brew->fluid, [](vec3) { return vec3(0.5, 0, 0); });
-    take_brew(*brew, rules, 1, picture.cauldron.brew);
+    auto brew = make_brew(rules, arena_scene.brew->place.basin).value();
+    fluid::set_velocity(brew.fluid, [](vec3) { return vec3(0.5, 0, 0); });
+    take_brew(brew, rules, 1, picture.cauldron.brew);
     picture.cauldron.there = true;
     picture.wizards[0].vitals.eye = arena_scene.brew->place.middle + vec3(0, 0.8, 2);
     picture.wizards[1].vitals.eye = arena_scene.brew->place.middle + vec3(0, 0.8, 18);
@@ -291,9 +289,8 @@ TEST_F(Drawn, HidingBlocksLieInsideStone) {
 }
 
 TEST_F(Drawn, InTheWellNothingIsSeenThroughStone) {
-    const auto data = load_match_data(assets, {.arena = "the_well"});
-    ASSERT_TRUE(data) << data.error().message;
-    const auto well = make_arena_scene(*renderer, *data);
+    const auto data = load_match_data(assets, {.arena = "the_well"}).value();
+    const auto well = make_arena_scene(*renderer, data);
     EXPECT_EQ(well.shade.low, vec2(-12, -12));
     EXPECT_EQ(well.shade.high, vec2(12, 12));
     EXPECT_EQ(well.shade.wall_top, 10);
@@ -340,10 +337,10 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
 
 TEST(WandLook, AFaultyPartIsRefusedWithItsLine) {
     const auto read = [](const std::string& part) {
-        const auto file = Config::parse(text("version = 1\n[look]\n[[look.wand]]\n", part), "wand.toml", 1);
-        EXPECT_TRUE(file);
-        const auto look = read_wand_look(file->root().table("look"));
-        const auto checked = file->check();
+        const auto file =
+            Config::parse(text("version = 1\n[look]\n[[look.wand]]\n", part), "wand.toml", 1).value();
+        const auto look = read_wand_look(file.root().table("look"));
+        const auto checked = file.check();
         return std::pair(look, checked ? std::string() : checked.error().message);
     };
     const auto [look, fault] = read("shape = \"ball\"\nradius = 0.1\ncolour = \"#102030\"\n");
@@ -367,15 +364,6 @@ TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     EXPECT_LT(renderer->statistics().draws, 120U);
 }
 
-/// Number of texts that are exactly these words.
-std::size_t texts_of(const render::Overlay& overlay, std::string_view words) {
-    return static_cast<std::size_t>(
-        std::count_if(overlay.items.begin(), overlay.items.end(), [&](const render::OverlayItem& item) {
-            const auto* text = std::get_if<render::TextItem>(&item);
-            return text != nullptr && text->text == words;
-        }));
-}
-
 TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     auto p = picture_of(*new_match());
     p.phase = Phase::between;
@@ -395,12 +383,12 @@ TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
     p.phase = Phase::playing;
     make_overlay(p, {}, size, overlay);
-    const auto other_threes = texts_of(overlay, "3");
+    const auto other_threes = texts_of(overlay, "3").size();
     p.phase = Phase::between;
     p.next_round_in_s = 2.4;
     make_overlay(p, {}, size, overlay);
     EXPECT_FALSE(has_text(overlay, "wins")) << "the last seconds are counted in the views";
-    EXPECT_EQ(texts_of(overlay, "3"), other_threes + 4) << "in two views, each with its dark copy";
+    EXPECT_EQ(texts_of(overlay, "3").size(), other_threes + 4) << "in two views, each with its dark copy";
     p.phase = Phase::over;
     p.match_winner = 0;
     p.rounds_won = {2, 1};
@@ -425,28 +413,19 @@ TEST(Feed, NamesPlayersAsTheScreenDoes) {
 
 // ---- captions of the device -------------------------------------------------------------------------------
 
-const render::TextItem* find_text(const render::Overlay& overlay, std::string_view words) {
-    for (const auto& item : overlay.items) {
-        const auto* found = std::get_if<render::TextItem>(&item);
-        if (found != nullptr && found->text == words) return found;
-    }
-    return nullptr;
-}
-
 TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
     for (std::uint32_t player = 0; player < players; ++player) {
         picture.wizards[player].senses.force.arm = ArmCondition::gone;
         HudSettings settings;
-        render::Overlay overlay;
-        make_overlay(picture, settings, size, overlay);
-        EXPECT_NE(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
+        auto overlay = overlay_of(picture, settings);
+        EXPECT_NE(text_item(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
         settings.device_messages[player] = "The arm's motors are too warm: let them rest";
-        make_overlay(picture, settings, size, overlay);
-        EXPECT_EQ(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
-        const auto* told = find_text(overlay, settings.device_messages[player]);
-        const auto* ours = find_text(overlay, "Mouse and keys play on");
+        overlay = overlay_of(picture, settings);
+        EXPECT_EQ(text_item(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
+        const auto* told = text_item(overlay, settings.device_messages[player]);
+        const auto* ours = text_item(overlay, "Mouse and keys play on");
         ASSERT_TRUE(told != nullptr && ours != nullptr);
         EXPECT_LT(told->position.y, ours->position.y);
         const auto view = views_of(settings, size)[player];
@@ -468,14 +447,11 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
     HudSettings settings;
     /// Number of views that show the words, which have a dark copy below them where they have no plate.
     const auto shown = [&](std::string_view words) {
-        render::Overlay overlay;
-        make_overlay(picture, settings, size, overlay);
+        const auto overlay = overlay_of(picture, settings);
         const auto views = views_of(settings, size);
         return std::count_if(views.begin(), views.end(), [&](const auto& view) {
-            return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const auto& item) {
-                const auto* found = std::get_if<render::TextItem>(&item);
-                return found != nullptr && found->text == words &&
-                       found->position.y >= static_cast<float>(view.y) &&
+            return std::ranges::any_of(texts_of(overlay, words), [&](const auto* found) {
+                return found->position.y >= static_cast<float>(view.y) &&
                        found->position.y < static_cast<float>(view.y + view.height);
             });
         });
@@ -494,14 +470,7 @@ TEST(Captions, ThatAreOffLeaveFaultsAndOfferNoWordsOnTheBrew) {
 TEST(Captions, OnForcesAreForPlayersWithAnArm) {
     using haptics::SafetyCause;
     auto picture = picture_of(*new_match());
-    const auto talks_of_forces = [&] {
-        render::Overlay overlay;
-        make_overlay(picture, {}, {1280, 720}, overlay);
-        return std::any_of(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
-            const auto* found = std::get_if<render::TextItem>(&item);
-            return found != nullptr && found->text.find("orces ") != std::string::npos;
-        });
-    };
+    const auto talks_of_forces = [&] { return has_text(overlay_of(picture), "orces "); };
     for (const auto cause : {SafetyCause::shut_off, SafetyCause::panic, SafetyCause::warm, SafetyCause::stale,
                              SafetyCause::over_speed, SafetyCause::waiting}) {
         for (auto& p : picture.wizards) p.senses.force.cause = cause;
@@ -516,12 +485,9 @@ TEST(Captions, ThatAreOffLeaveTheGaugeOfTheBrew) {
     auto picture = picture_of(*new_match());
     const auto bars = [&](bool at_rim, bool captions) {
         picture.wizards[0].stations.at_rim = at_rim;
-        render::Overlay overlay;
-        make_overlay(picture, {.watch = Watch::first, .captions = {captions, captions}}, {1280, 720},
-                     overlay);
-        return std::count_if(overlay.items.begin(), overlay.items.end(), [](const auto& item) {
-            const auto* bar = std::get_if<render::RectItem>(&item);
-            return bar != nullptr && bar->high.y - bar->low.y < 12 && bar->high.x - bar->low.x > 90;
+        const auto overlay = overlay_of(picture, {.watch = Watch::first, .captions = {captions, captions}});
+        return std::ranges::count_if(items_of<render::RectItem>(overlay), [](const auto* bar) {
+            return bar->high.y - bar->low.y < 12 && bar->high.x - bar->low.x > 90;
         });
     };
     picture.cauldron.mixed = 0.5;
@@ -536,14 +502,12 @@ TEST(DeviceCaption, LongOnesAreSmallerAndBrokenSoThatTheViewHoldsThem) {
                            .text_scale = 2.5,
                            .device_messages = {std::string(200, 'w'), "short"}};
     const render::Size size{640, 360};
-    render::Overlay overlay;
-    make_overlay(picture_of(*new_match()), side, size, overlay);
+    const auto overlay = overlay_of(picture_of(*new_match()), side, size);
     std::size_t letters = 0;
-    const auto* brief = find_text(overlay, "short");
+    const auto* brief = text_item(overlay, "short");
     ASSERT_NE(brief, nullptr);
-    for (const auto& item : overlay.items) {
-        const auto* line = std::get_if<render::TextItem>(&item);
-        if (line == nullptr || line->text.find_first_not_of('w') != std::string::npos) continue;
+    for (const auto* line : items_of<render::TextItem>(overlay)) {
+        if (line->text.find_first_not_of('w') != std::string::npos) continue;
         letters += line->text.size();
         EXPECT_LE(width_of(line->text, line->size), static_cast<float>(views_of(side, size)[0].width));
         EXPECT_LT(line->size, brief->size);

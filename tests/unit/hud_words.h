@@ -7,7 +7,7 @@
 
 #include "game/hud/panel.h"
 #include "render/font.h"
-#include "render/scene.h"
+#include "unit/overlay_items.h"
 
 namespace thaum::game::hud_tests {
 
@@ -20,9 +20,7 @@ struct SaidWords {
 inline std::vector<SaidWords> words_of(const render::Overlay& overlay, render::Font& font) {
     std::vector<SaidWords> all;
     const render::TextItem* before = nullptr;
-    for (const auto& item : overlay.items) {
-        const auto* said = std::get_if<render::TextItem>(&item);
-        if (said == nullptr) continue;
+    for (const auto* said : items_of<render::TextItem>(overlay)) {
         if (before != nullptr && before->text == said->text) {
             const auto size = font.measure(said->text, said->size);
             const float left = said->align == render::Align::left     ? 0

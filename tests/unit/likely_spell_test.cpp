@@ -103,10 +103,8 @@ TEST(LikelySpell, ColoursTheStrokeAndShowsItsNameInTheView) {
         EXPECT_EQ(has_text(out, "Recall"), spell != nullptr);
         if (spell == nullptr) continue;
         const auto glow = render::colour(spell->colour, 0.6F);
-        EXPECT_TRUE(std::any_of(out.items.begin(), out.items.end(), [&](const auto& item) {
-            const auto* line = std::get_if<render::LineItem>(&item);
-            return line != nullptr && line->colour == glow;
-        }));
+        EXPECT_TRUE(std::ranges::any_of(items_of<render::LineItem>(out),
+                                        [&](const auto* line) { return line->colour == glow; }));
     }
 }
 
@@ -151,11 +149,9 @@ TEST(LikelySpell, StandsOnAPlateInItsPanelWithTheStrokeOnAPageBesideIt) {
         };
         const auto& plate = std::get<render::RectItem>(out.items[0]);
         EXPECT_TRUE(within(layout.likely, plate.low) && within(layout.likely, plate.high)) << spell.name;
-        for (const auto& item : out.items) {
-            if (const auto* words = std::get_if<render::TextItem>(&item))
-                EXPECT_GE(words->size, 12 * layout.unit) << "as readable as other small words";
-            const auto* line = std::get_if<render::LineItem>(&item);
-            if (line == nullptr) continue;
+        for (const auto* words : items_of<render::TextItem>(out))
+            EXPECT_GE(words->size, 12 * layout.unit) << "as readable as other small words";
+        for (const auto* line : items_of<render::LineItem>(out)) {
             const bool on_plate = within(layout.likely, line->from) && within(layout.likely, line->to);
             EXPECT_TRUE(on_plate || (within(layout.strokes, line->from) && within(layout.strokes, line->to)));
         }

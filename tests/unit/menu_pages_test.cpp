@@ -7,6 +7,7 @@
 #include "game/menu/menu_rows.h"
 #include "render/font.h"
 #include "unit/menu_rig.h"
+#include "unit/overlay_items.h"
 
 namespace thaum::app::menu_tests {
 namespace {
@@ -314,9 +315,8 @@ TEST(MenuUnderWildHands, StaysWhole) {
         ASSERT_TRUE(!s.seats[0] || s.seats[0] != s.seats[1]);
         if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? Page::start : Page::pause);
     }
-    const auto edited = edit_settings("version = 1\n", "s", changes({}, s.settings));
-    ASSERT_TRUE(edited) << edited.error().message;
-    EXPECT_EQ(changes(parse_settings(*edited, "s").value(), s.settings), std::vector<SettingEdit>{});
+    const auto edited = edit_settings("version = 1\n", "s", changes({}, s.settings)).value();
+    EXPECT_EQ(changes(parse_settings(edited, "s").value(), s.settings), std::vector<SettingEdit>{});
     for (std::size_t action = 0; action < input::actions; ++action) {
         auto again = s.settings;
         const auto controls = controls_of(again, {0, action});
@@ -391,8 +391,7 @@ std::vector<Box> boxes_of_text(const render::Overlay& overlay, render::Font& fon
 }
 
 TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
-    auto font = render::Font::load();
-    ASSERT_TRUE(font) << font.error().message;
+    auto font = render::Font::load().value();
     auto states = all_pages();
     states.push_back(press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("kp_8")));
     for (const auto& state : states) {
@@ -401,16 +400,14 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
             for (const double scale : {1.0, 1.75, 2.5}) {
                 render::Overlay overlay;
                 add_menu(overlay, picture_of(state, context()), size, scale);
-                auto boxes = boxes_of_text(overlay, *font);
+                auto boxes = boxes_of_text(overlay, font);
                 for (std::size_t a = 0; a < boxes.size(); ++a) {
                     for (std::size_t b = a + 1; b < boxes.size(); ++b)
                         EXPECT_FALSE(overlap(boxes[a], boxes[b])) << size.width << ' ' << scale;
                 }
-                for (const auto& item : overlay.items) {
-                    if (const auto* mark = std::get_if<render::TriangleItem>(&item))
-                        boxes.push_back({glm::min(mark->a, glm::min(mark->b, mark->c)),
-                                         glm::max(mark->a, glm::max(mark->b, mark->c))});
-                }
+                for (const auto* mark : game::hud_tests::items_of<render::TriangleItem>(overlay))
+                    boxes.push_back({glm::min(mark->a, glm::min(mark->b, mark->c)),
+                                     glm::max(mark->a, glm::max(mark->b, mark->c))});
                 for (const auto& box : boxes) {
                     EXPECT_GE(box.low.x, 0) << size.width << ' ' << scale;
                     EXPECT_GE(box.low.y, 0) << size.width << ' ' << scale;
@@ -451,10 +448,7 @@ TEST(MenuDrawing, PointingAtARowOfALongPageLeavesItWhereItIs) {
 float size_of(const game::MenuPicture& picture, std::string_view words) {
     render::Overlay overlay;
     add_menu(overlay, picture, {640, 480}, 2.5);
-    for (const auto& item : overlay.items) {
-        const auto* one = std::get_if<render::TextItem>(&item);
-        if (one != nullptr && one->text == words) return one->size;
-    }
+    if (const auto* one = game::hud_tests::text_item(overlay, words)) return one->size;
     ADD_FAILURE() << words << " is not shown";
     return 0;
 }

@@ -16,6 +16,8 @@
 #include "game/hud/layout.h"
 #include "game/hud/stroke_words.h"
 #include "game/live/shared.h"
+#include "unit/copied_assets.h"
+#include "unit/overlay_items.h"
 #include "unit/wall_player.h"
 
 namespace thaum::app {
@@ -30,17 +32,7 @@ static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 
 class PracticeTest : public testing::Test {
 protected:
-    PracticeTest() {
-        fs::remove_all(folder_);
-        fs::copy(THAUM_SOURCE_DIR "/assets", folder_, fs::copy_options::recursive);
-    }
-    ~PracticeTest() override { fs::remove_all(folder_); }
-
-    game::RangeFiles files() const {
-        auto files = game::RangeFiles::open(folder_, {});
-        EXPECT_TRUE(files) << (files ? "" : files.error().message);
-        return std::move(*files);
-    }
+    game::RangeFiles files() const { return game::RangeFiles::open(folder_, {}).value(); }
     void set_damage(std::string_view value) {
         std::ofstream(folder_ / "wands" / "bolt.toml")
             << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
@@ -78,7 +70,8 @@ protected:
         }
     }
 
-    fs::path folder_ = fs::temp_directory_path() / text("thaum_practice_", ::getpid());
+    const CopiedAssets copied_;
+    const fs::path folder_ = copied_.path;
     const std::string bolt_ = [] {
         std::ifstream in(THAUM_SOURCE_DIR "/assets/wands/bolt.toml");
         return std::string(std::istreambuf_iterator<char>(in), {});
@@ -223,38 +216,24 @@ TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     EXPECT_EQ(picture(practice).practice.below.find("strafing dummy: "), 0U);
 }
 
-bool shows(const render::Overlay& overlay, std::string_view words) {
-    for (const auto& item : overlay.items) {
-        const auto* one = std::get_if<render::TextItem>(&item);
-        if (one != nullptr && one->text.find(words) != std::string::npos) return true;
-    }
-    return false;
-}
-
 TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
     auto practice = practice_of(files(), game::DummyKind::shooting);
     auto shown = picture(practice);
-    const game::HudSettings settings{.watch = game::Watch::first};
-    render::Overlay overlay;
-    game::make_overlay(shown, settings, {1280, 720}, overlay);
-    EXPECT_TRUE(shows(overlay, "0 of 0 hit"));
-    EXPECT_TRUE(shows(overlay, "shooting dummy: 100 HP"));
-    EXPECT_FALSE(shows(overlay, "first to"));
+    using namespace game::hud_tests;
+    auto overlay = overlay_of(shown, {.watch = game::Watch::first});
+    EXPECT_TRUE(has_text(overlay, "0 of 0 hit"));
+    EXPECT_TRUE(has_text(overlay, "shooting dummy: 100 HP"));
+    EXPECT_FALSE(has_text(overlay, "first to"));
     shown.caption.words = std::string(300, 'm');
     for (const double scale : {1.0, 2.5}) {
-        game::make_overlay(shown, {.watch = game::Watch::first, .text_scale = scale}, {1280, 720}, overlay);
+        overlay = overlay_of(shown, {.watch = game::Watch::first, .text_scale = scale});
         std::size_t letters = 0;
-        for (const auto& item : overlay.items) {
-            const auto* words = std::get_if<render::TextItem>(&item);
-            if (words != nullptr && words->text.find_first_not_of('m') == std::string::npos) {
-                letters += words->text.size();
-                EXPECT_LT(game::width_of(words->text, words->size), 1280) << "a long line is broken";
-            }
-            const auto* panel = std::get_if<render::RectItem>(&item);
-            if (panel != nullptr) {
-                EXPECT_GE(panel->low.x, 0);
-            }
+        for (const auto* words : items_of<render::TextItem>(overlay)) {
+            if (words->text.find_first_not_of('m') != std::string::npos) continue;
+            letters += words->text.size();
+            EXPECT_LT(game::width_of(words->text, words->size), 1280) << "a long line is broken";
         }
+        for (const auto* panel : items_of<render::RectItem>(overlay)) EXPECT_GE(panel->low.x, 0);
         EXPECT_EQ(letters, 2 * shown.caption.words.size()) << "every word, and its dark copy";
     }
 }
@@ -344,142 +323,128 @@ TEST_F(ForceTrialTest, NothingHappensUnlessItWasAskedFor) {
     for (int i = 0; i < 2000; ++i) EXPECT_FALSE(tick(i % 300 == 0));
 }
 
-TEST_F(PracticeTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
-    const auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
-    EXPECT_FALSE(picture(practice).practice.wall.on) << "before the first stroke";
-    player.play(750, input::bit(input::Button::trace), circle_on_wall);
-    auto wall = picture(practice).practice.wall;
+/// A range with a player who draws, some ticks after its start.
+class WallTest : public PracticeTest {
+protected:
+    WallTest() { player_.play(20); }
+
+    game::RangeFiles range_ = files();
+    Practice practice_ = practice_of(range_);
+    WallPlayer player_{practice_};
+};
+
+TEST_F(WallTest, TheWallShowsAStrokeItsScoreAndWhatToDoBetter) {
+    EXPECT_FALSE(picture(practice_).practice.wall.on) << "before the first stroke";
+    player_.play(750, input::bit(input::Button::trace), circle_on_wall);
+    auto wall = picture(practice_).practice.wall;
     EXPECT_TRUE(wall.on && wall.drawing);
     EXPECT_GT(wall.stroke.size(), 40U);
-    player.play(50);
-    wall = picture(practice).practice.wall;
+    player_.play(50);
+    wall = picture(practice_).practice.wall;
     ASSERT_TRUE(wall.on && !wall.drawing);
     ASSERT_EQ(wall.gestures->size(), 4U);
     ASSERT_EQ((*wall.gestures)[0].name, "Circle");
     // Half a circle.
     EXPECT_EQ(wall.lines[0].find("Shield"), std::string::npos);
     EXPECT_GT(wall.lines.size(), 1U) << "what to do better";
-    player.draw(1500, circle_on_wall);
-    wall = picture(practice).practice.wall;
+    player_.draw(1500, circle_on_wall);
+    wall = picture(practice_).practice.wall;
     EXPECT_EQ(wall.chosen, 0);
     EXPECT_GT(wall.scores[0], 60);
     EXPECT_EQ(wall.lines[0].find("Shield, "), 0U) << wall.lines[0];
     EXPECT_NE(wall.lines[0].find("gentle"), std::string::npos);
     ASSERT_EQ(wall.lines.size(), 2U);
     EXPECT_EQ(wall.lines[1], "well drawn");
-    player.play(200, input::bit(input::Button::trace), circle_on_wall);
-    wall = picture(practice).practice.wall;
+    player_.play(200, input::bit(input::Button::trace), circle_on_wall);
+    wall = picture(practice_).practice.wall;
     EXPECT_EQ(wall.chosen, -1) << "a stroke that is being drawn belongs to no gesture yet";
     EXPECT_TRUE(wall.lines.empty()) << "what was said of the stroke before";
     EXPECT_GT(wall.scores[0], 60) << "the last score of the gesture";
-    player.play(50);
-    player.play(8100);
-    EXPECT_FALSE(picture(practice).practice.wall.on) << "some seconds after the stroke";
+    player_.play(50);
+    player_.play(8100);
+    EXPECT_FALSE(picture(practice_).practice.wall.on) << "some seconds after the stroke";
 }
 
-TEST_F(PracticeTest, TheWallSaysWhyAStrokeWasNotEvenRead) {
-    const auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
-    player.draw(60, triangle_on_wall);
-    auto wall = picture(practice).practice.wall;
+TEST_F(WallTest, TheWallSaysWhyAStrokeWasNotEvenRead) {
+    player_.draw(60, triangle_on_wall);
+    auto wall = picture(practice_).practice.wall;
     ASSERT_FALSE(wall.lines.empty());
     EXPECT_EQ(wall.lines[0].find("too fast"), 0U) << wall.lines[0];
-    player.draw(600, [](int t) { return t % 100 == 0 ? vec2(5, 0) : vec2(0); });
-    wall = picture(practice).practice.wall;
+    player_.draw(600, [](int t) { return t % 100 == 0 ? vec2(5, 0) : vec2(0); });
+    wall = picture(practice_).practice.wall;
     ASSERT_FALSE(wall.lines.empty());
     EXPECT_EQ(wall.lines[0].find("too small"), 0U) << wall.lines[0];
 }
 
-TEST_F(PracticeTest, TheWallAndTheCaptionShowTheSameScore) {
-    const auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
-    player.draw(1500, circle_on_wall);
-    const auto shown = picture(practice);
+TEST_F(WallTest, TheWallAndTheCaptionShowTheSameScore) {
+    player_.draw(1500, circle_on_wall);
+    const auto shown = picture(practice_);
     const auto words = game::stroke_caption(shown.wizards[game::practising].casting, *shown.shown).words;
     const auto score = text(shown.practice.wall.scores[0], " %");
     EXPECT_NE(words.find(score), std::string::npos) << words << " and " << score;
 }
 
-TEST_F(PracticeTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
-    const auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
-    practice.wall().record("circle");
-    EXPECT_EQ(picture(practice).practice.wall.lines[0], "Your own Circle: draw stroke 1 of 3");
-    for (int stroke = 0; stroke < 2; ++stroke) player.draw(800, triangle_on_wall);
-    player.draw(60, triangle_on_wall);  // too short to count
-    const auto lines = picture(practice).practice.wall.lines;
+TEST_F(WallTest, ThreeStrokesOnTheWallAreAnOwnGesture) {
+    practice_.wall().record("circle");
+    EXPECT_EQ(picture(practice_).practice.wall.lines[0], "Your own Circle: draw stroke 1 of 3");
+    for (int stroke = 0; stroke < 2; ++stroke) player_.draw(800, triangle_on_wall);
+    player_.draw(60, triangle_on_wall);  // too short to count
+    const auto lines = picture(practice_).practice.wall.lines;
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0].find("not counted, too fast: "), 0U) << lines[0];
     EXPECT_EQ(lines[1], "Your own Circle: draw stroke 3 of 3");
     EXPECT_NE(lines[3].find("give up"), std::string::npos);
-    EXPECT_FALSE(practice.wall().take_recorded());
-    player.draw(800, triangle_on_wall);
-    const auto own = practice.wall().take_recorded();
+    EXPECT_FALSE(practice_.wall().take_recorded());
+    player_.draw(800, triangle_on_wall);
+    const auto own = practice_.wall().take_recorded();
     ASSERT_TRUE(own);
-    EXPECT_TRUE(practice.wall().records()) << "until it is known what became of it";
+    EXPECT_TRUE(practice_.wall().records()) << "until it is known what became of it";
     EXPECT_EQ(own->name, "circle");
     ASSERT_EQ(own->strokes.size(), 3U);
     EXPECT_NEAR(own->strokes[0].back().t, 0.8, 0.02);
-    EXPECT_EQ(own->options.harsh_above, range.data().match->gestures->gestures()[0].options.harsh_above);
+    EXPECT_EQ(own->options.harsh_above, range_.data().match->gestures->gestures()[0].options.harsh_above);
 
-    practice.use_gestures({{game::profile_of(*own, game::practising)}, {"saved"}, Verdict::kept});
-    EXPECT_FALSE(practice.wall().records());
-    EXPECT_EQ(picture(practice).practice.wall.lines[0], "saved");
-    player.draw(800, triangle_on_wall);
-    auto wall = picture(practice).practice.wall;
+    practice_.use_gestures({{game::profile_of(*own, game::practising)}, {"saved"}, Verdict::kept});
+    EXPECT_FALSE(practice_.wall().records());
+    EXPECT_EQ(picture(practice_).practice.wall.lines[0], "saved");
+    player_.draw(800, triangle_on_wall);
+    auto wall = picture(practice_).practice.wall;
     EXPECT_TRUE((*wall.gestures)[0].own);
     EXPECT_EQ(wall.lines[0].find("Shield, "), 0U) << wall.lines[0];
-    practice.use_gestures({{}, {}});
-    player.draw(800, triangle_on_wall);
-    wall = picture(practice).practice.wall;
+    practice_.use_gestures({{}, {}});
+    player_.draw(800, triangle_on_wall);
+    wall = picture(practice_).practice.wall;
     EXPECT_FALSE((*wall.gestures)[0].own);
     EXPECT_NE(wall.lines[0].find("Shield, "), 0U);
 }
 
-TEST_F(PracticeTest, WhileTheWallRecordsStrokesCastNothing) {
-    const auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
+TEST_F(WallTest, WhileTheWallRecordsStrokesCastNothing) {
     const auto count = [&](game::EventKind kind) {
-        const auto& events = practice.match().events();
+        const auto& events = practice_.match().events();
         int found = 0;
         for (auto i = events.first(); i < events.count(); ++i) found += events[i].kind == kind ? 1 : 0;
         return found;
     };
-    const auto& world = practice.match().world();
-    practice.wall().record("v");
-    for (int stroke = 0; stroke < 3; ++stroke) player.draw(1500, circle_on_wall);
-    ASSERT_TRUE(practice.wall().take_recorded());
-    practice.use_gestures({{}, {"too like another"}, Verdict::refused});
-    player.draw(1500, circle_on_wall);
-    practice.wall().give_up(practice.match());
+    const auto& world = practice_.match().world();
+    practice_.wall().record("v");
+    for (int stroke = 0; stroke < 3; ++stroke) player_.draw(1500, circle_on_wall);
+    ASSERT_TRUE(practice_.wall().take_recorded());
+    practice_.use_gestures({{}, {"too like another"}, Verdict::refused});
+    player_.draw(1500, circle_on_wall);
+    practice_.wall().give_up(practice_.match());
     EXPECT_EQ(count(game::EventKind::cast) + count(game::EventKind::unread), 0);
     EXPECT_EQ(world.get<game::Focus>(game::wizard_of(world, game::practising)).points, 100);
-    player.draw(1500, circle_on_wall);
+    player_.draw(1500, circle_on_wall);
     EXPECT_EQ(count(game::EventKind::cast), 1) << "the next stroke is a spell again";
 }
 
-TEST_F(PracticeTest, WhileTheWallRecordsAChangeOfTheFilesChangesNothingOfThat) {
-    auto range = files();
-    auto practice = practice_of(range);
-    WallPlayer player{practice};
-    player.play(20);
-    practice.wall().record("v");
-    player.play(20);
+TEST_F(WallTest, WhileTheWallRecordsAChangeOfTheFilesChangesNothingOfThat) {
+    practice_.wall().record("v");
+    player_.play(20);
     set_damage("7");
-    look(range, practice);
-    player.draw(1500, circle_on_wall);
-    const auto& world = practice.match().world();
+    look(range_, practice_);
+    player_.draw(1500, circle_on_wall);
+    const auto& world = practice_.match().world();
     EXPECT_EQ(world.get<game::Focus>(game::wizard_of(world, game::practising)).points, 100);
 }
 
@@ -502,9 +467,8 @@ TEST_F(PracticeTest, TheWallHasTheBandsOfForceByWhichTheMatchCasts) {
 }
 
 TEST_F(PracticeTest, WithoutSpellsThereIsNoWall) {
-    auto files = game::RangeFiles::open(folder_, {.rules = "classic"});
-    ASSERT_TRUE(files);
-    auto practice = practice_of(*files);
+    auto files = game::RangeFiles::open(folder_, {.rules = "classic"}).value();
+    auto practice = practice_of(files);
     WallPlayer player{practice};
     player.draw(1500, circle_on_wall);
     EXPECT_FALSE(picture(practice).practice.wall.on);

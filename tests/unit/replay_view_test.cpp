@@ -5,6 +5,7 @@
 #include "game/hud/overlay.h"
 
 #include "unit/live_rig.h"
+#include "unit/overlay_items.h"
 #include "unit/replay_rig.h"
 
 namespace thaum::app {
@@ -92,9 +93,8 @@ TEST(ReplayView, NoKeyIsPartedFromItsWordsAtAnySizeOfText) {
             game::add_replay_bar(
                 overlay, {.length = 1000, .eyes = "both views", .keys = replay_keys(), .kills = {}}, 0, bar);
             std::string all;
-            for (const auto& item : overlay.items) {
-                const auto* line = std::get_if<render::TextItem>(&item);
-                if (line == nullptr || line->position.y < bar.keys.low.y - 1) continue;
+            for (const auto* line : game::hud_tests::items_of<render::TextItem>(overlay)) {
+                if (line->position.y < bar.keys.low.y - 1) continue;
                 if (line->colour != game::paints.soft) continue;  // the shadow
                 all += text(all.empty() ? "" : "   ", line->text);
             }
