@@ -117,7 +117,7 @@ bool LiveSession::session_key(int key) {
                mark = is(SessionKey::mark), forces = is(SessionKey::forces);
     if (split) menu_.turn_split();
     if (fullscreen) menu_.toggle_fullscreen();
-    if (mark) ++shared_.requests.marks;
+    if (mark) shared_.requests.ask(PressMark{});
     if (forces) forces_ = !forces_;
     return split || fullscreen || mark || forces;
 }
@@ -399,16 +399,7 @@ void LiveSession::carry_out_request() {
             if (const auto news = hands_.take_half(menu_.settings())) report(*news);
             return;
         case MenuRequest::go_on: break;
-        case MenuRequest::skip_step: ++requests.lesson_skips; break;
-        case MenuRequest::repeat_step: ++requests.lesson_repeats; break;
-        case MenuRequest::find_force: ++requests.force_trials; break;
-        case MenuRequest::feel_force:
-            requests.felt_fader = static_cast<std::uint8_t>(menu_.state().feels);
-            break;
-        case MenuRequest::draw_gesture:
-            requests.gesture = static_cast<std::uint32_t>(menu_.state().gesture) + 1;
-            break;
-        case MenuRequest::stop_drawing: requests.gesture = no_gesture_wanted; break;
+        case MenuRequest::ask_range: requests.ask(AskRange{menu_.state().range_request}); break;
         case MenuRequest::forget_gesture: forget_gesture(); break;
         case MenuRequest::none:
         case MenuRequest::start:

@@ -5,21 +5,19 @@
 #include <functional>
 
 #include "core/clock.h"
-#include "core/spsc_queue.h"
 #include "core/triple_buffer.h"
 #include "game/hud/menu.h"
 #include "game/live/arm.h"
 #include "game/live/body.h"
 #include "game/live/hand_over.h"
 #include "game/live/live.h"
+#include "game/live/match_requests.h"
 #include "game/live/pause.h"
 #include "game/live/recording.h"
 #include "game/live/replay_view.h"
 #include "game/live/seats.h"
 #include "game/live/sound.h"
 #include "game/live/tactile.h"
-#include "game/range/apprentice.h"
-#include "game/settings/own_gestures.h"
 #include "render/context.h"
 
 namespace thaum::app {
@@ -61,34 +59,6 @@ private:
     static constexpr std::size_t most = 1U << 16U;
     std::vector<double> values_;
     std::size_t count_ = 0;
-};
-
-/// Value of MatchRequests::gesture: the player gives up drawing a gesture.
-inline constexpr std::uint32_t no_gesture_wanted = 0xffffffff;
-
-/// Requests of the main thread to the simulation thread about the present match.
-struct MatchRequests {
-    std::atomic<bool> end{false};  ///< true: the match must end
-    /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
-    std::atomic<bool> rematch{false};
-    /// Player for whom the session presses the pause button: to pause, or to go on. Ignored if the match is in
-    /// that state already. game::no_player: none.
-    std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
-    std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
-    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
-    std::atomic<std::uint32_t> lesson_skips{0};    ///< number of the Apprentice's steps to skip so far
-    std::atomic<std::uint32_t> lesson_repeats{0};  ///< number of the Apprentice's steps to begin again so far
-    std::atomic<std::uint32_t> force_trials{
-        0};  ///< number of wishes to find the largest force by feel so far
-    /// Fader (input::HandFader) that a player of the range wants to feel, until the simulation thread takes it; 0:
-    /// none.
-    std::atomic<std::uint8_t> felt_fader{0};
-    /// Number of the gesture that the player of the range wants to draw anew, plus 1, or no_gesture_wanted, until the
-    /// simulation thread takes it; 0: nothing new.
-    std::atomic<std::uint32_t> gesture{0};
-    HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
-    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
-    static_assert(decltype(range)::is_always_lock_free);
 };
 
 /// State of the present match, from the simulation thread.

@@ -58,9 +58,7 @@ struct SimulationThread {
     std::int64_t skipped_at_ns = 0;
     int countdown = 0;             ///< time to the start of the match (s); 0: it has begun
     std::string fault{};           ///< words on a fault for the first seconds of the match
-    std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
-    /// values of MatchRequests::lesson_skips, lesson_repeats and force_trials at the last look
-    std::uint32_t skips_seen = 0, repeats_seen = 0, trials_seen = 0;
+    std::uint32_t next_press = 0;  ///< buttons that requests press in the next frame (bits of input::Button)
 };
 
 /// Log of the match; null if the match is not recorded.
@@ -111,11 +109,7 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 }
 
 bool start_round(SimulationThread& s, MatchStart start) {
-    s.marks_seen = s.shared.requests.marks;
-    s.skips_seen = s.shared.requests.lesson_skips;
-    s.repeats_seen = s.shared.requests.lesson_repeats;
-    s.trials_seen = s.shared.requests.force_trials;
-    s.shared.requests.gesture = 0;
+    s.shared.requests.forget();
     s.shared.progress.drawn_number = 0;
     s.countdown = start.countdown;
     s.fault = std::move(start.fault);
@@ -170,36 +164,20 @@ std::uint32_t number_of_drawn(const GestureWall& wall, const game::GestureSet* g
 void follow_gestures(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
-    const auto wanted = s.shared.requests.gesture.exchange(0);
-    const auto& gestures = practice->match().data().gestures;
-    if (wanted == no_gesture_wanted)
-        practice->wall().give_up(practice->match());
-    else if (wanted != 0 && gestures && wanted <= gestures->gestures().size())
-        practice->wall().record(gestures->gestures()[wanted - 1].name);
     practice->follow_gestures();
-    s.shared.progress.drawn_number = number_of_drawn(practice->wall(), gestures.get());
+    s.shared.progress.drawn_number =
+        number_of_drawn(practice->wall(), practice->match().data().gestures.get());
     auto drawn = practice->wall().take_recorded();
     if (!drawn) return;
     s.shared.progress.drawn_gesture.put(std::move(*drawn));
     s.wake();
 }
 
-/// Skips and repeats steps of the Apprentice as the menu has asked.
-void follow_lesson_requests(SimulationThread& s, game::Apprentice& apprentice) {
-    if (const auto skips = s.shared.requests.lesson_skips.load(); skips != s.skips_seen) apprentice.skip();
-    if (const auto repeats = s.shared.requests.lesson_repeats.load(); repeats != s.repeats_seen)
-        apprentice.repeat();
-    s.skips_seen = s.shared.requests.lesson_skips;
-    s.repeats_seen = s.shared.requests.lesson_repeats;
-}
-
 /// Applies the menu's choices and reloaded data files to the range, between two ticks.
 void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
-    if (auto* apprentice = practice->apprentice()) {
-        follow_lesson_requests(s, *apprentice);
-    } else {
+    if (practice->apprentice() == nullptr) {
         practice->set_dummy(s.shared.requests.dummy);
         if (practice->set_changes(s.shared.requests.range)) s.round.match = &practice->match();
     }
@@ -249,12 +227,6 @@ void stamp_input(SimulationThread& s) {
 
 /// Lets the player of the range find the largest force by feel.
 void try_force(SimulationThread& s, Practice& practice, input::InputFrame& frame) {
-    if (const auto trials = s.shared.requests.force_trials.load(); trials != s.trials_seen) {
-        s.trials_seen = trials;
-        practice.find_force();
-    }
-    if (const auto fader = s.shared.requests.felt_fader.exchange(0); fader != 0)
-        practice.play_force(input::HandFader{fader});
     const auto found = practice.try_force(frame);
     s.shared.seats[game::practising].faders->note(frame.devices[game::practising].change);
     if (!found) return;
@@ -283,10 +255,7 @@ input::InputFrame take_frame(SimulationThread& s) {
     }
     if (s.round.match->now() % 2 == 0)
         press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
-    if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {
-        frame.devices[0].press(Button::mark);
-        s.marks_seen = marks;
-    }
+    frame.devices[0].buttons |= std::exchange(s.next_press, 0);
     // Between two rounds of a match the rematch key starts the next round.
     if (s.shared.requests.rematch && s.round.match->match().phase == game::Phase::between)
         frame.devices[0].press(Button::confirm);
@@ -367,6 +336,7 @@ void publish(SimulationThread& s) {
 
 void run_tick(SimulationThread& s) {
     auto& round = s.round;
+    s.shared.requests.carry_out({practice_of(round), s.next_press});
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));

@@ -230,11 +230,17 @@ void type(MenuState& s, Typing what, std::string words) {
     s.typed = what;
 }
 
+/// Asks something of the match of the range, which goes on with it.
+template <class T>
+void ask_range(MenuState& s, T request) {
+    s.request = MenuRequest::ask_range;
+    s.range_request = RangeRequest(request);
+}
+
 /// Lets the player of the range feel a fader of the forces.
 void feel_force(MenuState& s, const Row& row, const MenuContext& context) {
     if (can_find_force(s, context)) {
-        s.feels = felt_fader_of(row);
-        s.request = MenuRequest::feel_force;
+        ask_range(s, FeelForce{felt_fader_of(row)});
     } else {
         s.note = "in the pause of the range a press lets you feel it";
     }
@@ -249,7 +255,7 @@ void feel_or_adjust(MenuState& s, const Row& row, const MenuContext& context) {
 
 void find_force(MenuState& s, const MenuContext& context) {
     if (can_find_force(s, context))
-        s.request = MenuRequest::find_force;
+        ask_range(s, FindForce{});
     else
         s.note = "open this page in the pause of the range";
 }
@@ -282,10 +288,12 @@ void undo(MenuState& s) {
 
 // Events ----------------------------------------------------------------------------------------------------
 
-/// Asks for something about own gestures. The next pause opens at this row.
-void ask_about_gestures(MenuState& s, MenuRequest request) {
-    s.request = request;
+/// Asks something about own gestures. The next pause opens at this row.
+void ask_about_gestures(MenuState& s, RowKind row) {
     s.pause_row = s.pages.back().cursor;
+    if (row == RowKind::draw_gesture) ask_range(s, DrawGesture{static_cast<std::uint32_t>(s.gesture)});
+    if (row == RowKind::stop_drawing) ask_range(s, StopDrawing{});
+    if (row == RowKind::forget_gesture) s.request = MenuRequest::forget_gesture;
 }
 
 void open_sheet(MenuState& s, std::size_t sheet) {
@@ -318,8 +326,8 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::duel: join_or_start(s, event.device, context); break;
         case RowKind::range: practise(s, event.device, MenuRequest::range, context); break;
         case RowKind::apprentice: practise(s, event.device, MenuRequest::apprentice, context); break;
-        case RowKind::skip_step: s.request = MenuRequest::skip_step; break;
-        case RowKind::repeat_step: s.request = MenuRequest::repeat_step; break;
+        case RowKind::skip_step: ask_range(s, SkipStep{}); break;
+        case RowKind::repeat_step: ask_range(s, RepeatStep{}); break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
         case RowKind::sound: open(s, Page::sound); break;
@@ -340,9 +348,9 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::mixer: open_for_player(s, Page::mixer, event.device); break;
         case RowKind::profile: load_profile(s, context); break;
         case RowKind::save_profile: type(s, Typing::profile, player_words(s.settings, s.player)); break;
-        case RowKind::draw_gesture: ask_about_gestures(s, MenuRequest::draw_gesture); break;
-        case RowKind::stop_drawing: ask_about_gestures(s, MenuRequest::stop_drawing); break;
-        case RowKind::forget_gesture: ask_about_gestures(s, MenuRequest::forget_gesture); break;
+        case RowKind::draw_gesture:
+        case RowKind::stop_drawing:
+        case RowKind::forget_gesture: ask_about_gestures(s, row.kind); break;
         case RowKind::find_force: find_force(s, context); break;
         case RowKind::body_fader: try_body(s, static_cast<tactile::Purpose>(row.index)); break;
         case RowKind::cauldron: open(s, Page::cauldron); break;
@@ -439,12 +447,7 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
 bool ends_pause(MenuRequest request) {
     switch (request) {
         case MenuRequest::go_on:
-        case MenuRequest::skip_step:
-        case MenuRequest::repeat_step:
-        case MenuRequest::find_force:
-        case MenuRequest::feel_force:
-        case MenuRequest::draw_gesture:
-        case MenuRequest::stop_drawing:
+        case MenuRequest::ask_range:
         case MenuRequest::forget_gesture: return true;
         default: return false;
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "game/hud/menu.h"
-#include "game/range/range.h"
+#include "game/range/practice.h"
 #include "game/settings/bindings.h"
 #include "game/settings/feel_profile.h"
 
@@ -103,12 +103,7 @@ enum class MenuRequest : std::uint8_t {
     apprentice,
     go_on,
     take_half,
-    skip_step,
-    repeat_step,
-    find_force,
-    feel_force,
-    draw_gesture,
-    stop_drawing,
+    ask_range,  ///< asks MenuState::range_request of the range
     forget_gesture,
     set_up_pad,
     skip_control,
@@ -157,7 +152,7 @@ struct MenuState {
     std::string note;                      ///< result of the last event, or the reason why it had none
     MenuRequest request{};                 ///< request of the last event to the caller
     std::optional<FeelProfile> saves{};    ///< profile that the last event asks the caller to save
-    input::HandFader feels{};              ///< fader of MenuRequest::feel_force
+    RangeRequest range_request{};          ///< request of MenuRequest::ask_range
     std::optional<BodyTrialWish> tries{};  ///< effect that the last event asks the caller to play
 };
 

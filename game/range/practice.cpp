@@ -132,6 +132,11 @@ void Practice::follow_gestures() {
     match().leave_strokes_unread(game::practising, wall_.records());
 }
 
+void Practice::draw_gesture(std::uint32_t number) {
+    const auto& set = match().data().gestures;
+    if (set && number < set->gestures().size()) wall_.record(set->gestures()[number].name);
+}
+
 void Practice::use_gestures(OwnGestures own) {
     if (own.verdict == Verdict::refused) return wall_.draw_again(std::move(own.words));
     if (own.verdict == Verdict::kept) wall_.record({});

@@ -12,6 +12,7 @@
 #include "game/range/force_trial.h"
 #include "game/range/gesture_wall.h"
 #include "game/range/range_files.h"
+#include "game/range/range_request.h"
 #include "game/settings/own_gestures.h"
 
 namespace thaum::app {
@@ -75,6 +76,8 @@ public:
     void follow_lessons();
     /// The course; null on the range.
     game::Apprentice* apprentice() { return apprentice_ ? &*apprentice_ : nullptr; }
+    /// Takes the player's next strokes for a gesture, by its number in the match's set. Unknown numbers do nothing.
+    void draw_gesture(std::uint32_t number);
     /// Looks at the strokes of the practising player after a tick.
     void follow_gestures();
     /// The wall; the Apprentice has none.
@@ -107,6 +110,41 @@ private:
     bool fire_anew_ = false;  ///< true: fire does nothing until it has been released
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
+};
+
+// Requests to the practice (range_request.h). The menu's rows send them.
+
+/// Goes on to the Apprentice's next step.
+struct SkipStep {
+    void carry_out(Practice& practice) const {
+        if (auto* course = practice.apprentice()) course->skip();
+    }
+};
+
+/// Begins the Apprentice's present step again.
+struct RepeatStep {
+    void carry_out(Practice& practice) const {
+        if (auto* course = practice.apprentice()) course->repeat();
+    }
+};
+
+struct FindForce {
+    void carry_out(Practice& practice) const { practice.find_force(); }
+};
+
+struct FeelForce {
+    input::HandFader fader{};
+    void carry_out(Practice& practice) const { practice.play_force(fader); }
+};
+
+struct DrawGesture {
+    std::uint32_t number{};  ///< number of the gesture in the match's set
+    void carry_out(Practice& practice) const { practice.draw_gesture(number); }
+};
+
+/// Gives up the gesture that is drawn.
+struct StopDrawing {
+    void carry_out(Practice& practice) const { practice.wall().give_up(practice.match()); }
 };
 
 }  // namespace thaum::app

@@ -79,6 +79,13 @@ protected:
         return shared_.screen.newest();
     }
     auto& requests() { return shared_.requests; }
+    /// Whether the oldest request that waits is this one to the range. Takes it.
+    template <class T>
+    bool asked_range() {
+        const auto request = requests().take();
+        const auto* asked = request ? std::get_if<AskRange>(&*request) : nullptr;
+        return asked != nullptr && asked->request.as<T>();
+    }
     input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
 
     LivePlan plan_;

@@ -1,0 +1,77 @@
+// game/live/match_requests.h: requests of the main thread to the simulation thread about the present match.
+//
+// A deed is a value in a queue: a plain struct that acts on a RequestTarget, once, before the next tick. A new one is a
+// struct here, and the place that asks for it. Deeds of the range are open even there (game/range/range_request.h). What
+// counts only as its newest value, or is set by both threads, is an atomic value beside the queue.
+#pragma once
+#include <atomic>
+#include <optional>
+#include <variant>
+
+#include "core/spsc_queue.h"
+#include "game/live/hand_over.h"
+#include "game/range/practice.h"
+
+namespace thaum::app {
+
+/// What a request can act on.
+struct RequestTarget {
+    Practice* practice{};       ///< null: the match is not on the range
+    std::uint32_t& next_press;  ///< buttons that the next input frame presses (bits of input::Button)
+};
+
+/// The session's mark key.
+struct PressMark {
+    void carry_out(RequestTarget& target) const { target.next_press |= input::bit(input::Button::mark); }
+};
+
+/// A request to the practice; nothing in another match.
+struct AskRange {
+    RangeRequest request{};
+    void carry_out(RequestTarget& target) const {
+        if (target.practice != nullptr) request.carry_out(*target.practice);
+    }
+};
+
+using MatchRequest = std::variant<PressMark, AskRange>;
+
+struct MatchRequests {
+    // Called by the main thread.
+    /// Asks once. Only a simulation thread that hangs leaves so many requests that further ones are dropped.
+    void ask(const MatchRequest& request) { (void)queue_.push(request); }
+
+    // Called by the simulation thread.
+    /// The oldest request that waits, once.
+    std::optional<MatchRequest> take() {
+        const auto* oldest = queue_.front();
+        if (oldest == nullptr) return {};
+        const auto request = *oldest;
+        queue_.pop();
+        return request;
+    }
+    /// Carries out all requests that wait.
+    void carry_out(RequestTarget target) {
+        while (const auto next = take())
+            std::visit([&](const auto& request) { request.carry_out(target); }, *next);
+    }
+    /// Forgets the requests that wait: they were meant for another match.
+    void forget() {
+        while (take()) {}
+    }
+
+    std::atomic<bool> end{false};  ///< true: the match must end
+    /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
+    std::atomic<bool> rematch{false};
+    /// Player for whom the session presses the pause button: to pause, or to go on. Set by either thread. Ignored if the
+    /// match is in that state already. game::no_player: none.
+    std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};   ///< wanted kind of the range's dummy
+    std::atomic<game::RangeChanges> range{game::RangeChanges{}};  ///< wanted changes of the range's rules
+    static_assert(decltype(range)::is_always_lock_free);
+    HandOver<OwnGestures> own_gestures{};  ///< own gestures of the player of the range, after a change
+
+private:
+    SpscQueue<MatchRequest, 64> queue_{};
+};
+
+}  // namespace thaum::app
