@@ -30,10 +30,10 @@ LiveMenu::LiveMenu(MenuState state, MenuContext context, std::filesystem::path s
     for (const auto& fault : faults) tell_user(text("a profile is left out: ", fault));
 }
 
-void LiveMenu::open(Page page) {
+void LiveMenu::open(std::string_view page) {
     state_ = opened(std::move(state_), page);
     request_ = MenuRequest::none;
-    if (page == Page::pause) mouse_.reset();  // position unknown: the cursor was captured during play
+    if (page == page_name::pause) mouse_.reset();  // position unknown: the cursor was captured during play
 }
 
 void LiveMenu::close() {
@@ -123,7 +123,7 @@ void LiveMenu::key(int key, bool pressed, std::int64_t now_ns) {
     }
     if (takes_text()) return name_key(key, now_ns);
     // In the pause the leave key acts at once, as it does after the round.
-    const bool pause = state_.pages.back().page == Page::pause;
+    const bool pause = state_.pages.back().page == page_name::pause;
     if (pause && is_bound(settings().of(SessionKey::leave), key)) {
         request_ = MenuRequest::leave;
         return;

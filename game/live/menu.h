@@ -24,9 +24,9 @@ public:
     game::MenuPicture picture() const { return picture_of(state_, context_); }
     bool is_open() const { return !state_.pages.empty(); }
     /// Whether the start screen or a page below it is open.
-    bool on_start_screen() const { return is_open() && state_.pages.front().page == Page::start; }
+    bool on_start_screen() const { return is_open() && state_.pages.front().page == page_name::start; }
     /// Whether the page of what a player feels is shown.
-    bool on_mixer() const { return is_open() && state_.pages.back().page == Page::mixer; }
+    bool on_mixer() const { return is_open() && state_.pages.back().page == page_name::mixer; }
     /// Whether the next key or button becomes a binding.
     bool waits_for_control() const { return state_.waiting.has_value(); }
     /// Whether a name is being typed.
@@ -34,7 +34,7 @@ public:
     /// Whether keys have no meaning but to the menu: they become a binding or a name.
     bool takes_all_keys() const { return waits_for_control() || takes_text(); }
 
-    void open(Page page);
+    void open(std::string_view page);
     void close();
 
     // Events while a menu is open.
@@ -64,7 +64,7 @@ public:
     bool take_settings_change() { return std::exchange(settings_changed_, false); }
 
     /// Whether the page of a joystick's set-up is shown.
-    bool sets_up_pad() const { return is_open() && state_.pages.back().page == Page::pad_setup; }
+    bool sets_up_pad() const { return is_open() && state_.pages.back().page == page_name::pad_setup; }
 
     // News for the menu.
     /// Joysticks that are no pads, pads that were set up by hand, and a line for each joystick that does not play.
@@ -127,7 +127,9 @@ private:
     void name_key(int key, std::int64_t now_ns);
     void point_by_pad(const Device& device, const input::PadState& before, const input::PadState& now,
                       std::int64_t now_ns);
-    bool on_start_page() const { return !state_.pages.empty() && state_.pages.back().page == Page::start; }
+    bool on_start_page() const {
+        return !state_.pages.empty() && state_.pages.back().page == page_name::start;
+    }
     bool joined_just_now(const Device& device, const input::PadState& before);
     std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;
 

@@ -302,7 +302,7 @@ void LiveSession::follow_match(std::int64_t now_ns) {
     }
     if (!menu_.is_open()) {
         hands_.release();
-        menu_.open(Page::pause);
+        menu_.open(page_name::pause);
     }
     menu_.set_pause(pause_words(pause_facts()));
 }
@@ -517,7 +517,7 @@ void LiveSession::open_start_screen(std::int64_t now_ns) {
     hands_.leave_seats();
     if (!began_ns_) began_ns_ = now_ns;
     show_arena();
-    menu_.open(Page::start);
+    menu_.open(page_name::start);
 }
 
 bool LiveSession::step_start_screen(const Pads& pads, std::int64_t now_ns) {

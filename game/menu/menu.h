@@ -4,6 +4,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "game/hud/menu.h"
@@ -20,18 +21,13 @@ struct Device {
     bool operator==(const Device&) const = default;
 };
 
-enum class Page : std::uint8_t {
-    start,
-    pause,
-    sheets,     ///< list of the sheets of bindings
-    bindings,   ///< bindings of one sheet
-    pad_setup,  ///< asks for the controls of a joystick that is no pad yet
-    settings,
-    sound,     ///< settings of the sounds
-    player,    ///< settings of one player
-    mixer,     ///< what one player feels: faders for forces, motors and jacket
-    cauldron,  ///< faders for the cauldron's forces on one hand
-};
+/// Names of the pages that the menu's caller asks about. Each page is a value in a file of its own (menu/page.h).
+namespace page_name {
+inline constexpr std::string_view start = "start";
+inline constexpr std::string_view pause = "pause";
+inline constexpr std::string_view pad_setup = "pad_setup";  ///< asks for the controls of a joystick
+inline constexpr std::string_view mixer = "mixer";          ///< what one player feels
+}  // namespace page_name
 
 struct MenuEvent {
     enum class Kind : std::uint8_t {
@@ -124,7 +120,7 @@ enum class Typing : std::uint8_t { name, profile };
 
 struct MenuState {
     struct Open {
-        Page page{};
+        std::string_view page{};  ///< name of a registered page
         std::size_t cursor = 0;
         std::size_t middle = 0;  ///< row about which the page is scrolled; the mouse moves the cursor alone
     };
@@ -157,7 +153,7 @@ struct MenuState {
 };
 
 /// Opens a page on a menu that is closed.
-MenuState opened(MenuState state, Page page);
+MenuState opened(MenuState state, std::string_view page);
 
 MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context);
 

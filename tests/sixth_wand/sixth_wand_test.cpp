@@ -189,7 +189,7 @@ TEST(SixthWand, ItsKeyIsListedInTheMenu) {
     plan.data = data_of();
     plan.assets = assets();
     const auto facts = find_menu_context(plan);
-    auto state = opened({}, Page::bindings);
+    auto state = opened({}, "bindings");
     const auto picture = app::picture_of(state, facts);
     const auto listed = [&](std::string_view label) {
         return std::any_of(picture.rows.begin(), picture.rows.end(),

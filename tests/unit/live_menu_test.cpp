@@ -17,7 +17,7 @@ class LiveMenuTest : public testing::Test {
 protected:
     /// Opens the pause with its title. A menu without a title is not drawn.
     void open_pause() {
-        menu_.open(Page::pause);
+        menu_.open("pause");
         menu_.set_pause({"Paused", ""});
     }
     void press(std::string_view name, std::int64_t now_ns = 0) {
@@ -28,7 +28,7 @@ protected:
         for (const auto* name : names) press(name);
     }
     std::size_t cursor() const { return menu_.state().pages.back().cursor; }
-    Page page() const { return menu_.state().pages.back().page; }
+    std::string_view page() const { return menu_.state().pages.back().page; }
     std::size_t row_of(std::string_view label) const {
         const auto rows = menu_.picture().rows;
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -72,7 +72,7 @@ protected:
 // ---- news ---------------------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AJoystickThatIsPluggedInLeavesTheChosenRowChosen) {
-    menu_.open(Page::start);
+    menu_.open("start");
     choose("Controls");
     press("enter");
     choose("Back");
@@ -86,17 +86,17 @@ TEST_F(LiveMenuTest, AJoystickThatIsPluggedInLeavesTheChosenRowChosen) {
     EXPECT_EQ(cursor(), row_of("Forget the set-up of Own"));
     menu_.tell_sticks({}, {}, {});
     press("enter");
-    EXPECT_EQ(page(), Page::start) << "the last row is chosen once the row is gone";
+    EXPECT_EQ(page(), "start") << "the last row is chosen once the row is gone";
 }
 
 TEST_F(LiveMenuTest, TheRowsBelowAnOpenPageStayChosenToo) {
     menu_.tell_sticks({"Stick"}, {}, {});
-    menu_.open(Page::start);
+    menu_.open("start");
     choose("Controls");
     press("enter");
     choose("Set up Stick");
     press("enter");
-    ASSERT_EQ(page(), Page::pad_setup);
+    ASSERT_EQ(page(), "pad_setup");
     menu_.tell_sticks({"Another"}, {"Stick"}, {});
     menu_.end_pad_setup("");
     EXPECT_EQ(cursor(), row_of("Set up Stick again"));
@@ -114,7 +114,7 @@ TEST_F(LiveMenuTest, AnOfferInThePauseLeavesTheChosenRowChosen) {
 TEST_F(LiveMenuTest, TheWindowsTitleNamesPageAndRow) {
     const auto title = [&] { return window_title(menu_.state(), menu_.context()); };
     EXPECT_EQ(title(), "Thaum");
-    menu_.open(Page::start);
+    menu_.open("start");
     choose("Bot");
     EXPECT_EQ(title(), "Thaum: Bot: level 1");
     open_pause();
@@ -129,7 +129,7 @@ TEST_F(LiveMenuTest, TheWindowsTitleNamesPageAndRow) {
 // ---- held directions --------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, AHeldKeyRepeatsAtTheStatedTimes) {
-    menu_.open(Page::start);
+    menu_.open("start");
     menu_.key(rig::key("down"), true, 0);
     EXPECT_EQ(cursor(), 1U);
     menu_.repeat(first - 1);
@@ -151,7 +151,7 @@ TEST_F(LiveMenuTest, AHeldKeyRepeatsAtTheStatedTimes) {
 }
 
 TEST_F(LiveMenuTest, AnotherKeysReleaseDoesNotEndTheRepetition) {
-    menu_.open(Page::start);
+    menu_.open("start");
     menu_.key(rig::key("up"), true, 0);
     menu_.key(rig::key("down"), true, 0);
     menu_.key(rig::key("up"), false, 0);
@@ -175,7 +175,7 @@ TEST_F(LiveMenuTest, AStickThatIsPushedWhenItsPadIsPluggedInMovesNothing) {
 }
 
 TEST_F(LiveMenuTest, AHeldStickRepeatsUntilItIsLetGoOrUnplugged) {
-    menu_.open(Page::start);
+    menu_.open("start");
     const auto idle = rig::pad_with(), down = rig::pad_at(PadAxis::left_y, -1);
     menu_.pad(0, idle, down, 0);
     EXPECT_EQ(cursor(), 1U);
@@ -196,11 +196,11 @@ TEST_F(LiveMenuTest, AHeldStickRepeatsUntilItIsLetGoOrUnplugged) {
 }
 
 TEST_F(LiveMenuTest, AClosedMenuForgetsAHeldDirection) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     menu_.key(rig::key("down"), true, 0);
     menu_.close();
     menu_.repeat(first);
-    menu_.open(Page::pause);
+    menu_.open("pause");
     menu_.repeat(2 * first);
     EXPECT_EQ(cursor(), 0U);
 }
@@ -214,18 +214,18 @@ TEST_F(LiveMenuTest, TheMouseChoosesTheRowUnderIt) {
     menu_.cursor({2, 2}, rig::window);
     EXPECT_EQ(cursor(), row_of("Settings")) << "beside the rows";
     click(point_of("Settings"));
-    ASSERT_EQ(page(), Page::settings);
+    ASSERT_EQ(page(), "settings");
     const auto before = value_of("Field of view");
     click(point_of("Field of view", game::MenuPart::more));
     EXPECT_NE(value_of("Field of view"), before);
     click(point_of("Field of view", game::MenuPart::less));
     EXPECT_EQ(value_of("Field of view"), before);
     click(point_of("Field of view"), 1);
-    EXPECT_EQ(page(), Page::pause) << "the right button goes back";
+    EXPECT_EQ(page(), "pause") << "the right button goes back";
 }
 
 TEST_F(LiveMenuTest, AClickBeforeTheMouseMovedChoosesNothing) {
-    menu_.open(Page::start);
+    menu_.open("start");
     menu_.cursor(point_of("Quit"), rig::window);
     menu_.close();
     open_pause();
@@ -237,7 +237,7 @@ TEST_F(LiveMenuTest, AClickBeforeTheMouseMovedChoosesNothing) {
 }
 
 TEST_F(LiveMenuTest, TheWheelMovesTheChoice) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     menu_.wheel(-1);
     EXPECT_EQ(cursor(), 1U);
     menu_.wheel(1);
@@ -289,11 +289,11 @@ TEST_F(LiveMenuNameTest, EscapeKeepsTheOldNameAndTheMouseCannotLeaveTheRow) {
     EXPECT_EQ(cursor(), row);
     press("escape");
     EXPECT_EQ(menu_.settings(), Settings{});
-    EXPECT_EQ(page(), Page::player);
+    EXPECT_EQ(page(), "player");
 }
 
 TEST_F(LiveMenuTest, WAndSMoveTheChoiceAndAAndDTurnAValue) {
-    menu_.open(Page::start);
+    menu_.open("start");
     press_all({"s", "s", "w"});
     EXPECT_EQ(cursor(), 1U);
     press_all({"d", "d", "a"});
@@ -304,7 +304,7 @@ TEST_F(LiveMenuTest, WAndSMoveTheChoiceAndAAndDTurnAValue) {
 // ---- devices ----------------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, EachDeviceJoinsWithItsOwnPress) {
-    menu_.open(Page::start);
+    menu_.open("start");
     menu_.pad(2, rig::pad_with(), rig::pad_with({PadButton::start}), 0);
     press("kp_0");
     EXPECT_EQ(menu_.state().seats[0], (Device{DeviceKind::pad, 2}));
@@ -316,14 +316,14 @@ TEST_F(LiveMenuTest, EachDeviceJoinsWithItsOwnPress) {
 }
 
 TEST_F(LiveMenuTest, AButtonThatIsHeldIsNoPress) {
-    menu_.open(Page::start);
+    menu_.open("start");
     const auto held = rig::pad_with({PadButton::a});
     menu_.pad(0, held, held, 0);
     EXPECT_FALSE(menu_.state().seats[0]);
 }
 
 TEST_F(LiveMenuTest, PadsAreNamedAndAnUnpluggedOneGivesUpItsSeat) {
-    menu_.open(Page::start);
+    menu_.open("start");
     menu_.name_pads({rig::pad_with()});
     menu_.pad(0, rig::pad_with(), rig::pad_with({PadButton::a}), 0);
     EXPECT_EQ(menu_.picture().seats[0].device, "Pad 1 (Make-believe pad)");
@@ -335,9 +335,9 @@ TEST_F(LiveMenuTest, PadsAreNamedAndAnUnpluggedOneGivesUpItsSeat) {
 // ---- bindings and settings --------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, TheNextControlOfItsDeviceIsBound) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     press_all({"down", "enter", "enter"});
-    ASSERT_EQ(page(), Page::bindings);
+    ASSERT_EQ(page(), "bindings");
     choose("Jump");
     press("enter");
     ASSERT_TRUE(menu_.waits_for_control());
@@ -359,13 +359,13 @@ TEST_F(LiveMenuTest, TheNextControlOfItsDeviceIsBound) {
     press("escape");
     EXPECT_FALSE(menu_.waits_for_control());
     EXPECT_EQ(value_of("Jump"), "Wheel up");
-    EXPECT_EQ(page(), Page::bindings);
+    EXPECT_EQ(page(), "bindings");
 }
 
 TEST_F(LiveMenuTest, AChangedSettingIsReportedOnce) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     press_all({"down", "down", "enter"});
-    ASSERT_EQ(page(), Page::settings);
+    ASSERT_EQ(page(), "settings");
     EXPECT_FALSE(menu_.take_settings_change());
     choose("Text size");
     press("right");
@@ -380,7 +380,7 @@ protected:
     LiveMenuFileTest() {
         EXPECT_TRUE(load_settings(file_.path, THAUM_SOURCE_DIR "/assets"));
         menu_ = LiveMenu({}, menu_.context(), file_.path);
-        menu_.open(Page::pause);
+        menu_.open("pause");
         press_all({"down", "down", "enter"});
         choose("Field of view");
     }
@@ -422,7 +422,7 @@ TEST_F(LiveMenuFileTest, AFaultyFileIsKeptAndTheChangeHoldsForThisRun) {
 // ---- requests ---------------------------------------------------------------------------------------------
 
 TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     press("q");
     EXPECT_EQ(menu_.take_request(), MenuRequest::leave);
     EXPECT_EQ(menu_.take_request(), MenuRequest::none);
@@ -432,7 +432,7 @@ TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
 
 /// A request waits until the session carries it out. Presses of the same moment are meant for what comes then.
 TEST_F(LiveMenuTest, ARequestIsNotLostByLaterEvents) {
-    menu_.open(Page::start);
+    menu_.open("start");
     press_all({"x", "x", "escape", "down"});
     EXPECT_TRUE(menu_.state().seats[0]);
     EXPECT_EQ(menu_.take_request(), MenuRequest::start);
@@ -441,14 +441,14 @@ TEST_F(LiveMenuTest, ARequestIsNotLostByLaterEvents) {
 }
 
 TEST_F(LiveMenuTest, AMenuThatOpensHasNoOldRequest) {
-    menu_.open(Page::start);
+    menu_.open("start");
     press_all({"x", "x"});
-    menu_.open(Page::pause);
+    menu_.open("pause");
     EXPECT_EQ(menu_.take_request(), MenuRequest::none);
 }
 
 TEST_F(LiveMenuTest, ThePauseShowsItsReason) {
-    menu_.open(Page::pause);
+    menu_.open("pause");
     menu_.set_pause({"Paused", "by player 2"});
     EXPECT_EQ(menu_.picture().title, "Paused");
     EXPECT_EQ(menu_.picture().line, "by player 2");

@@ -4,7 +4,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
-#include "game/menu/menu_rows.h"
+#include "game/menu/page.h"
 #include "render/font.h"
 #include "unit/menu_rig.h"
 #include "unit/overlay_items.h"
@@ -103,13 +103,13 @@ TEST(PlayerPage, TellsOfARowThatWaitsForTheNextMatch) {
     const auto note_at = [](MenuState s, std::string_view row) {
         return picture_of(choose(std::move(s), row, Kind::right), context()).note;
     };
-    auto during = opened(start_page(), Page::pause);
-    during.pages.push_back({Page::player, 0, 0});
+    auto during = opened(start_page(), "pause");
+    during.pages.push_back({"player", 0, 0});
     EXPECT_EQ(note_at(during, "Cast without a button"),
               "Applies from the next match, or after \"Restart the match\"");
     EXPECT_EQ(note_at(during, "Mouse speed"), "") << "acts at once";
-    auto before = opened(start_page(), Page::start);
-    before.pages.push_back({Page::player, 0, 0});
+    auto before = opened(start_page(), "start");
+    before.pages.push_back({"player", 0, 0});
     EXPECT_EQ(note_at(before, "Cast without a button"), "") << "the next match is the first one";
 }
 
@@ -122,7 +122,7 @@ TEST(PlayerPage, ANameStandsInTheSeatsAndOnThePages) {
     s = with(s, Kind::confirm);
     EXPECT_EQ(value_of(s, "Whose settings"), "Zoë");
     EXPECT_EQ(value_of(s, "Name"), "Zoë");
-    s = with(opened(s, Page::start), Kind::other, first_pad);
+    s = with(opened(s, "start"), Kind::other, first_pad);
     EXPECT_EQ(picture_of(s, context()).seats[0].head, "Zoë: joined");
     EXPECT_EQ(picture_of(s, context()).seats[1].head, "Tide");
 }
@@ -277,7 +277,7 @@ TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
 
 TEST(MixerPage, OpensForThePlayerWhoAsks) {
     auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
-    s = choose(opened(s, Page::pause), "Settings");
+    s = choose(opened(s, "pause"), "Settings");
     const auto row = row_named(s, "Forces and body");
     const auto opened_by = [&](const Device& device) {
         return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
@@ -315,7 +315,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
         const auto picture = picture_of(s, context());
         ASSERT_LT(picture.cursor, picture.rows.size());
         ASSERT_TRUE(!s.seats[0] || s.seats[0] != s.seats[1]);
-        if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? Page::start : Page::pause);
+        if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? "start" : "pause");
     }
     const auto edited = edit_settings("version = 1\n", "s", changes({}, s.settings)).value();
     EXPECT_EQ(changes(parse_settings(edited, "s").value(), s.settings), std::vector<SettingEdit>{});
@@ -331,7 +331,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
 
 /// A state for each page of the menu.
 std::vector<MenuState> all_pages() {
-    auto pause = opened({}, Page::pause);
+    auto pause = opened({}, "pause");
     pause.head = "Pad 1 of Ember and pad 2 of WWWWWWWWWWWWWWWW are not plugged in";
     pause.line = "plug it in and press a button on it or on a free pad, or Keypad 0 for half of the keyboard";
     std::vector<MenuState> all{start_page(),

@@ -34,7 +34,7 @@ inline MenuState with(MenuState s, Kind kind, const Device& device = keyboard) {
     return step(std::move(s), {.kind = kind, .device = device}, context());
 }
 
-inline MenuState start_page() { return opened({}, Page::start); }
+inline MenuState start_page() { return opened({}, "start"); }
 
 inline std::size_t row_named(const MenuState& s, std::string_view label) {
     const auto rows = picture_of(s, context()).rows;
@@ -69,7 +69,7 @@ inline const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Ac
 }
 
 // Pages that several tests open.
-inline MenuState settings_page() { return choose(opened({}, Page::pause), "Settings"); }
+inline MenuState settings_page() { return choose(opened({}, "pause"), "Settings"); }
 inline MenuState player_page() { return choose(settings_page(), "Each player's own settings"); }
 inline MenuState mixer_page() { return choose(settings_page(), "Forces and body"); }
 inline MenuState cauldron_page() { return choose(mixer_page(), "Cauldron feedback"); }

@@ -188,7 +188,7 @@ TEST(StartScreen, AnotherDeviceJoinsWhateverRowIsChosen) {
     EXPECT_EQ(with(with(s, Kind::confirm, half), Kind::confirm, second_pad).request, MenuRequest::quit);
     // A click means its row.
     const MenuEvent click{.kind = Kind::confirm, .device = keyboard, .row = row_named(s, "Settings")};
-    EXPECT_EQ(step(start_page(), click, context()).pages.back().page, Page::settings);
+    EXPECT_EQ(step(start_page(), click, context()).pages.back().page, "settings");
 }
 
 TEST(StartScreen, RemembersItsChoicesInTheSettings) {
@@ -223,7 +223,7 @@ TEST(StartScreen, ABrokenFileStaysInItsRowAndIsNotPlayed) {
 // ---- the pause --------------------------------------------------------------------------------------------
 
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
-    auto s = opened({}, Page::pause);
+    auto s = opened({}, "pause");
     s.head = "Paused";
     EXPECT_EQ(with(s, Kind::confirm).request, MenuRequest::go_on);
     EXPECT_EQ(with(s, Kind::back, first_pad).request, MenuRequest::go_on);
@@ -295,7 +295,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     auto range = context();
     range.practice = true;
     range.gestures = {"circle", "s", "v"};
-    auto s = opened({}, Page::pause);
+    auto s = opened({}, "pause");
     const auto row_of = [&](std::string_view label) {
         const auto rows = picture_of(s, range).rows;
         const auto found =
@@ -313,16 +313,16 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
     EXPECT_EQ(s.range_request.as<DrawGesture>()->number, 2U);
     // While it is drawn, the same row of the next pause gives it up.
     range.drawn_gesture = 3;
-    s = opened(std::move(s), Page::pause);
+    s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, own);
     EXPECT_EQ(row_of("Give up drawing V"), own);
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard}, range);
     EXPECT_EQ(s.request, MenuRequest::ask_range);
     EXPECT_TRUE(s.range_request.as<StopDrawing>());
     range.drawn_gesture = 0;
-    s = opened(std::move(s), Page::pause);
+    s = opened(std::move(s), "pause");
     EXPECT_EQ(row_of("Own gesture"), s.pages.back().cursor);
-    s = opened(std::move(s), Page::pause);
+    s = opened(std::move(s), "pause");
     EXPECT_EQ(s.pages.back().cursor, 0U) << "the pause after a pause that was merely closed";
     const auto usual = row_of("Usual V again");
     s = step(std::move(s), {.kind = Kind::confirm, .device = keyboard, .row = usual}, range);
@@ -334,7 +334,7 @@ TEST(PauseMenu, OnTheRangeAPressDrawsAnOwnGesture) {
 TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
     auto range = context();
     range.practice = true;
-    auto s = opened({}, Page::pause);
+    auto s = opened({}, "pause");
     const auto dummy = [&] { return picture_of(s, range).rows[1]; };
     EXPECT_EQ(dummy().label, "Dummy");
     EXPECT_EQ(dummy().value, "still");

@@ -101,7 +101,7 @@ TEST_F(PadSetupTest, AllControlsMakeAMappingThatIsKept) {
               "03000000aabb00001122000001000000,Stick of wood,a:b0,leftx:a0,lefty:a1,rightx:a2,righty:a3,"
               "righttrigger:b4,start:b8,platform:Linux,");
     session_->end_pad_setup(*change, {});
-    EXPECT_EQ(session_->menu().state().pages.back().page, Page::sheets);
+    EXPECT_EQ(session_->menu().state().pages.back().page, "sheets");
     EXPECT_TRUE(session_->menu().state().note.starts_with("it plays as a pad now, without B, X, Y, LT, RB, "))
         << session_->menu().state().note;
     const auto file = own_pads_file(plan_.settings_file);
@@ -158,7 +158,7 @@ TEST_F(PadSetupTest, OldButtonsOfAPadMeanNothingWhileItIsSetUpAgain) {
     press("escape");
     step_with(pad({}));
     step_with(pad({input::PadButton::b}));
-    EXPECT_EQ(session_->menu().state().pages.back().page, Page::start) << "the set-up has ended";
+    EXPECT_EQ(session_->menu().state().pages.back().page, "start") << "the set-up has ended";
 }
 
 TEST_F(PadSetupTest, AFileThatCannotBeWrittenIsTold) {
@@ -198,7 +198,7 @@ TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     look({.unknown = {stick_with(4)}});
     press("escape");
     look({.unknown = {stick_with()}});
-    EXPECT_EQ(session_->menu().state().pages.back().page, Page::sheets);
+    EXPECT_EQ(session_->menu().state().pages.back().page, "sheets");
     for (int i = 0; i < 40; ++i) EXPECT_FALSE(look({.unknown = {stick_with()}}));
     EXPECT_TRUE(load_own_pads(own_pads_file(plan_.settings_file)).mappings.empty());
     // The next set-up begins with the first control.
@@ -207,7 +207,7 @@ TEST_F(PadSetupTest, EscEndsItAndNothingIsKept) {
     EXPECT_TRUE(screen().menu.line.starts_with("1 of 20: ")) << screen().menu.line;
     // Its joystick is pulled out.
     look({});
-    EXPECT_EQ(session_->menu().state().pages.back().page, Page::sheets);
+    EXPECT_EQ(session_->menu().state().pages.back().page, "sheets");
 }
 
 TEST_F(PadSetupTest, ThePauseOffersItToo) {

@@ -1,0 +1,133 @@
+// game/menu/page.h: a page of the menu as one value: its title, its rows and how it is reset. Each page is a source in
+// game/menu/pages/, which registers it; a row of another page opens it by its name.
+//
+// Rows are made anew for every event and picture. A row acts by plain functions, so that the menu needs no list of all kinds
+// of rows.
+#pragma once
+#include "game/menu/menu.h"
+
+namespace thaum::app {
+
+struct Row;
+
+/// A press on a row, or a turn of its value, and what it can act on.
+struct RowPress {
+    MenuState& state;
+    const MenuContext& context;
+    const Device& device;
+    const Row& row;
+};
+
+struct Row {
+    game::MenuRow look{};
+    /// Acts on Enter, A and clicks; null: turns the value one step on.
+    void (*confirm)(const RowPress&) = nullptr;
+    /// Acts on left (-1) and right (1); null: the row has no value to turn.
+    void (*turn)(const RowPress&, int way) = nullptr;
+    std::size_t index = 0;     ///< index of the setting, action, sheet, joystick, fader or tactile::Purpose
+    std::string_view opens{};  ///< name of the page that a press opens; empty: none
+    std::string stick{};       ///< joystick that the row is about, whatever number it has; empty: none
+    bool next_match = false;   ///< a change takes effect with the next match
+    bool for_one = false;      ///< a press begins a practice for the player who presses
+    bool felt = false;         ///< a press lets the player feel the value
+};
+
+using Rows = std::vector<Row>;
+
+struct Page {
+    std::string_view name;  ///< by which it is opened; nobody reads it
+    std::string (*title)(const MenuState&, const MenuContext&);
+    void (*add_rows)(const MenuState&, const MenuContext&, Rows&);
+    /// Sets all values of the page to their defaults, and says whose: "settings of this page". null: the page has no row
+    /// "Reset to defaults".
+    std::string (*reset)(MenuState&) = nullptr;
+    /// Line below the title for the chosen row; null: none.
+    std::string (*line)(const MenuState&, const MenuContext&, const Row&) = nullptr;
+    /// Help on the keys for the chosen row; null: that of most pages.
+    std::string (*hint)(const MenuState&, const MenuContext&, const Row&) = nullptr;
+    /// A fault that the page shows while there is nothing else to report; null: none.
+    std::string (*fault)(const MenuContext&) = nullptr;
+    /// Acts on Esc, B and the right button; null: the menu returns to the page before, as the last row "Back" does.
+    void (*leave)(MenuState&, const Device&, const Rows&) = nullptr;
+    /// Acts on a press without a meaning in menus; null: nothing happens.
+    void (*other)(MenuState&, const MenuContext&, const Device&) = nullptr;
+    bool seats = false;    ///< players take seats on the page, and it shows them
+    bool back_row = true;  ///< the last row is "Back"
+};
+
+/// Registers a page when the program starts. The linker must keep the object file: link to thaum_menu_pages.
+struct PageRegistration {
+    explicit PageRegistration(const Page& page);
+};
+
+/// All pages, sorted by name.
+const std::vector<Page>& all_pages();
+/// The page of a name, which must be registered.
+const Page& page_of(std::string_view name);
+inline const Page& shown_page(const MenuState& state) { return page_of(state.pages.back().page); }
+
+/// Rows of the page that is shown.
+Rows rows_of(const MenuState& state, const MenuContext& context);
+
+// What rows of several pages do ------------------------------------------------------------------------------
+
+/// Opens a page above the one that is shown.
+void open_page(MenuState& state, std::string_view page);
+/// A row that opens a page.
+Row link_to(std::string_view page, std::string label, std::string help);
+/// A row that opens a page about one player: the one whose device asks for it.
+Row link_for_player(std::string_view page, std::string label, std::string help);
+/// The rows "Controls" and "Settings".
+void add_page_rows(Rows& rows);
+/// A row that chooses the player whose values the page shows.
+Row whose_row(const MenuState& state, std::string label);
+/// All settings of the game, or of the page's player, that belong to a page.
+void add_settings(const MenuState& state, SettingPage page, Rows& rows);
+void add_player_settings(const MenuState& state, SettingPage page, Rows& rows);
+/// Sets these settings of the game to their defaults. Returns the words of Page::reset.
+std::string reset_settings(MenuState& state, SettingPage page);
+
+/// The index after or before the present one in a list.
+std::size_t turned(std::size_t index, std::size_t size, int way);
+template <class List>
+void turn(std::size_t& index, const List& list, int way) {
+    index = turned(index, list.size(), way);
+}
+
+/// The words that need the widest place; empty: there are none.
+std::string longest(const std::vector<std::string_view>& words);
+
+/// Asks something of the match of the range, which goes on with it.
+template <class T>
+void ask_range(MenuState& state, const T& request) {
+    state.request = MenuRequest::ask_range;
+    state.range_request = RangeRequest(request);
+}
+
+/// Begins to type words.
+void type(MenuState& state, Typing what, std::string words);
+
+/// The first fault of the joysticks, which several pages show; empty: none.
+std::string pad_fault(const MenuContext& context);
+
+// Seats and joysticks ----------------------------------------------------------------------------------------
+
+/// Number of players who have joined.
+std::size_t joined(const MenuState& state);
+/// Seat of a device; std::nullopt: it has not joined.
+std::optional<std::size_t> seat_of(const MenuState& state, const Device& device);
+/// Gives a device the first free seat.
+void join(MenuState& state, const Device& device);
+/// Whether a press on the row starts the range or the Apprentice for the player who presses, because nobody has joined.
+inline bool starts_at_once(const MenuState& state, const Row& row) {
+    return row.for_one && joined(state) == 0;
+}
+
+/// Name of a joystick by its number in MenuState::stick; empty: it is gone.
+std::string name_of_stick(const MenuContext& context, std::size_t stick);
+/// Words of the pause's row that begins the match again: "Restart the match".
+std::string label_of_restart(const MenuContext& context);
+/// Calls what the pause belongs to: "match", "range" or "Apprentice".
+std::string_view name_of_play(const MenuContext& context);
+
+}  // namespace thaum::app

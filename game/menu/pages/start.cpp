@@ -1,0 +1,183 @@
+// The start screen: players take seats, choose a match and begin it.
+#include "core/text.h"
+#include "game/menu/page.h"
+
+namespace thaum::app {
+namespace {
+
+using input::DeviceKind;
+
+// Seats and the match ---------------------------------------------------------------------------------------
+
+/// What is wrong with a chosen file; empty: all can be played.
+std::string fault_of_choice(const MenuState& s, const MenuContext& context) {
+    const auto& rules = context.rules[s.rules].fault;
+    return rules.empty() ? context.arenas[s.arena].fault : rules;
+}
+
+/// Requests a match, unless a file that was chosen for it is broken.
+void start(MenuState& s, MenuRequest request, const MenuContext& context) {
+    s.note = fault_of_choice(s, context);
+    if (s.note.empty()) s.request = request;
+}
+
+/// Joins with a device's first press, and starts the match with its second one.
+void join_or_start(MenuState& s, const MenuContext& context, const Device& device) {
+    if (seat_of(s, device))
+        start(s, MenuRequest::start, context);
+    else
+        join(s, device);
+}
+
+/// Requests the range or the Apprentice for one player; the other seat stays empty.
+void practise(const RowPress& press, MenuRequest request) {
+    press.state.seats = {press.device};
+    start(press.state, request, press.context);
+}
+
+void leave_start(MenuState& s, const Device& device, const Rows& rows) {
+    if (const auto seat = seat_of(s, device)) {
+        s.seats[*seat].reset();
+    } else if (device.kind == DeviceKind::pad) {
+        join(s, device);  // any button of a pad joins
+    } else {
+        s.pages.back().cursor = s.pages.back().middle = rows.size() - 1;  // Quit is the last row
+        s.chooser = device;
+    }
+}
+
+// Choices among data files ----------------------------------------------------------------------------------
+
+std::string longest_label(const std::vector<MenuContext::Named>& list) {
+    std::vector<std::string_view> labels;
+    for (const auto& one : list) labels.emplace_back(one.label);
+    return longest(labels);
+}
+
+/// The row of a choice among data files. A broken file says what is wrong with it, and cannot be played.
+game::MenuRow choice_row(std::string label, const std::string& help,
+                         const std::vector<MenuContext::Named>& list, std::size_t chosen) {
+    const auto& one = list[chosen];
+    return {.label = std::move(label),
+            .help = one.fault.empty() ? help : one.fault,
+            .value = one.label,
+            .longest_value = longest_label(list),
+            .adjustable = true,
+            .dim = !one.fault.empty()};
+}
+
+// A choice for the next match is remembered by the settings, unless its file is broken.
+
+void turn_level(const RowPress& press, int way) {
+    auto& s = press.state;
+    turn(s.level, press.context.levels, way);
+    s.settings.last.bot_level = press.context.levels[s.level];
+}
+
+void turn_rules(const RowPress& press, int way) {
+    auto& s = press.state;
+    turn(s.rules, press.context.rules, way);
+    const auto& chosen = press.context.rules[s.rules];
+    if (chosen.fault.empty()) s.settings.last.match = chosen.name;
+}
+
+void turn_arena(const RowPress& press, int way) {
+    auto& s = press.state;
+    turn(s.arena, press.context.arenas, way);
+    const auto& chosen = press.context.arenas[s.arena];
+    if (chosen.fault.empty()) s.settings.last.arena = chosen.name;
+}
+
+void add_choice_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    rows.push_back(
+        {.look = {.label = "Bot",
+                  .help = context.level_fault.empty()
+                              ? "Sets how well the bot plays, which takes a seat that nobody joins."
+                              : context.level_fault,
+                  .value = text("level ", context.levels[s.level]),
+                  .adjustable = context.levels.size() > 1,
+                  .dim = joined(s) == game::players},
+         .turn = turn_level});
+    if (context.rules.size() > 1)
+        rows.push_back({.look = choice_row("Match", "Sets how many kills win, and how long a round lasts.",
+                                           context.rules, s.rules),
+                        .turn = turn_rules});
+    if (context.arenas.size() > 1)
+        rows.push_back(
+            {.look = choice_row("Arena", "Sets the place of the duel, which is shown behind this menu.",
+                                context.arenas, s.arena),
+             .turn = turn_arena});
+}
+
+// Rows ------------------------------------------------------------------------------------------------------
+
+std::string duel_label(const MenuState& s) {
+    switch (joined(s)) {
+        case 0: return "Duel: press any button to join";
+        case 1: return "Start against the bot";
+        default: return "Start the duel";
+    }
+}
+
+Row apprentice_row() {
+    return {.look = {.label = "Apprentice (3 min)",
+                     .help = "Teaches one player everything, step by step. Leave it at any time."},
+            .confirm = [](const RowPress& press) { practise(press, MenuRequest::apprentice); },
+            .for_one = true};
+}
+
+void add_start_rows(const MenuState& s, const MenuContext& context, Rows& rows) {
+    if (context.first_start) rows.push_back(apprentice_row());
+    rows.push_back(
+        {.look = {.label = duel_label(s),
+                  .help = "The first press of a device joins, and the next one starts."},
+         .confirm = [](const RowPress& press) { join_or_start(press.state, press.context, press.device); }});
+    add_choice_rows(s, context, rows);
+    if (!context.first_start) rows.push_back(apprentice_row());
+    rows.push_back({.look = {.label = "Range: practise on a dummy",
+                             .help = "Plays alone, without an end and without a recording."},
+                    .confirm = [](const RowPress& press) { practise(press, MenuRequest::range); },
+                    .for_one = true});
+    add_page_rows(rows);
+    rows.push_back({.look = {.label = "Quit", .help = "Ends the program."},
+                    .confirm = [](const RowPress& press) { press.state.request = MenuRequest::quit; }});
+}
+
+// Words -----------------------------------------------------------------------------------------------------
+
+std::string start_line(const MenuState& s, const MenuContext&, const Row& row) {
+    if (starts_at_once(s, row)) return "press Enter or A to start, or any other key to join";
+    switch (joined(s)) {
+        case 0: return "press to join";
+        case 1: return "press again to start, or a second player joins";
+        default: return "press again to start";
+    }
+}
+
+std::string start_hint(const MenuState& s, const MenuContext&, const Row& row) {
+    if (starts_at_once(s, row))
+        return "choose: arrows, W and S    start: Enter, A, click, keypad 0    "
+               "join: any other key or button";
+    return "choose: arrows, W and S    join: Enter, click, any pad button, keypad 0    "
+           "give up a seat: Esc, B, keypad *";
+}
+
+std::string start_fault(const MenuContext& context) {
+    return context.start_fault.empty() ? pad_fault(context) : context.start_fault;
+}
+
+const PageRegistration start_page{{
+    .name = page_name::start,
+    .title = [](const MenuState&, const MenuContext&) { return std::string("Thaum"); },
+    .add_rows = add_start_rows,
+    .line = start_line,
+    .hint = start_hint,
+    .fault = start_fault,
+    .leave = leave_start,
+    .other = join_or_start,
+    .seats = true,
+    .back_row = false,
+}};
+
+}  // namespace
+}  // namespace thaum::app
